@@ -1,0 +1,104 @@
+// A deck: a tree of YAML values that know their place in the file, checked against the declarations of the plug-ins.
+#ifndef PD_DECK_HPP
+#define PD_DECK_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../../materials/registry/parameters.hpp"
+
+namespace pd {
+
+/// One value of a deck. A light handle; copies refer to the same tree.
+class DeckNode {
+ public:
+  DeckNode() = default;
+  bool exists() const { return data_ != nullptr; }
+  explicit operator bool() const { return exists(); }
+
+  bool isMap() const;
+  bool isSequence() const;
+  bool isScalar() const;
+
+  /// The entry of a map; a node that does not exist where there is none.
+  DeckNode operator[](const std::string& key) const;
+  /// Entries of a map in the order of the file: (key, value).
+  std::vector<std::pair<std::string, DeckNode>> entries() const;
+  std::vector<DeckNode> items() const;
+
+  /// "plate.yaml:12:5" of the value; keyPlace() of its key.
+  std::string place() const;
+  std::string keyPlace() const;
+  /// "Blocks/My Block/Horizon".
+  std::string path() const;
+
+  // Typed values; throw DeckError naming place, path and what was expected.
+  double real() const;  ///< accepts an integer
+  int integer() const;
+  bool flag() const;
+  std::string text() const;
+  double real(const std::string& key, double fallback) const;
+  int integer(const std::string& key, int fallback) const;
+  bool flag(const std::string& key, bool fallback) const;
+  std::string text(const std::string& key, const std::string& fallback) const;
+
+  /// The map as a Teuchos list (int, double, bool, string, arrays, sub-lists), types converted to what `declarations`
+  /// asks for, defaults filled in. Mistakes throw DeckError with all of them.
+  Teuchos::ParameterList parameters(const ParameterDeclarations& declarations) const;
+
+  struct Data;
+  explicit DeckNode(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// What a user did wrong. what(): one "place: message" a line. pdrun exits with code 2.
+class DeckError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Mistakes found so far; thrown together.
+class Mistakes {
+ public:
+  void add(const std::string& place, const std::string& message);
+  bool empty() const { return lines_.empty(); }
+  const std::vector<std::string>& lines() const { return lines_; }
+  /// Throws DeckError with all lines, if there are any.
+  void report() const;
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+class Deck {
+ public:
+  /// Reads the file, applies overrides of the form "Solver/Final Time=1.0" (value in YAML), and removes one root key
+  /// "Peridigm" where there is one. Throws DeckError on unreadable YAML.
+  static Deck read(const std::string& fileName, const std::vector<std::string>& overrides = {});
+
+  DeckNode root() const { return root_; }
+  DeckNode operator[](const std::string& section) const { return root_[section]; }
+  std::string fileName() const { return fileName_; }
+  /// Folder of the deck; relative file names in it start here.
+  std::string directory() const;
+  std::string resolvePath(const std::string& fileName) const;
+  /// Whether the deck had the root key `Peridigm`: then Peridigm's defaults hold (driver/deck/sections.hpp).
+  bool isPeridigmDeck() const { return isPeridigmDeck_; }
+  Mistakes& mistakes() const { return *mistakes_; }
+
+ private:
+  DeckNode root_;
+  std::string fileName_;
+  bool isPeridigmDeck_ = false;
+  std::shared_ptr<Mistakes> mistakes_ = std::make_shared<Mistakes>();
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,32 @@
+// The grammar of a deck: declarations of every section that is not a plug-in's own, and the check of a whole deck.
+#ifndef PD_DECK_SECTIONS_HPP
+#define PD_DECK_SECTIONS_HPP
+
+#include <string>
+#include <vector>
+
+#include "deck.hpp"
+
+namespace pd {
+
+const ParameterDeclarations& discretizationDeclarations();  ///< "Discretization", without its bond filters
+const ParameterDeclarations& bondFilterDeclarations(const std::string& type);  ///< throws for an unknown type
+const ParameterDeclarations& nodeSetDeclarations();                            ///< node sets by geometry
+const ParameterDeclarations& blockDeclarations();
+const ParameterDeclarations& boundaryConditionDeclarations(const std::string& type);
+std::vector<std::string> boundaryConditionTypes();
+std::vector<std::string> bondFilterTypes();
+const ParameterDeclarations& outputDeclarations();
+const ParameterDeclarations& solverDeclarations();  ///< what all solvers share: times, verbosity
+
+/// Checks the whole deck against these and the plug-ins' declarations: unknown keys, types, ranges, names that
+/// refer to something (materials of blocks, node sets of boundary conditions, fields of outputs). Adds every mistake
+/// to deck.mistakes(); reads no mesh.
+void checkDeck(const Deck& deck);
+
+/// The deck with all defaults filled in, as YAML.
+std::string resolvedDeck(const Deck& deck);
+
+}  // namespace pd
+
+#endif

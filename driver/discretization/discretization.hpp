@@ -1,0 +1,49 @@
+// The points of this rank, their neighbourhoods and their node sets.
+#ifndef PD_DISCRETIZATION_HPP
+#define PD_DISCRETIZATION_HPP
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "../parallel/communicator.hpp"
+
+namespace pd {
+
+/// Local numbering: owned points first (0 .. nOwned-1), then ghosts. Owned points are numbered along lines of the
+/// mesh where it has such lines, so that neighbouring points sit next to each other in memory.
+struct Discretization {
+  int dimension = 3;  ///< 1 (all points on a line along x), 2 (all in one z plane) or 3
+  int nOwned = 0;
+  int nPoints = 0;                ///< owned + ghosts
+  long long nGlobal = 0;          ///< points of the whole mesh
+  std::vector<int> globalIds;     ///< [nPoints] 0-based line number of the point in the mesh file
+  std::vector<double> x;          ///< [3 nPoints] reference coordinates, m
+  std::vector<double> volume;     ///< [nPoints] m3
+  std::vector<double> horizon;    ///< [nPoints] m
+  std::vector<int> blockId;       ///< [nPoints] number of the block in the mesh file
+  std::vector<int> blockNumbers;  ///< all block numbers of the mesh, sorted (all ranks)
+
+  /// Neighbours of owned points, as Peridigm lays them out: [n_0, j.., n_1, j.., ...], local ids, sorted in each
+  /// neighbourhood.
+  std::vector<int> neighborhoodList;
+  std::vector<long long> neighborhoodStart;  ///< [nOwned + 1] where each point's entry starts in neighborhoodList
+  /// [bonds] 1 where a bond filter that counts in Damage cuts the bond (others have removed it). Empty where none.
+  std::vector<char> bondIsCut;
+
+  /// Local ids (owned and ghost) by name of the node set as the deck writes it.
+  std::map<std::string, std::vector<int>> nodeSets;
+
+  double shortestBond = 0.0;  ///< over all ranks, m
+  long long nBonds() const { return static_cast<long long>(neighborhoodList.size()) - nOwned; }
+};
+
+/// Reads the mesh and node sets that the deck names, partitions, finds neighbours, applies bond filters.
+/// Mistakes of files are added to `deck.mistakes()` with file:line; throws DeckError after reporting all of them.
+/// Collective.
+Discretization readDiscretization(const Deck& deck, const Communicator& comm);
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,94 @@
+// The discrete model of this rank: blocks with their plug-ins, fields, and the evaluations that solvers ask for.
+#ifndef PD_MODEL_HPP
+#define PD_MODEL_HPP
+
+#include <Teuchos_RCP.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "../discretization/discretization.hpp"
+#include "../parallel/communicator.hpp"
+#include "../parallel/ghost_exchange.hpp"
+#include "Peridigm_Block.hpp"
+#include "timers.hpp"
+
+namespace pd {
+
+/// Point fields are arrays over the overlap (owned first), shared by all blocks.
+class Model {
+ public:
+  /// Creates the plug-ins that the deck names and allocates the fields that they and `extraFields` ask for, and only
+  /// those. Fills Model_Coordinates, Coordinates, Volume, Block_Id, Element_Id (where asked for) and Bond_Damage of
+  /// cut bonds. Collective.
+  Model(const Deck& deck, const Communicator& comm, Discretization discretization, const std::vector<int>& extraFields);
+
+  /// Calls initialize() of all plug-ins, synchronises what they declare, and evaluates damage once, so that every
+  /// field that is used at STEP_N exists. Call after initial conditions (or a restart) are set.
+  void initialize();
+
+  const Communicator& comm() const { return comm_; }
+  const Discretization& discretization() const { return discretization_; }
+  Discretization& discretization() { return discretization_; }
+  Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks() const { return blocks_; }
+  Timers& timers() { return timers_; }
+  int nOwned() const { return discretization_.nOwned; }
+  int nPoints() const { return discretization_.nPoints; }
+
+  /// Has a plug-in (or the driver) asked for this point field?
+  bool hasField(const std::string& label) const;
+  /// Overlap array of a point field, at STEP_NP1 (or STEP_NONE for constant fields). Throws std::invalid_argument.
+  double* field(const std::string& label);
+  /// The same at STEP_N.
+  double* fieldAtN(const std::string& label);
+  int fieldWidth(const std::string& label) const;  ///< values a point
+  void importGhosts(const std::string& label);     ///< owners' STEP_NP1 values to ghosts
+
+  bool hasMechanics() const { return hasField("Force_Density"); }
+  bool hasDamage() const;
+
+  // Evaluations at STEP_NP1, over all blocks, ghosts exchanged as needed.
+  void evaluateDamage(double dt);
+  /// Force_Density = sum of the blocks' internal force densities (N/m3), complete at owned points.
+  /// Coordinates of ghosts must be up to date (setDisplacement does it).
+  void evaluateForce(double dt);
+  /// `fluxField` = flux divergence, complete at owned points. Ghosts of the advanced field must be up to date.
+  void evaluateFluxDivergence(double dt, const std::string& fluxField);
+  void evaluateStoredEnergy(double dt);
+  /// Adds the tangents of all blocks.
+  void assembleJacobian(double dt, PeridigmNS::SerialMatrix& matrix);
+
+  /// Copies owned displacements to Coordinates = Model_Coordinates + Displacement, ghosts included.
+  void updateCoordinates();
+  /// NP1 becomes N.
+  void updateState();
+
+  /// Sum over owned points of all ranks.
+  double dot(const double* a, const double* b, int width) const;
+
+  /// Directed bonds of this rank.
+  long long nBonds() const { return discretization_.nBonds(); }
+  /// Throws RunError naming field, point, place and step where an owned value is not finite.
+  void requireFinite(const std::string& label, int step) const;
+  /// Bytes of bond data (lists, fields) on this rank.
+  std::size_t bondBytes() const;
+
+ private:
+  struct BlockDamage;
+  const Communicator& comm_;
+  Discretization discretization_;
+  GhostExchange ghosts_;
+  Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks_;
+  mutable Timers timers_;
+};
+
+/// A run that cannot go on (NaN, no convergence, unstable step). pdrun exits with code 3.
+class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace pd
+
+#endif

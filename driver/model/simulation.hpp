@@ -1,0 +1,35 @@
+// A run: the model with its conditions and outputs, and the loop over increments.
+#ifndef PD_SIMULATION_HPP
+#define PD_SIMULATION_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../boundary/boundary_conditions.hpp"
+#include "../output/output.hpp"
+#include "model.hpp"
+
+namespace pd {
+
+/// What a solver may use.
+struct Simulation {
+  Model& model;
+  BoundaryConditions& conditions;
+  Output& output;
+};
+
+struct RunOptions {
+  std::string deckFile;
+  std::vector<std::string> overrides;  ///< "path=value"
+  std::string restartFile;             ///< empty: from the start
+  bool isQuiet = false;
+};
+
+/// The straight line: read deck, check everything, build the discretization, allocate, solve, write. Collective.
+/// Throws DeckError (exit code 2) or RunError (3).
+void runDeck(const RunOptions& options, const Communicator& comm);
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,55 @@
+// What a run writes: fields (HDF5 + XDMF), histories (CSV), checkpoints, progress, log and the closing report.
+#ifndef PD_OUTPUT_HPP
+#define PD_OUTPUT_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "../model/model.hpp"
+
+namespace pd {
+
+/// Writes the `Output` sections of a deck, evaluates its computes. All calls are collective.
+class Output {
+ public:
+  Output(const Deck& deck, const Communicator& comm, bool isQuiet);
+  ~Output();
+
+  /// Fields that outputs and computes ask for. Creates the computes.
+  std::vector<int> fieldIds();
+  void initialize(Model& model);
+
+  /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything.
+  void write(Model& model, int step, int nSteps, double time, bool isLast);
+
+  /// Checkpoint with `solverState` when due (Output key "Checkpoint Frequency").
+  void checkpoint(Model& model, int step, double time, const std::vector<double>& solverState, bool isLast);
+
+  /// A line in the log (and on the terminal unless quiet). Root rank only.
+  void log(const std::string& line);
+  /// Progress of the increment: a terminal line that replaces itself, at most a few times a second.
+  void progress(int step, int nSteps, double time, const std::string& what);
+
+  /// The closing table and <name>.report.json.
+  void report(Model& model, const std::vector<std::string>& solverSummary);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// State read from a checkpoint.
+struct Checkpoint {
+  int step = 0;
+  double time = 0.0;
+  std::vector<double> solverState;
+};
+
+/// Fills all fields of the model from the last complete checkpoint of `fileName`; works on another number of ranks.
+Checkpoint readCheckpoint(Model& model, const std::string& fileName);
+
+}  // namespace pd
+
+#endif

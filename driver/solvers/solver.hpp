@@ -1,0 +1,41 @@
+// The base class of solvers. A solver advances fields through the plug-in calls; it knows no material by name.
+#ifndef PD_SOLVER_HPP
+#define PD_SOLVER_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "../../materials/registry/registry.hpp"
+#include "../model/simulation.hpp"
+
+namespace pd {
+
+/// Registered by the name of its list in the deck's Solver section ("Verlet", "Staggered", ...).
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// Labels of fields that this solver needs beyond the plug-ins'; registers them with the FieldManager.
+  virtual std::vector<int> fieldIds() const { return {}; }
+  /// Called once when the model is initialised; `dt` is the length of an increment (0: the solver chooses).
+  virtual void initialize(Simulation&) {}
+  /// Number of increments from t0 to t1 (a load step, a time step: what output frequencies count).
+  virtual int numberOfIncrements(Simulation&, double t0, double t1) = 0;
+  /// Advances all fields from t to t + dt. Throws RunError where it cannot.
+  virtual void advance(Simulation&, double t, double dt) = 0;
+  /// Lines for the log at the end of the run ("critical time step 1.2e-8 s, used 0.85 of it").
+  virtual std::vector<std::string> summary() const { return {}; }
+
+  // State beyond the fields that a bit-identical restart needs (velocities of a relaxation, step history).
+  virtual std::vector<double> restartState() const { return {}; }
+  virtual void setRestartState(const std::vector<double>&) {}
+};
+
+using SolverRegistry = PluginRegistry<Solver, const Teuchos::ParameterList&>;
+
+}  // namespace pd
+
+#define PD_REGISTER_SOLVER(Class, Name, Brief) PD_REGISTER(pd::SolverRegistry, Class, Name, Brief)
+
+#endif

@@ -1,0 +1,105 @@
+// Field storage of a block, with the access calls of Peridigm's DataManager.
+// Inside a Peridigm tree Peridigm's own header of this name is found instead.
+#ifndef PERIDIGM_DATAMANAGER_HPP
+#define PERIDIGM_DATAMANAGER_HPP
+
+#include <Teuchos_RCP.hpp>
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "Peridigm_Field.hpp"
+
+namespace PeridigmNS {
+
+/// Contiguous values of one field at one step: `dimension` values a point (or bond), point after point.
+/// Point fields are over the overlap: owned points first, then ghosts.
+class FieldVector {
+ public:
+  FieldVector(std::size_t length, double value) : storage(length + padding, value), size(length) {}
+
+  int ExtractView(double** view) {
+    *view = storage.data();
+    return 0;
+  }
+  int PutScalar(double value) {
+    std::fill(storage.begin(), storage.begin() + static_cast<std::ptrdiff_t>(size), value);
+    return 0;
+  }
+  int MyLength() const { return static_cast<int>(size); }
+  double& operator[](int i) { return storage[static_cast<std::size_t>(i)]; }
+  const double& operator[](int i) const { return storage[static_cast<std::size_t>(i)]; }
+
+ private:
+  static constexpr std::size_t padding = 16;  ///< lets vector kernels read past the last point
+  std::vector<double> storage;
+  std::size_t size;
+};
+
+/// A numbering of points: what plug-ins use of Peridigm's Epetra_BlockMap.
+class PointMap {
+ public:
+  explicit PointMap(std::vector<int> globalIds);
+  int GID(int localId) const { return globalIds_[static_cast<std::size_t>(localId)]; }
+  int LID(int globalId) const;
+  int NumMyElements() const { return static_cast<int>(globalIds_.size()); }
+
+ private:
+  std::vector<int> globalIds_;
+  std::vector<std::pair<int, int>> byGlobalId_;
+};
+
+/// The fields of a set of points at the steps N, NP1 and NONE. Several DataManagers (one a block) may share
+/// their point fields; bond fields are always a block's own.
+/// A two-step *bond* field is stored once: STEP_N and STEP_NP1 are the same vector, since bond state only
+/// ever depends on the bond's own old value. A plug-in that copies N to NP1 before it updates is right in both
+/// storages.
+class DataManager {
+ public:
+  DataManager() = default;
+
+  /// Sizes and numbering. `numBonds`: length of the block's bond data.
+  void setMaps(Teuchos::RCP<const PointMap> ownedPoints, Teuchos::RCP<const PointMap> overlapPoints, int numBonds);
+
+  /// Allocates the fields that are not there yet, filled with zeros.
+  void allocateData(const std::vector<int>& fieldIds);
+
+  /// Makes this block use the point and global fields of another one.
+  void sharePointData(const DataManager& other);
+
+  bool hasData(int fieldId, PeridigmField::Step step);
+
+  /// Throws std::logic_error where the field was not allocated at this step.
+  Teuchos::RCP<FieldVector> getData(int fieldId, PeridigmField::Step step);
+
+  std::vector<int> getFieldIds();
+
+  Teuchos::RCP<const PointMap> getOwnedScalarPointMap() { return ownedPoints_; }
+  Teuchos::RCP<const PointMap> getOverlapScalarPointMap() { return overlapPoints_; }
+
+  /// Ends a step: N becomes a copy of NP1, which stays as the first guess of the next step. Only fields that
+  /// somebody has asked for at STEP_N are stored and copied. Blocks that share their point fields: call it once.
+  void updateState();
+
+  /// Bytes held in bond fields.
+  std::size_t bondBytes() const;
+
+ private:
+  struct Slot {
+    FieldSpec spec;
+    Teuchos::RCP<FieldVector> none, n, np1;
+  };
+  using Slots = std::map<int, Slot>;
+
+  const Slot* find(int fieldId) const;
+
+  Teuchos::RCP<const PointMap> ownedPoints_, overlapPoints_;
+  int numBonds_ = 0;
+  std::shared_ptr<Slots> pointData_ = std::make_shared<Slots>();
+  Slots bondData_;
+};
+
+}  // namespace PeridigmNS
+
+#endif

@@ -1,0 +1,333 @@
+#include "parameters.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace pd {
+
+namespace {
+
+std::string numberText(double value) {
+  std::ostringstream out;
+  out.precision(10);
+  out << value;
+  return out.str();
+}
+
+template <class Names>
+std::string joined(const Names& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + ("\"" + name + "\"");
+  return result;
+}
+
+std::string ruleComplaint(const ParameterDeclarations::Rule& rule, const Teuchos::ParameterList& given) {
+  const auto isGiven = [&](const std::string& name) { return given.isParameter(name) || given.isSublist(name); };
+  if (rule.kind == ParameterDeclarations::Rule::Needs) {
+    if (!isGiven(rule.names[0])) return "";
+    std::vector<std::string> missing;
+    for (std::size_t i = 1; i < rule.names.size(); ++i)
+      if (!isGiven(rule.names[i])) missing.push_back(rule.names[i]);
+    return missing.empty() ? "" : "\"" + rule.names[0] + "\" needs " + joined(missing) + " beside it";
+  }
+  const auto count = std::count_if(rule.names.begin(), rule.names.end(), isGiven);
+  const bool tooMany = count > 1 && rule.kind != ParameterDeclarations::Rule::AtLeastOne;
+  const bool tooFew = count == 0 && rule.kind != ParameterDeclarations::Rule::AtMostOne;
+  if (tooMany) return "give only one of " + joined(rule.names);
+  if (tooFew)
+    return (rule.kind == ParameterDeclarations::Rule::AtLeastOne ? "give at least one of " : "give one of ") +
+           joined(rule.names);
+  return "";
+}
+
+/// The mistake of one given entry, or empty.
+std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterList& given) {
+  const std::string& name = parameter.name;
+  switch (parameter.type) {
+    case ParameterType::Real:
+      if (given.isType<int>(name)) return parameter.complaint(given.get<int>(name));
+      if (!given.isType<double>(name)) return "must be a number";
+      return parameter.complaint(given.get<double>(name));
+    case ParameterType::Integer:
+      if (!given.isType<int>(name)) return "must be an integer";
+      return parameter.complaint(given.get<int>(name));
+    case ParameterType::Flag:
+      return given.isType<bool>(name) ? "" : "must be true or false";
+    case ParameterType::Function:
+      return given.isType<std::string>(name) || given.isType<double>(name) || given.isType<int>(name)
+                 ? ""
+                 : "must be a number or a function of x, y, z, t";
+    case ParameterType::Text: {
+      if (!given.isType<std::string>(name)) return "must be text";
+      const std::string value = given.get<std::string>(name);
+      const auto& choices = parameter.choices;
+      if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
+      const std::string nearest = nearestWord(value, choices);
+      return "\"" + value + "\" is not allowed here (one of " + joined(choices) + ")" +
+             (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?");
+    }
+    case ParameterType::Reals:
+      return given.isType<Teuchos::Array<double>>(name) ? "" : "must be a list of numbers";
+    case ParameterType::Texts:
+      return given.isType<Teuchos::Array<std::string>>(name) ? "" : "must be a list of names";
+  }
+  return "";
+}
+
+void setDefault(Teuchos::ParameterList& list, const Parameter& parameter) {
+  const auto& value = parameter.defaultValue;
+  if (std::holds_alternative<double>(value)) list.set(parameter.name, std::get<double>(value));
+  if (std::holds_alternative<int>(value)) list.set(parameter.name, std::get<int>(value));
+  if (std::holds_alternative<bool>(value)) list.set(parameter.name, std::get<bool>(value));
+  if (std::holds_alternative<std::string>(value)) list.set(parameter.name, std::get<std::string>(value));
+}
+
+void normalise(Teuchos::ParameterList& list, const Parameter& parameter) {
+  const std::string& name = parameter.name;
+  if (parameter.type == ParameterType::Real && list.isType<int>(name))
+    list.set(name, static_cast<double>(list.get<int>(name)));
+  if (parameter.type != ParameterType::Function) return;
+  if (list.isType<double>(name)) {
+    std::ostringstream out;
+    out.precision(17);
+    out << list.get<double>(name);
+    list.set(name, out.str());
+  } else if (list.isType<int>(name)) {
+    list.set(name, std::to_string(list.get<int>(name)));
+  }
+}
+
+}  // namespace
+
+Parameter& Parameter::required() {
+  isRequired = true;
+  return *this;
+}
+Parameter& Parameter::defaultTo(double value) {
+  defaultValue = value;
+  return *this;
+}
+Parameter& Parameter::defaultTo(int value) {
+  if (type == ParameterType::Real)
+    defaultValue = static_cast<double>(value);
+  else
+    defaultValue = value;
+  return *this;
+}
+Parameter& Parameter::defaultTo(bool value) {
+  defaultValue = value;
+  return *this;
+}
+Parameter& Parameter::defaultTo(const char* value) {
+  defaultValue = std::string(value);
+  return *this;
+}
+Parameter& Parameter::positive() {
+  lowest = 0.0;
+  lowestExcluded = true;
+  return *this;
+}
+Parameter& Parameter::atLeast(double value) {
+  lowest = value;
+  return *this;
+}
+Parameter& Parameter::atMost(double value) {
+  highest = value;
+  return *this;
+}
+Parameter& Parameter::between(double low, double high) { return atLeast(low).atMost(high); }
+Parameter& Parameter::strictlyBetween(double low, double high) {
+  lowestExcluded = highestExcluded = true;
+  return between(low, high);
+}
+Parameter& Parameter::oneOf(std::vector<std::string> names) {
+  choices = std::move(names);
+  return *this;
+}
+Parameter& Parameter::from(const char* sourceText) {
+  source = sourceText;
+  return *this;
+}
+
+std::string Parameter::allowedText() const {
+  if (!choices.empty()) return "one of " + joined(choices);
+  const std::string unitText = unit.empty() || unit == "1" ? "" : " " + unit;
+  const bool hasLow = std::isfinite(lowest), hasHigh = std::isfinite(highest);
+  if (hasLow && hasHigh)
+    return std::string("in ") + (lowestExcluded ? "(" : "[") + numberText(lowest) + ", " + numberText(highest) +
+           (highestExcluded ? ")" : "]") + unitText;
+  if (hasLow) return (lowestExcluded ? "> " : ">= ") + numberText(lowest) + unitText;
+  if (hasHigh) return (highestExcluded ? "< " : "<= ") + numberText(highest) + unitText;
+  return "";
+}
+
+std::string Parameter::defaultText() const {
+  if (std::holds_alternative<double>(defaultValue)) return numberText(std::get<double>(defaultValue));
+  if (std::holds_alternative<int>(defaultValue)) return std::to_string(std::get<int>(defaultValue));
+  if (std::holds_alternative<bool>(defaultValue)) return std::get<bool>(defaultValue) ? "true" : "false";
+  if (std::holds_alternative<std::string>(defaultValue)) return std::get<std::string>(defaultValue);
+  return "";
+}
+
+std::string Parameter::complaint(double value) const {
+  if (std::isnan(value)) return "is not a number";
+  const bool low = lowestExcluded ? !(value > lowest) : value < lowest;
+  const bool high = highestExcluded ? !(value < highest) : value > highest;
+  if ((low && std::isfinite(lowest)) || (high && std::isfinite(highest)))
+    return "is " + numberText(value) + ", must be " + allowedText();
+  return "";
+}
+
+Parameter& ParameterDeclarations::add(const std::string& name, ParameterType type, const std::string& unit,
+                                      const std::string& meaning) {
+  Parameter parameter;
+  parameter.name = name;
+  parameter.type = type;
+  parameter.unit = unit;
+  parameter.meaning = meaning;
+  parameters_.push_back(std::move(parameter));
+  return parameters_.back();
+}
+
+Parameter& ParameterDeclarations::real(const std::string& name, const std::string& unit, const std::string& meaning) {
+  return add(name, ParameterType::Real, unit, meaning);
+}
+Parameter& ParameterDeclarations::integer(const std::string& name, const std::string& meaning) {
+  return add(name, ParameterType::Integer, "", meaning);
+}
+Parameter& ParameterDeclarations::flag(const std::string& name, const std::string& meaning) {
+  return add(name, ParameterType::Flag, "", meaning);
+}
+Parameter& ParameterDeclarations::text(const std::string& name, const std::string& meaning) {
+  return add(name, ParameterType::Text, "", meaning);
+}
+Parameter& ParameterDeclarations::function(const std::string& name, const std::string& unit,
+                                           const std::string& meaning) {
+  return add(name, ParameterType::Function, unit, meaning);
+}
+Parameter& ParameterDeclarations::reals(const std::string& name, const std::string& unit, const std::string& meaning) {
+  return add(name, ParameterType::Reals, unit, meaning);
+}
+Parameter& ParameterDeclarations::texts(const std::string& name, const std::string& meaning) {
+  return add(name, ParameterType::Texts, "", meaning);
+}
+
+ParameterDeclarations& ParameterDeclarations::sublist(const std::string& name, const std::string& meaning) {
+  sublists_.push_back({name, meaning, {ParameterDeclarations()}});
+  return sublists_.back().declarations.front();
+}
+
+void ParameterDeclarations::exactlyOneOf(std::vector<std::string> names) {
+  rules_.push_back({Rule::ExactlyOne, std::move(names)});
+}
+void ParameterDeclarations::atMostOneOf(std::vector<std::string> names) {
+  rules_.push_back({Rule::AtMostOne, std::move(names)});
+}
+void ParameterDeclarations::atLeastOneOf(std::vector<std::string> names) {
+  rules_.push_back({Rule::AtLeastOne, std::move(names)});
+}
+void ParameterDeclarations::needs(const std::string& name, std::vector<std::string> others) {
+  others.insert(others.begin(), name);
+  rules_.push_back({Rule::Needs, std::move(others)});
+}
+
+const Parameter* ParameterDeclarations::find(const std::string& name) const {
+  for (const Parameter& parameter : parameters_)
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+const ParameterDeclarations::Sublist* ParameterDeclarations::findSublist(const std::string& name) const {
+  for (const Sublist& sublist : sublists_)
+    if (sublist.name == name) return &sublist;
+  return nullptr;
+}
+
+std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes(
+    const Teuchos::ParameterList& given) const {
+  std::vector<std::pair<std::string, std::string>> result;
+  std::vector<std::string> known;
+  for (const Parameter& parameter : parameters_) known.push_back(parameter.name);
+  for (const Sublist& sublist : sublists_) known.push_back(sublist.name);
+
+  for (auto it = given.begin(); it != given.end(); ++it) {
+    const std::string& name = given.name(it);
+    if (const Sublist* sublist = findSublist(name)) {
+      if (!given.isSublist(name)) {
+        result.emplace_back(name, "must be a list of its own");
+        continue;
+      }
+      for (auto& [inner, message] : sublist->declarations.front().mistakes(given.sublist(name)))
+        result.emplace_back(name + (inner.empty() ? "" : "/" + inner), message);
+    } else if (const Parameter* parameter = find(name)) {
+      const std::string message = entryComplaint(*parameter, given);
+      if (!message.empty()) result.emplace_back(name, message);
+    } else {
+      const std::string nearest = nearestWord(name, known);
+      result.emplace_back(name, "unknown key" + (nearest.empty() ? " (known here: " + joined(known) + ")"
+                                                                 : "; did you mean \"" + nearest + "\"?"));
+    }
+  }
+  for (const Parameter& parameter : parameters_)
+    if (parameter.isRequired && !given.isParameter(parameter.name))
+      result.emplace_back(parameter.name, "is required: " + parameter.meaning);
+  for (const Rule& rule : rules_) {
+    const std::string message = ruleComplaint(rule, given);
+    if (!message.empty()) result.emplace_back("", message);
+  }
+  return result;
+}
+
+Teuchos::ParameterList ParameterDeclarations::complete(const Teuchos::ParameterList& given,
+                                                       const std::string& owner) const {
+  const auto found = mistakes(given);
+  if (!found.empty()) {
+    std::string message;
+    for (const auto& [name, text] : found)
+      message += (message.empty() ? "" : "\n") + owner + ": " + (name.empty() ? "" : "\"" + name + "\" ") + text;
+    throw std::invalid_argument(message);
+  }
+  Teuchos::ParameterList result(given);
+  for (const Parameter& parameter : parameters_) {
+    if (result.isParameter(parameter.name))
+      normalise(result, parameter);
+    else
+      setDefault(result, parameter);
+  }
+  for (const Sublist& sublist : sublists_)
+    if (result.isSublist(sublist.name))
+      result.sublist(sublist.name) =
+          sublist.declarations.front().complete(result.sublist(sublist.name), owner + "/" + sublist.name);
+  return result;
+}
+
+std::string nearestWord(const std::string& word, const std::vector<std::string>& known) {
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  std::string best;
+  std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : known) {
+    std::vector<std::size_t> row(candidate.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= word.size(); ++i) {
+      std::size_t diagonal = row[0];
+      row[0] = i;
+      for (std::size_t j = 1; j < row.size(); ++j) {
+        const std::size_t cost = lower(word[i - 1]) == lower(candidate[j - 1]) ? 0 : 1;
+        const std::size_t next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + cost});
+        diagonal = row[j];
+        row[j] = next;
+      }
+    }
+    if (row.back() < bestDistance) {
+      bestDistance = row.back();
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace pd

@@ -1,0 +1,117 @@
+// Declaration of a plug-in's parameters. One declaration feeds deck checking, `pdrun --explain` and the reference
+// pages, and fills the defaults of the parameter list that the plug-in reads.
+#ifndef PD_PARAMETERS_HPP
+#define PD_PARAMETERS_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pd {
+
+enum class ParameterType {
+  Real,      ///< double; an integer is accepted
+  Integer,   ///< int
+  Flag,      ///< bool
+  Text,      ///< std::string, limited to `choices` where those are given
+  Function,  ///< number or function string in x, y, z, t; handed over as std::string
+  Reals,     ///< list of numbers; handed over as Teuchos::Array<double>
+  Texts      ///< list of strings; handed over as Teuchos::Array<std::string>
+};
+
+struct Parameter {
+  using Value = std::variant<std::monostate, double, int, bool, std::string>;
+
+  std::string name;
+  ParameterType type = ParameterType::Real;
+  std::string unit;     ///< "Pa", "m", ...; "1" for a pure number; empty for text and flags
+  std::string meaning;  ///< one sentence
+  std::string source;   ///< where the formula or the value comes from; may be empty
+  Value defaultValue;   ///< monostate: none (optional or required)
+  bool isRequired = false;
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool lowestExcluded = false, highestExcluded = false;
+  std::vector<std::string> choices;
+
+  // Chained, as in declare.real("Density", "kg/m3", "Mass density.").positive().required();
+  Parameter& required();
+  Parameter& defaultTo(double value);
+  Parameter& defaultTo(int value);
+  Parameter& defaultTo(bool value);
+  Parameter& defaultTo(const char* value);
+  Parameter& positive();
+  Parameter& atLeast(double value);
+  Parameter& atMost(double value);
+  Parameter& between(double low, double high);          ///< both included
+  Parameter& strictlyBetween(double low, double high);  ///< both excluded
+  Parameter& oneOf(std::vector<std::string> names);
+  Parameter& from(const char* sourceText);
+
+  /// "> 0 Pa", "in [0, 1]", "one of A, B"; empty where anything goes.
+  std::string allowedText() const;
+  /// Default as text; empty where there is none.
+  std::string defaultText() const;
+  /// Message where `value` is out of range (without name and place), else empty.
+  std::string complaint(double value) const;
+};
+
+/// The parameters of one plug-in (or deck section), and its named sub-lists.
+class ParameterDeclarations {
+ public:
+  Parameter& real(const std::string& name, const std::string& unit, const std::string& meaning);
+  Parameter& integer(const std::string& name, const std::string& meaning);
+  Parameter& flag(const std::string& name, const std::string& meaning);
+  Parameter& text(const std::string& name, const std::string& meaning);
+  Parameter& function(const std::string& name, const std::string& unit, const std::string& meaning);
+  Parameter& reals(const std::string& name, const std::string& unit, const std::string& meaning);
+  Parameter& texts(const std::string& name, const std::string& meaning);
+
+  /// A named sub-list with parameters of its own ("Adaptive Dynamic Relaxation" in "Staggered").
+  ParameterDeclarations& sublist(const std::string& name, const std::string& meaning);
+
+  /// Of these parameters (or sub-lists) exactly / at most / at least one must be given.
+  void exactlyOneOf(std::vector<std::string> names);
+  void atMostOneOf(std::vector<std::string> names);
+  void atLeastOneOf(std::vector<std::string> names);
+  /// Where the first is given, the others must be too.
+  void needs(const std::string& name, std::vector<std::string> others);
+
+  struct Sublist {
+    std::string name, meaning;
+    std::vector<ParameterDeclarations> declarations;  ///< exactly one; a vector since the type is incomplete here
+  };
+  struct Rule {
+    enum Kind { ExactlyOne, AtMostOne, AtLeastOne, Needs } kind;
+    std::vector<std::string> names;
+  };
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  const std::vector<Sublist>& sublists() const { return sublists_; }
+  const std::vector<Rule>& rules() const { return rules_; }
+  const Parameter* find(const std::string& name) const;
+  const Sublist* findSublist(const std::string& name) const;
+
+  /// Checks `given` against the declarations and returns it with the defaults filled in. Keys of `ignored` (those a
+  /// host injects) pass unchecked. Throws std::invalid_argument that lists every mistake, each naming `owner`.
+  /// A plug-in calls this in its constructor, so that it is safe under a host that checks nothing.
+  Teuchos::ParameterList complete(const Teuchos::ParameterList& given, const std::string& owner) const;
+
+  /// All mistakes of `given` as (parameter name, message) pairs; the name is empty for a broken rule.
+  std::vector<std::pair<std::string, std::string>> mistakes(const Teuchos::ParameterList& given) const;
+
+ private:
+  Parameter& add(const std::string& name, ParameterType type, const std::string& unit, const std::string& meaning);
+  std::vector<Parameter> parameters_;
+  std::vector<Sublist> sublists_;
+  std::vector<Rule> rules_;
+};
+
+/// The word of `known` nearest to `word` (Levenshtein distance, case ignored) if it is near enough to be a slip of
+/// the pen; empty otherwise.
+std::string nearestWord(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace pd
+
+#endif

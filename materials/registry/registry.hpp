@@ -1,0 +1,86 @@
+// Self-registration of plug-ins: one macro line at the end of a plug-in's .cpp makes it known by name to the host.
+#ifndef PD_REGISTRY_HPP
+#define PD_REGISTRY_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "parameters.hpp"
+
+namespace pd {
+
+/// What the registry knows of one plug-in. Args: the constructor's arguments.
+template <class Base, class... Args>
+struct Plugin {
+  std::string name;
+  std::string brief;  ///< one sentence, shown by `pdrun --list`
+  std::function<ParameterDeclarations()> declare;
+  std::function<Teuchos::RCP<Base>(Args...)> create;
+};
+
+/// All plug-ins of one kind, by name.
+template <class Base, class... Args>
+class PluginRegistry {
+ public:
+  using Entry = Plugin<Base, Args...>;
+  using Created = Teuchos::RCP<Base>;
+
+  static PluginRegistry& self() {
+    static PluginRegistry registry;
+    return registry;
+  }
+  /// Throws std::logic_error where the name is taken.
+  bool add(Entry entry) {
+    if (!entries_.emplace(entry.name, entry).second)
+      throw std::logic_error("two plug-ins are registered as \"" + entry.name + "\"");
+    return true;
+  }
+  bool has(const std::string& name) const { return entries_.count(name) != 0; }
+  /// Null where no plug-in has this name.
+  const Entry* find(const std::string& name) const {
+    const auto it = entries_.find(name);
+    return it == entries_.end() ? nullptr : &it->second;
+  }
+  /// Throws std::invalid_argument with the known names where no plug-in has this one.
+  Teuchos::RCP<Base> create(const std::string& name, Args... args) const {
+    const Entry* entry = find(name);
+    if (entry == nullptr) {
+      std::string known;
+      for (const std::string& other : names()) known += (known.empty() ? "" : ", ") + other;
+      throw std::invalid_argument("unknown plug-in \"" + name + "\" (known: " + known + ")");
+    }
+    return entry->create(args...);
+  }
+  /// Sorted.
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : entries_) result.push_back(entry.first);
+    return result;
+  }
+
+ private:
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace pd
+
+/// Registers `Class` as "Name" in `Registry`. Class has a static `void declareParameters(pd::ParameterDeclarations&)`
+/// and a constructor with the registry's arguments. Use it once a .cpp, at file scope.
+#define PD_REGISTER(Registry, Class, Name, Brief)                                                                   \
+  namespace {                                                                                                       \
+  const bool isRegistered_##Class =                                                                                 \
+      Registry::self().add({Name, Brief,                                                                            \
+                            [] {                                                                                    \
+                              pd::ParameterDeclarations declarations;                                               \
+                              Class::declareParameters(declarations);                                               \
+                              return declarations;                                                                  \
+                            },                                                                                      \
+                            [](auto&&... args) -> Registry::Created { return Teuchos::rcp(new Class(args...)); }}); \
+  }
+
+#endif
