@@ -23,34 +23,41 @@ void DataManager::setMaps(Teuchos::RCP<const PointMap> ownedPoints, Teuchos::RCP
   numBonds_ = numBonds;
 }
 
+DataManager::Slot DataManager::makeSlot(int fieldId) const {
+  Slot slot;
+  slot.spec = FieldManager::self().getFieldSpec(fieldId);
+  const bool isBond = slot.spec.relation == PeridigmField::BOND;
+  std::size_t count = 1;
+  if (isBond)
+    count = static_cast<std::size_t>(numBonds_);
+  else if (slot.spec.relation != PeridigmField::GLOBAL)
+    count = static_cast<std::size_t>(overlapPoints_->NumMyElements());
+  const std::size_t length = count * static_cast<std::size_t>(PeridigmField::variableDimension(slot.spec.length));
+  const auto vector = Teuchos::rcp(new FieldVector(length, 0.0));
+  if (slot.spec.temporal == PeridigmField::CONSTANT) {
+    slot.none = vector;
+  } else {
+    slot.np1 = vector;
+    if (isBond) slot.n = vector;
+  }
+  return slot;
+}
+
 void DataManager::allocateData(const std::vector<int>& fieldIds) {
   for (const int id : fieldIds) {
     if (find(id) != nullptr) continue;
-    Slot slot;
-    slot.spec = FieldManager::self().getFieldSpec(id);
-    const bool isBond = slot.spec.relation == PeridigmField::BOND;
-    std::size_t count = 1;
-    if (isBond)
-      count = static_cast<std::size_t>(numBonds_);
-    else if (slot.spec.relation != PeridigmField::GLOBAL)
-      count = static_cast<std::size_t>(overlapPoints_->NumMyElements());
-    const std::size_t length = count * static_cast<std::size_t>(PeridigmField::variableDimension(slot.spec.length));
-    const auto allocate = [&] { return Teuchos::rcp(new FieldVector(length, 0.0)); };
-    if (slot.spec.temporal == PeridigmField::CONSTANT) {
-      slot.none = allocate();
-    } else {
-      slot.np1 = allocate();
-      if (isBond) slot.n = slot.np1;
-    }
-    (isBond ? bondData_ : *pointData_)[id] = slot;
+    const Slot slot = makeSlot(id);
+    (slot.spec.relation == PeridigmField::BOND ? ownData_ : *pointData_)[id] = slot;
   }
 }
+
+void DataManager::allocatePrivateData(int fieldId) { ownData_[fieldId] = makeSlot(fieldId); }
 
 void DataManager::sharePointData(const DataManager& other) { pointData_ = other.pointData_; }
 
 const DataManager::Slot* DataManager::find(int fieldId) const {
-  const auto bond = bondData_.find(fieldId);
-  if (bond != bondData_.end()) return &bond->second;
+  const auto own = ownData_.find(fieldId);
+  if (own != ownData_.end()) return &own->second;
   const auto point = pointData_->find(fieldId);
   return point != pointData_->end() ? &point->second : nullptr;
 }
@@ -80,7 +87,8 @@ Teuchos::RCP<FieldVector> DataManager::getData(int fieldId, PeridigmField::Step 
 std::vector<int> DataManager::getFieldIds() {
   std::vector<int> ids;
   for (const auto& entry : *pointData_) ids.push_back(entry.first);
-  for (const auto& entry : bondData_) ids.push_back(entry.first);
+  for (const auto& entry : ownData_)
+    if (pointData_->count(entry.first) == 0) ids.push_back(entry.first);
   return ids;
 }
 
@@ -91,8 +99,9 @@ void DataManager::updateState() {
 
 std::size_t DataManager::bondBytes() const {
   std::size_t doubles = 0;
-  for (const auto& entry : bondData_) {
+  for (const auto& entry : ownData_) {
     const Slot& slot = entry.second;
+    if (slot.spec.relation != PeridigmField::BOND) continue;
     doubles += static_cast<std::size_t>((slot.none.is_null() ? slot.np1 : slot.none)->MyLength());
   }
   return doubles * sizeof(double);

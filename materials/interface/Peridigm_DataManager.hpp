@@ -68,6 +68,11 @@ class DataManager {
   /// Makes this block use the point and global fields of another one.
   void sharePointData(const DataManager& other);
 
+  /// Gives this block a vector of its own for a point field that others share. Materials zero Force_Density and the
+  /// flux divergence before they add to them (as Peridigm's do), so a host with several blocks keeps those apart and
+  /// adds them up itself.
+  void allocatePrivateData(int fieldId);
+
   bool hasData(int fieldId, PeridigmField::Step step);
 
   /// Throws std::logic_error where the field was not allocated at this step.
@@ -93,11 +98,12 @@ class DataManager {
   using Slots = std::map<int, Slot>;
 
   const Slot* find(int fieldId) const;
+  Slot makeSlot(int fieldId) const;
 
   Teuchos::RCP<const PointMap> ownedPoints_, overlapPoints_;
   int numBonds_ = 0;
   std::shared_ptr<Slots> pointData_ = std::make_shared<Slots>();
-  Slots bondData_;
+  Slots ownData_;  ///< bond fields and private point fields
 };
 
 }  // namespace PeridigmNS

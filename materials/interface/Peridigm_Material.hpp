@@ -29,7 +29,8 @@ class Material {
 
   virtual void initialize(const double, const int, const int*, const int*, DataManager&) {}
   virtual void precompute(const double, const int, const int*, const int*, DataManager&) const {}
-  /// Adds to Force_Density at STEP_NP1, at owned points and, where the model needs it, at neighbours (ghosts too).
+  /// Zeroes Force_Density at STEP_NP1, then adds to it at owned points and, where the model needs it, at neighbours
+  /// (ghosts too; the host sums those into their owners). The same holds for the flux divergence.
   virtual void computeForce(const double, const int, const int*, const int*, DataManager&) const {}
   virtual void computeFluxDivergence(const double, const int, const int*, const int*, DataManager&) const {}
   virtual void computeStoredElasticEnergyDensity(const double, const int, const int*, const int*, DataManager&) const {}
