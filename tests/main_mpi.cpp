@@ -1,9 +1,11 @@
-// main() of tests that need MPI: all ranks run all tests, the root rank prints.
+// main() of tests that need MPI: all ranks run all tests, the root rank prints. Link pd_parallel and Trilinos.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "driver/parallel/session.hpp"
+
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
+  const pd::ParallelSession session(argc, argv);
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -13,6 +15,5 @@ int main(int argc, char** argv) {
   }
   int failed = RUN_ALL_TESTS(), anyFailed = 0;
   MPI_Allreduce(&failed, &anyFailed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  MPI_Finalize();
   return anyFailed;
 }
