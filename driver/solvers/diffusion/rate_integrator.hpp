@@ -23,8 +23,8 @@ class RateIntegrator {
   virtual std::vector<int> fieldIds() const { return {}; }
   /// Called once when the model is initialised. `field` exists, and so does fluxDivergenceField(field).
   virtual void initialize(Simulation&, const std::string& /*field*/) {}
-  /// Advances `field` at STEP_NP1, which holds the values at t, to t + dt, ghosts included. Prescribed points hold their
-  /// values of the time of each evaluation. Throws RunError where the step is unstable or does not converge.
+  /// Advances `field` at STEP_NP1, which holds the values at t, to t + dt, ghosts included. Prescribed points hold
+  /// their values of the time of each evaluation. Throws RunError where the step is unstable or does not converge.
   virtual void advance(Simulation&, const std::string& field, double t, double dt) = 0;
   /// Lines for the closing report: steps, stages, rejected steps, the limit and the fraction used.
   virtual std::vector<std::string> summary() const { return {}; }
