@@ -15,7 +15,7 @@ packages=(
   # compiler and build
   build-essential cmake ninja-build ccache pkg-config clang-format
   # distributed vectors, linear solvers, partition, files
-  libopenmpi-dev openmpi-bin trilinos-all-dev libhdf5-openmpi-dev
+  libopenmpi-dev openmpi-bin trilinos-all-dev libptscotch-dev libhdf5-openmpi-dev
   # decks, functions, command line, text, search, random numbers
   libyaml-cpp-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
   # tests and benchmarks
