@@ -24,8 +24,13 @@ class Model {
   /// cut bonds. Collective.
   Model(const Deck& deck, const Communicator& comm, Discretization discretization, const std::vector<int>& extraFields);
 
-  /// Calls initialize() of all plug-ins, synchronises what they declare, and evaluates damage once, so that every
-  /// field that is used at STEP_N exists. Call after initial conditions (or a restart) are set.
+  /// Allocates further fields (zero, or filled where the constructor's comment says so). A bond field is given to
+  /// every block.
+  void allocateFields(const std::vector<int>& fieldIds);
+
+  /// Calls initialize() of all plug-ins, synchronises what they declare, and evaluates damage, forces and flux
+  /// divergences once, so that every field that is used at STEP_N exists. Call after initial conditions are set. A
+  /// restart overwrites the fields afterwards: plug-ins keep their state in fields alone. Collective.
   void initialize();
 
   const Communicator& comm() const { return comm_; }
@@ -51,9 +56,10 @@ class Model {
   // Evaluations at STEP_NP1, over all blocks, ghosts exchanged as needed.
   void evaluateDamage(double dt);
   /// Force_Density = sum of the blocks' internal force densities (N/m3), complete at owned points.
-  /// Coordinates of ghosts must be up to date (setDisplacement does it).
+  /// Coordinates of ghosts must be up to date (updateCoordinates does it). Calls precompute() first.
   void evaluateForce(double dt);
   /// `fluxField` = flux divergence, complete at owned points. Ghosts of the advanced field must be up to date.
+  /// precompute() is called for materials without mechanics alone: it is the (dear) preparation of forces elsewhere.
   void evaluateFluxDivergence(double dt, const std::string& fluxField);
   void evaluateStoredEnergy(double dt);
   /// Adds the tangents of all blocks.
@@ -75,10 +81,19 @@ class Model {
   std::size_t bondBytes() const;
 
  private:
-  struct BlockDamage;
+  void createBlocks(const Deck& deck);
+  void allocatePluginFields();
+  void fillConstantFields();
+  void cutBonds(const Deck& deck);
+  void callPrecompute(double dt, bool onlyWithoutMechanics);
+  void synchronise(const std::vector<int>& fieldIds);
+  void sumBlocks(const std::string& label);
+  Teuchos::RCP<PeridigmNS::FieldVector> vector(const std::string& label, bool atN) const;
+
   const Communicator& comm_;
   Discretization discretization_;
   GhostExchange ghosts_;
+  Teuchos::RCP<PeridigmNS::DataManager> shared_;  ///< the point fields of all blocks
   Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks_;
   mutable Timers timers_;
 };

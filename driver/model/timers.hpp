@@ -36,6 +36,12 @@ class Timers {
     Clock::time_point start_;
   };
 
+  /// Adds time measured elsewhere.
+  void add(const std::string& phase, double seconds) {
+    phases_[phase].seconds += seconds;
+    phases_[phase].calls += 1;
+  }
+
   const std::map<std::string, Phase>& phases() const { return phases_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../deck/deck.hpp"
@@ -17,7 +18,8 @@ class Output {
   Output(const Deck& deck, const Communicator& comm, bool isQuiet);
   ~Output();
 
-  /// Fields that outputs and computes ask for. Creates the computes.
+  /// Fields that outputs and computes ask for. Creates the computes. Call after the Model is made, so that the fields
+  /// of its plug-ins are known by name; hand the result to Model::allocateFields.
   std::vector<int> fieldIds();
   void initialize(Model& model);
 
@@ -32,8 +34,9 @@ class Output {
   /// Progress of the increment: a terminal line that replaces itself, at most a few times a second.
   void progress(int step, int nSteps, double time, const std::string& what);
 
-  /// The closing table and <name>.report.json.
-  void report(Model& model, const std::vector<std::string>& solverSummary);
+  /// The closing table and <name>.report.json. `errorNorms`: (name, value) of the deck's `Exact Solution`.
+  void report(Model& model, const std::vector<std::string>& solverSummary,
+              const std::vector<std::pair<std::string, double>>& errorNorms);
 
  private:
   struct Implementation;
