@@ -2,6 +2,7 @@
 #ifndef PD_FUNCTION_HPP
 #define PD_FUNCTION_HPP
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,15 +12,17 @@
 namespace pd {
 
 /// f(x, y, z, t): a number, a muParser expression ("0.02e-3*min(t/1000, 1)"), Peridigm's form ("value = ..." with
-/// if/else, local variables and several assignments), or a table in time ("table: [[0, 0], [1000, 2e-5]]",
-/// piecewise linear, constant outside).
+/// if/else, local variables and several assignments), or a table in time ({Table: [[0, 0], [1000, 2e-5]]}, piecewise
+/// linear, constant outside; of two equal times the later holds from then on).
+/// Copies share their state: evaluate one function on one thread at a time.
 class Function {
  public:
   /// Throws DeckError naming `place` where the text cannot be understood.
   Function(const std::string& text, const std::string& place);
   static Function constant(double value);
+  /// `times` must not decrease and be as many as `values`, at least one; throws std::invalid_argument.
   static Function table(std::vector<double> times, std::vector<double> values);
-  /// From a deck value: number, string or {Table: [[t, v], ...]}.
+  /// From a deck value: number, string or {Table: [[t, v], ...]}. Throws DeckError.
   static Function fromDeck(const DeckNode& node);
 
   double operator()(double x, double y, double z, double t) const;
@@ -32,6 +35,9 @@ class Function {
   struct Implementation;
   std::shared_ptr<const Implementation> implementation_;
 };
+
+/// omega(zeta, horizon), the form of Peridigm's user-defined influence functions ("1.0/zeta"). Throws DeckError.
+std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place);
 
 }  // namespace pd
 

@@ -1,0 +1,302 @@
+#include "deck.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "deck_data.hpp"
+
+namespace pd {
+
+using Kind = DeckNode::Data::Kind;
+
+// ---- values ----
+
+std::optional<double> parseReal(const std::string& text) {
+  const bool hasPlus = !text.empty() && text[0] == '+';
+  const char* begin = text.data() + (hasPlus ? 1 : 0);
+  const char* end = text.data() + text.size();
+  if (hasPlus && begin != end && *begin == '-') return std::nullopt;
+  double value = 0.0;
+  const auto [last, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range && last == end) {
+    // Too small is zero to a double; too large is no number.
+    value = std::strtod(text.c_str(), nullptr);
+  } else if (error != std::errc() || last != end) {
+    return std::nullopt;
+  }
+  if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<int> parseInteger(const std::string& text) {
+  const std::size_t skip = text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0;
+  int value = 0;
+  const auto [last, error] = std::from_chars(text.data() + skip, text.data() + text.size(), value);
+  if (error != std::errc() || last != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<bool> parseFlag(const std::string& text) {
+  for (const char* word : {"true", "True", "TRUE", "yes", "Yes", "on", "On"})
+    if (text == word) return true;
+  for (const char* word : {"false", "False", "FALSE", "no", "No", "off", "Off"})
+    if (text == word) return false;
+  return std::nullopt;
+}
+
+// ---- tree ----
+
+std::string DeckNode::Data::placeOf(int atLine, int atColumn) const {
+  if (atLine == 0) return *source;
+  return *source + ":" + std::to_string(atLine) + ":" + std::to_string(atColumn);
+}
+
+DeckNode::Data* DeckNode::Data::entry(const std::string& key) const {
+  for (const auto& [name, value] : entries)
+    if (name == key) return value.get();
+  return nullptr;
+}
+
+std::shared_ptr<DeckNode::Data> DeckNode::Data::deepCopy() const {
+  auto copy = std::make_shared<Data>(*this);
+  for (auto& child : copy->entries) child.second = child.second->deepCopy();
+  for (auto& item : copy->items) item = item->deepCopy();
+  return copy;
+}
+
+void DeckNode::Data::setPath(const std::string& newPath) {
+  path = newPath;
+  for (auto& [name, value] : entries) value->setPath(path.empty() ? name : path + "/" + name);
+  for (std::size_t i = 0; i < items.size(); ++i) items[i]->setPath(path + "[" + std::to_string(i + 1) + "]");
+}
+
+namespace {
+
+/// `"abc"`, "a list", ... as a user would call the value in a message.
+std::string shown(const DeckNode::Data& node) {
+  switch (node.kind) {
+    case Kind::Null:
+      return "nothing";
+    case Kind::Sequence:
+      return "a list";
+    case Kind::Map:
+      return "a section";
+    case Kind::Scalar:
+      break;
+  }
+  const std::string text = node.scalar.size() > 60 ? node.scalar.substr(0, 57) + "..." : node.scalar;
+  return "\"" + text + "\"";
+}
+
+[[noreturn]] void refuse(const DeckNode::Data& node, const std::string& expected) {
+  throw DeckError(node.placeOf(node.line, node.column) + ": " + node.path + " must be " + expected + ", not " +
+                  shown(node));
+}
+
+const DeckNode::Data& checked(const std::shared_ptr<const DeckNode::Data>& data) {
+  if (!data) throw std::logic_error("a deck value was read that does not exist");
+  return *data;
+}
+
+}  // namespace
+
+bool DeckNode::isMap() const { return data_ && (data_->kind == Kind::Map || data_->kind == Kind::Null); }
+bool DeckNode::isSequence() const { return data_ && data_->kind == Kind::Sequence; }
+bool DeckNode::isScalar() const { return data_ && data_->kind == Kind::Scalar; }
+
+DeckNode DeckNode::operator[](const std::string& key) const {
+  if (!data_) return {};
+  for (const auto& [name, value] : data_->entries)
+    if (name == key) return DeckNode(value);
+  return {};
+}
+
+std::vector<std::pair<std::string, DeckNode>> DeckNode::entries() const {
+  std::vector<std::pair<std::string, DeckNode>> result;
+  if (data_)
+    for (const auto& [name, value] : data_->entries) result.emplace_back(name, DeckNode(value));
+  return result;
+}
+
+std::vector<DeckNode> DeckNode::items() const {
+  std::vector<DeckNode> result;
+  if (data_)
+    for (const auto& item : data_->items) result.emplace_back(item);
+  return result;
+}
+
+std::string DeckNode::place() const { return data_ ? data_->placeOf(data_->line, data_->column) : ""; }
+std::string DeckNode::keyPlace() const { return data_ ? data_->placeOf(data_->keyLine, data_->keyColumn) : ""; }
+std::string DeckNode::path() const { return data_ ? data_->path : ""; }
+
+double DeckNode::real() const {
+  const Data& node = checked(data_);
+  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseReal(node.scalar) : std::nullopt;
+  if (!value) refuse(node, "a finite number");
+  return *value;
+}
+
+int DeckNode::integer() const {
+  const Data& node = checked(data_);
+  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseInteger(node.scalar) : std::nullopt;
+  if (!value) refuse(node, "an integer");
+  return *value;
+}
+
+bool DeckNode::flag() const {
+  const Data& node = checked(data_);
+  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseFlag(node.scalar) : std::nullopt;
+  if (!value) refuse(node, "true or false");
+  return *value;
+}
+
+std::string DeckNode::text() const {
+  const Data& node = checked(data_);
+  if (node.kind != Kind::Scalar) refuse(node, "text");
+  return node.scalar;
+}
+
+double DeckNode::real(const std::string& key, double fallback) const {
+  const DeckNode value = (*this)[key];
+  return value ? value.real() : fallback;
+}
+int DeckNode::integer(const std::string& key, int fallback) const {
+  const DeckNode value = (*this)[key];
+  return value ? value.integer() : fallback;
+}
+bool DeckNode::flag(const std::string& key, bool fallback) const {
+  const DeckNode value = (*this)[key];
+  return value ? value.flag() : fallback;
+}
+std::string DeckNode::text(const std::string& key, const std::string& fallback) const {
+  const DeckNode value = (*this)[key];
+  return value ? value.text() : fallback;
+}
+
+// ---- mistakes ----
+
+void Mistakes::add(const std::string& place, const std::string& message) {
+  const std::string line = place.empty() ? message : place + ": " + message;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+}
+
+void Mistakes::report() const {
+  if (lines_.empty()) return;
+  std::string all;
+  for (const std::string& line : lines_) all += (all.empty() ? "" : "\n") + line;
+  throw DeckError(all);
+}
+
+// ---- deck ----
+
+namespace {
+
+std::string readFile(const std::string& fileName) {
+  std::error_code error;
+  if (std::filesystem::is_directory(fileName, error))
+    throw DeckError(fileName + ": is a folder; name the deck file in it");
+  errno = 0;
+  std::ifstream file(fileName, std::ios::binary);
+  if (!file)
+    throw DeckError(fileName + ": cannot be read (" +
+                    (errno == 0 ? std::string("unknown reason") : std::strerror(errno)) + ")");
+  if (std::filesystem::path(fileName).extension() == ".xml")
+    throw DeckError(fileName +
+                    ": decks are YAML here; rewrite this XML parameter list as YAML (same names, same tree)");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> splitPath(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '/');) parts.push_back(part);
+  return parts;
+}
+
+/// The entry `name` of `parent`. Where there is none: DeckError with the nearest name.
+DeckNode::Data* requireEntry(const DeckNode::Data& parent, const std::string& name, const std::string& source) {
+  if (DeckNode::Data* child = parent.entry(name)) return child;
+  std::vector<std::string> known;
+  std::string list;
+  for (const auto& entry : parent.entries) {
+    known.push_back(entry.first);
+    list += (list.empty() ? "\"" : ", \"") + entry.first + "\"";
+  }
+  const std::string nearest = nearestWord(name, known);
+  throw DeckError(source + ": the deck has no \"" + name + "\" in " +
+                  (parent.path.empty() ? "its top level" : parent.path) +
+                  (nearest.empty() ? " (it has: " + list + ")" : " (did you mean \"" + nearest + "\"?)"));
+}
+
+void applyOverride(DeckNode::Data& root, const std::string& text) {
+  const std::string source = "--set \"" + text + "\"";
+  const std::size_t equals = text.find('=');
+  std::vector<std::string> parts = splitPath(text.substr(0, equals));
+  const bool hasEmptyPart = std::find(parts.begin(), parts.end(), "") != parts.end();
+  if (equals == std::string::npos || parts.empty() || hasEmptyPart)
+    throw DeckError(source + ": write it as path=value, as in --set \"Solver/Final Time=1.0\"");
+  auto value = readYaml(text.substr(equals + 1), source, false);
+  if (!value || value->kind == Kind::Null) throw DeckError(source + ": there is no value after \"=\"");
+
+  if (parts.size() > 1 && parts.front() == "Peridigm") parts.erase(parts.begin());
+  DeckNode::Data* parent = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) parent = requireEntry(*parent, parts[i], source);
+  if (parent->kind == Kind::Scalar || parent->kind == Kind::Sequence)
+    throw DeckError(source + ": " + parent->path + " is a value, not a section; set it itself");
+  parent->kind = Kind::Map;
+  for (auto& entry : parent->entries)
+    if (entry.first == parts.back()) {
+      entry.second = value;
+      return;
+    }
+  parent->entries.emplace_back(parts.back(), value);
+}
+
+}  // namespace
+
+Deck Deck::read(const std::string& fileName, const std::vector<std::string>& overrides) {
+  std::shared_ptr<DeckNode::Data> root = readYaml(readFile(fileName), fileName, true);
+  if (!root || root->kind == Kind::Null) throw DeckError(fileName + ": is empty");
+  if (root->kind != Kind::Map)
+    throw DeckError(root->placeOf(root->line, root->column) +
+                    ": a deck is a list of sections, as in \"Solver:\" with its keys indented below it");
+  Deck deck;
+  deck.fileName_ = fileName;
+  if (root->entries.size() == 1 && root->entries.front().first == "Peridigm") {
+    deck.isPeridigmDeck_ = true;
+    root = root->entries.front().second;
+    if (root->kind != Kind::Map)
+      throw DeckError(root->placeOf(root->line, root->column) + ": Peridigm must hold the sections of the deck");
+  }
+  root->setPath("");
+  Mistakes mistakes;
+  for (const std::string& text : overrides) try {
+      applyOverride(*root, text);
+      root->setPath("");
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    }
+  mistakes.report();
+  deck.root_ = DeckNode(root);
+  return deck;
+}
+
+std::string Deck::directory() const {
+  const std::string folder = std::filesystem::path(fileName_).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+std::string Deck::resolvePath(const std::string& fileName) const {
+  const std::filesystem::path path(fileName);
+  return path.is_absolute() ? fileName : (std::filesystem::path(directory()) / path).lexically_normal().string();
+}
+
+}  // namespace pd

@@ -1,0 +1,46 @@
+// The tree behind DeckNode. Private to this folder.
+#ifndef PD_DECK_DATA_HPP
+#define PD_DECK_DATA_HPP
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck.hpp"
+
+namespace pd {
+
+struct DeckNode::Data {
+  enum class Kind { Null, Scalar, Sequence, Map };
+
+  Kind kind = Kind::Null;
+  std::string scalar;
+  bool isQuoted = false;
+  std::shared_ptr<const std::string> source;  ///< file name, or the text of the override
+  int line = 0, column = 0;                   ///< from 1; 0 where the source has no lines (overrides)
+  int keyLine = 0, keyColumn = 0;
+  std::string path;
+  std::vector<std::pair<std::string, std::shared_ptr<Data>>> entries;
+  std::vector<std::shared_ptr<Data>> items;
+
+  std::string placeOf(int atLine, int atColumn) const;
+  Data* entry(const std::string& key) const;
+  std::shared_ptr<Data> deepCopy() const;
+  /// Sets the paths of this value and of everything below it.
+  void setPath(const std::string& newPath);
+};
+
+/// The tree of a YAML text. `source` names it in messages; with `hasLines` they add line and column. Throws DeckError
+/// with all duplicate keys and the syntax error, if there is one.
+std::shared_ptr<DeckNode::Data> readYaml(const std::string& text, const std::string& source, bool hasLines);
+
+/// A finite decimal number written as in C, or nothing.
+std::optional<double> parseReal(const std::string& text);
+std::optional<int> parseInteger(const std::string& text);
+std::optional<bool> parseFlag(const std::string& text);
+
+}  // namespace pd
+
+#endif

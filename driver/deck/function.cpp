@@ -1,0 +1,143 @@
+#include "function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "deck_data.hpp"
+#include "function_program.hpp"
+
+namespace pd {
+
+/// One of: a program, a table, a constant (none of the two).
+struct Function::Implementation {
+  std::unique_ptr<FunctionProgram> program;
+  std::vector<double> times, values;
+  double constant = 0.0;
+  bool dependsOnTime = false;
+  // A table is asked for many points at one time; the last answer is kept.
+  mutable double lastTime = std::numeric_limits<double>::quiet_NaN(), lastValue = 0.0;
+
+  double interpolate(double t) const {
+    const auto next = std::upper_bound(times.begin(), times.end(), t) - times.begin();
+    if (next == 0) return values.front();
+    const auto i = static_cast<std::size_t>(next);
+    if (i == times.size()) return values.back();
+    const double weight = (t - times[i - 1]) / (times[i] - times[i - 1]);
+    return values[i - 1] + weight * (values[i] - values[i - 1]);
+  }
+};
+
+Function::Function(const std::string& text, const std::string& place) {
+  auto implementation = std::make_shared<Implementation>();
+  if (const auto number = parseReal(text)) {
+    implementation->constant = *number;
+  } else {
+    auto program = std::make_unique<FunctionProgram>(text, place, std::vector<std::string>{"x", "y", "z", "t"});
+    const bool usesPlace = program->uses(0) || program->uses(1) || program->uses(2);
+    implementation->dependsOnTime = program->uses(3);
+    if (usesPlace || implementation->dependsOnTime) {
+      implementation->program = std::move(program);
+    } else {
+      const double origin[4] = {0.0, 0.0, 0.0, 0.0};
+      implementation->constant = program->evaluate(origin);
+      if (!std::isfinite(implementation->constant))
+        throw DeckError(place + ": the value of \"" + text + "\" is not a finite number");
+    }
+  }
+  implementation_ = implementation;
+}
+
+Function Function::constant(double value) {
+  auto implementation = std::make_shared<Implementation>();
+  implementation->constant = value;
+  Function result;
+  result.implementation_ = implementation;
+  return result;
+}
+
+Function Function::table(std::vector<double> times, std::vector<double> values) {
+  if (times.empty() || times.size() != values.size())
+    throw std::invalid_argument("a table needs as many times as values, and at least one");
+  if (!std::is_sorted(times.begin(), times.end()))
+    throw std::invalid_argument("the times of a table must not decrease");
+  if (times.size() == 1) return constant(values.front());
+  auto implementation = std::make_shared<Implementation>();
+  implementation->times = std::move(times);
+  implementation->values = std::move(values);
+  implementation->dependsOnTime = true;
+  Function result;
+  result.implementation_ = implementation;
+  return result;
+}
+
+namespace {
+
+Function tableFromDeck(const DeckNode& node) {
+  Mistakes mistakes;
+  for (const auto& [key, value] : node.entries())
+    if (key != "Table")
+      mistakes.add(value.keyPlace(), "unknown key \"" + key + "\" in " + node.path() + " (known here: \"Table\")");
+  const DeckNode rows = node["Table"];
+  const std::string form = " must be a list of [time, value] pairs, as in {Table: [[0.0, 0.0], [10.0, 1.0e-3]]}";
+  if (!rows.isSequence() || rows.items().empty()) {
+    mistakes.add(rows ? rows.place() : node.place(), (rows ? rows.path() : node.path()) + form);
+    mistakes.report();
+  }
+  std::vector<double> times, values;
+  for (const DeckNode& row : rows.items()) {
+    const auto pair = row.items();
+    if (pair.size() != 2) {
+      mistakes.add(row.place(), row.path() + " must be a [time, value] pair");
+      continue;
+    }
+    try {
+      const double time = pair[0].real(), value = pair[1].real();
+      if (!times.empty() && time < times.back())
+        mistakes.add(pair[0].place(), pair[0].path() + " is earlier than the time before it; sort the table by time");
+      times.push_back(time);
+      values.push_back(value);
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    }
+  }
+  mistakes.report();
+  return Function::table(std::move(times), std::move(values));
+}
+
+}  // namespace
+
+Function Function::fromDeck(const DeckNode& node) {
+  if (node.isScalar()) return Function(node.text(), node.place());
+  if (node.isMap()) return tableFromDeck(node);
+  throw DeckError(node.place() + ": " + node.path() +
+                  " must be a number, a function of x, y, z, t or {Table: [[time, value], ...]}");
+}
+
+double Function::operator()(double x, double y, double z, double t) const {
+  const Implementation& f = *implementation_;
+  if (f.program) {
+    const double values[4] = {x, y, z, t};
+    return f.program->evaluate(values);
+  }
+  if (f.times.empty()) return f.constant;
+  if (t != f.lastTime) {
+    f.lastValue = f.interpolate(t);
+    f.lastTime = t;
+  }
+  return f.lastValue;
+}
+
+bool Function::isConstant() const { return !implementation_->program && implementation_->times.empty(); }
+bool Function::dependsOnTime() const { return implementation_->dependsOnTime; }
+
+std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place) {
+  auto program = std::make_shared<FunctionProgram>(text, place, std::vector<std::string>{"zeta", "horizon"});
+  return [program](double zeta, double horizon) {
+    const double values[2] = {zeta, horizon};
+    return program->evaluate(values);
+  };
+}
+
+}  // namespace pd

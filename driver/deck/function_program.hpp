@@ -1,0 +1,33 @@
+// Function texts of a deck, compiled. Private to this folder.
+#ifndef PD_FUNCTION_PROGRAM_HPP
+#define PD_FUNCTION_PROGRAM_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pd {
+
+/// A muParser expression, or the C-like body that Peridigm's functions have: assignments to `value`, local variables,
+/// if/else. Not to be evaluated by several threads at once.
+class FunctionProgram {
+ public:
+  /// Throws DeckError naming `place` where the text cannot be understood.
+  FunctionProgram(const std::string& text, const std::string& place, const std::vector<std::string>& variables);
+  ~FunctionProgram();
+  FunctionProgram(FunctionProgram&&) noexcept;
+
+  /// `values`: one for each variable, in their order.
+  double evaluate(const double* values) const;
+  bool uses(std::size_t variable) const;
+
+  struct Statement;
+  struct Implementation;
+
+ private:
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace pd
+
+#endif
