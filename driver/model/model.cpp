@@ -1,0 +1,314 @@
+#include "model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "Peridigm_Field.hpp"
+#include "collective.hpp"
+#include "field_names.hpp"
+#include "influence.hpp"
+#include "plugin_parameters.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+using namespace PeridigmNS;
+
+namespace {
+
+/// The entry of section Blocks that covers mesh block `number`; one named "default" covers what no other names.
+DeckNode blockEntry(const Deck& deck, int number) {
+  const std::string name = "block_" + std::to_string(number);
+  DeckNode fallback;
+  for (const auto& [key, entry] : deck["Blocks"].entries()) {
+    std::istringstream names(entry.text("Block Names", ""));
+    for (std::string word; names >> word;) {
+      if (word == name) return entry;
+      if (word == "default") fallback = entry;
+    }
+  }
+  return fallback;
+}
+
+/// The block's horizon where it is one number for all its points.
+bool constantHorizon(const DeckNode& entry, double& horizon) {
+  try {
+    horizon = entry["Horizon"].real();
+    return true;
+  } catch (const DeckError&) {
+    return false;
+  }
+}
+
+Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNode, double shortestBond) {
+  const DeckNode node = deck["Materials"][blockNode["Material"].text()];
+  if (!node) throw DeckError(blockNode["Material"].place() + ": no material of this name in section Materials");
+  const auto* plugin = MaterialRegistry::self().find(node["Material Model"].text());
+  if (plugin == nullptr) throw DeckError(node["Material Model"].place() + ": unknown material model");
+  const ParameterDeclarations declarations = plugin->declare();
+  Teuchos::ParameterList injected;
+  double horizon = 0.0;
+  if (constantHorizon(blockNode, horizon)) injected.set("Horizon", horizon);
+  Teuchos::ParameterList parameters = pluginParameters(node, declarations, "Material Model", injected);
+  // Peridigm's default: far below the smallest distance that the material sees.
+  const std::string probe = "Finite Difference Probe Length";
+  if (declarations.find(probe) != nullptr && !node[probe]) parameters.set(probe, 1.0e-6 * shortestBond);
+  try {
+    return plugin->create(parameters);
+  } catch (const DeckError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw DeckError(node.keyPlace() + ": " + error.what());
+  }
+}
+
+/// Null where the block names no damage model.
+Teuchos::RCP<DamageModel> createDamageModel(const Deck& deck, const DeckNode& blockNode) {
+  const std::string name = blockNode.text("Damage Model", "None");
+  if (name == "None") return Teuchos::null;
+  const DeckNode node = deck["Damage Models"][name];
+  if (!node) throw DeckError(blockNode["Damage Model"].place() + ": no damage model of this name in Damage Models");
+  const auto* plugin = DamageModelRegistry::self().find(node["Damage Model"].text());
+  if (plugin == nullptr) throw DeckError(node["Damage Model"].place() + ": unknown damage model");
+  const auto parameters = pluginParameters(node, plugin->declare(), "Damage Model", Teuchos::ParameterList());
+  try {
+    return plugin->create(parameters);
+  } catch (const DeckError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw DeckError(node.keyPlace() + ": " + error.what());
+  }
+}
+
+Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, int blockNumber) {
+  std::vector<int> owned, list;
+  for (int i = 0; i < points.nOwned; ++i) {
+    if (points.blockId[i] != blockNumber) continue;
+    owned.push_back(i);
+    const auto begin = points.neighborhoodList.begin();
+    list.insert(list.end(), begin + points.neighborhoodStart[i], begin + points.neighborhoodStart[i + 1]);
+  }
+  list.shrink_to_fit();
+  return Teuchos::rcp(new NeighborhoodData(std::move(owned), std::move(list)));
+}
+
+/// Fields that materials zero before they add to them.
+bool isSummedOverBlocks(const std::string& label) {
+  const std::string ending = "Flux_Divergence";
+  return label == "Force_Density" ||
+         (label.size() >= ending.size() && label.compare(label.size() - ending.size(), ending.size(), ending) == 0);
+}
+
+}  // namespace
+
+Model::Model(const Deck& deck, const Communicator& comm, Discretization discretization,
+             const std::vector<int>& extraFields)
+    : comm_(comm),
+      discretization_(std::move(discretization)),
+      ghosts_(comm, discretization_.globalIds, discretization_.nOwned),
+      shared_(Teuchos::rcp(new DataManager)),
+      blocks_(Teuchos::rcp(new std::vector<Block>)) {
+  setInfluenceFunction(deck);
+  createBlocks(deck);
+  allocatePluginFields();
+  allocateFields(extraFields);
+  if (comm_.any(!discretization_.bondIsCut.empty())) collectively(comm_, [&] { cutBonds(deck); });
+}
+
+void Model::createBlocks(const Deck& deck) {
+  const auto& points = discretization_;
+  const auto owned =
+      Teuchos::rcp(new PointMap(std::vector<int>(points.globalIds.begin(), points.globalIds.begin() + points.nOwned)));
+  const auto overlap = Teuchos::rcp(new PointMap(points.globalIds));
+  shared_->setMaps(owned, overlap, 0);
+  Mistakes mistakes;
+  for (const int number : points.blockNumbers) {
+    const std::string name = "block_" + std::to_string(number);
+    const DeckNode entry = blockEntry(deck, number);
+    if (!entry) {
+      mistakes.add(deck["Blocks"].place(), name +
+                                               " of the mesh has no material: name it in the `Block Names` of an "
+                                               "entry of Blocks, or give an entry the block name `default`");
+      continue;
+    }
+    Block block(name, number);
+    try {
+      block.setMaterialModel(createMaterial(deck, entry, points.shortestBond));
+      block.setDamageModel(createDamageModel(deck, entry));
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+      continue;
+    }
+    block.setNeighborhoodData(blockNeighborhood(points, number));
+    const auto data = Teuchos::rcp(new DataManager);
+    data->setMaps(owned, overlap, block.getNeighborhoodData()->NumBonds());
+    data->sharePointData(*shared_);
+    block.setDataManager(data);
+    blocks_->push_back(block);
+  }
+  mistakes.report();
+}
+
+void Model::allocatePluginFields() {
+  auto& fields = FieldManager::self();
+  using namespace PeridigmField;
+  shared_->allocateData({fields.getFieldId(NODE, VECTOR, CONSTANT, "Model_Coordinates"),
+                         fields.getFieldId(ELEMENT, SCALAR, CONSTANT, "Volume")});
+  for (Block& block : *blocks_) {
+    std::vector<int> ids = block.getMaterialModel()->FieldIds();
+    if (!block.getDamageModel().is_null()) {
+      const std::vector<int> more = block.getDamageModel()->FieldIds();
+      ids.insert(ids.end(), more.begin(), more.end());
+    }
+    block.getDataManager()->allocateData(ids);
+    if (discretization_.blockNumbers.size() == 1) continue;
+    for (const int id : block.getMaterialModel()->FieldIds())
+      if (isSummedOverBlocks(fields.getFieldSpec(id).label)) block.getDataManager()->allocatePrivateData(id);
+  }
+  if (hasMechanics())
+    shared_->allocateData({fields.getFieldId(NODE, VECTOR, TWO_STEP, "Coordinates"),
+                           fields.getFieldId(NODE, VECTOR, TWO_STEP, "Displacement")});
+  fillConstantFields();
+}
+
+void Model::allocateFields(const std::vector<int>& fieldIds) {
+  for (const int id : fieldIds) {
+    if (FieldManager::self().getFieldSpec(id).relation != PeridigmField::BOND) {
+      shared_->allocateData({id});
+      continue;
+    }
+    for (Block& block : *blocks_) block.getDataManager()->allocateData({id});
+  }
+  fillConstantFields();
+}
+
+void Model::fillConstantFields() {
+  const auto& points = discretization_;
+  const auto fill = [&](const std::string& label, const auto& value) {
+    if (!hasField(label)) return;
+    double* values = field(label);
+    for (int i = 0; i < points.nPoints; ++i) values[i] = value(i);
+  };
+  std::copy(points.x.begin(), points.x.end(), field("Model_Coordinates"));
+  fill("Volume", [&](int i) { return points.volume[i]; });
+  fill("Horizon", [&](int i) { return points.horizon[i]; });
+  fill("Block_Id", [&](int i) { return points.blockId[i]; });
+  fill("Element_Id", [&](int i) { return points.globalIds[i] + 1; });  // node numbers start at 1 in files
+  if (hasField("Coordinates")) std::copy(points.x.begin(), points.x.end(), field("Coordinates"));
+}
+
+void Model::cutBonds(const Deck& deck) {
+  if (discretization_.bondIsCut.empty()) return;
+  for (Block& block : *blocks_) {
+    const auto neighborhood = block.getNeighborhoodData();
+    const bool hasBondDamage = FieldManager::self().hasField("Bond_Damage") &&
+                               block.hasData(FieldManager::self().getFieldId("Bond_Damage"), PeridigmField::STEP_NP1);
+    const bool hasDamage = hasField("Damage") && block.getDamageModel().is_null();
+    long long bond = 0;
+    for (int k = 0; k < neighborhood->NumOwnedPoints(); ++k) {
+      const int point = neighborhood->OwnedIDs()[k];
+      const long long first = discretization_.neighborhoodStart[point] - point;
+      const int nNeighbors = discretization_.neighborhoodList[discretization_.neighborhoodStart[point]];
+      int nCut = 0;
+      for (int n = 0; n < nNeighbors; ++n, ++bond) {
+        if (!discretization_.bondIsCut[first + n]) continue;
+        ++nCut;
+        if (!hasBondDamage)
+          throw DeckError(deck["Discretization"]["Bond Filters"].place() + ": bonds of " + block.getName() +
+                          " are to be kept as broken (`Count In Damage: true`), but neither its material nor a damage "
+                          "model knows broken bonds; give the block a damage model or set `Count In Damage: false`");
+        (*block.getData(FieldManager::self().getFieldId("Bond_Damage"), PeridigmField::STEP_NP1))[bond] = 1.0;
+      }
+      if (hasDamage && nCut > 0) field("Damage")[point] = static_cast<double>(nCut) / nNeighbors;
+    }
+  }
+}
+
+void Model::initialize() {
+  const Timers::Scope timer(timers_, "initialization");
+  std::set<int> toSynchronise;
+  const auto note = [&](const std::vector<int>& ids) { toSynchronise.insert(ids.begin(), ids.end()); };
+  if (hasField("Displacement")) updateCoordinates();
+  collectively(comm_, [&] {
+    for (Block& block : *blocks_) {
+      const auto points = block.getNeighborhoodData();
+      const auto call = [&](auto&& plugin) {
+        if (points->NumOwnedPoints() > 0)
+          plugin->initialize(0.0, points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList(),
+                             *block.getDataManager());
+      };
+      call(block.getMutableMaterialModel());
+      if (!block.getDamageModel().is_null()) call(block.getDamageModel());
+    }
+  });
+  for (Block& block : *blocks_) {
+    note(block.getMaterialModel()->FieldIdsForSynchronizationAfterInitialize());
+    if (!block.getDamageModel().is_null()) note(block.getDamageModel()->FieldIdsForSynchronizationAfterInitialize());
+  }
+  synchronise({toSynchronise.begin(), toSynchronise.end()});
+  evaluateDamage(0.0);
+  if (hasMechanics()) evaluateForce(0.0);
+  for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
+    if (isSummedOverBlocks(spec.label) && spec.label != "Force_Density" && hasField(spec.label))
+      evaluateFluxDivergence(0.0, spec.label);
+}
+
+Teuchos::RCP<FieldVector> Model::vector(const std::string& label, bool atN) const {
+  if (!hasField(label))
+    throw std::invalid_argument("no plug-in, solver or output of this run uses a point field \"" + label + "\"");
+  const FieldSpec spec = FieldManager::self().getFieldSpec(label);
+  if (spec.temporal == PeridigmField::CONSTANT) return shared_->getData(spec.id, PeridigmField::STEP_NONE);
+  return shared_->getData(spec.id, atN ? PeridigmField::STEP_N : PeridigmField::STEP_NP1);
+}
+
+bool Model::hasField(const std::string& label) const {
+  auto& fields = FieldManager::self();
+  if (!fields.hasField(label)) return false;
+  const FieldSpec spec = fields.getFieldSpec(label);
+  if (spec.relation == PeridigmField::BOND) return false;
+  return shared_->hasData(
+      spec.id, spec.temporal == PeridigmField::CONSTANT ? PeridigmField::STEP_NONE : PeridigmField::STEP_NP1);
+}
+
+double* Model::field(const std::string& label) {
+  double* values = nullptr;
+  vector(label, false)->ExtractView(&values);
+  return values;
+}
+
+double* Model::fieldAtN(const std::string& label) {
+  double* values = nullptr;
+  vector(label, true)->ExtractView(&values);
+  return values;
+}
+
+int Model::fieldWidth(const std::string& label) const {
+  return PeridigmField::variableDimension(FieldManager::self().getFieldSpec(label).length);
+}
+
+bool Model::hasDamage() const {
+  return std::any_of(blocks_->begin(), blocks_->end(), [](Block& block) { return !block.getDamageModel().is_null(); });
+}
+
+void Model::updateState() { shared_->updateState(); }
+
+double Model::dot(const double* a, const double* b, int width) const {
+  double sum = 0.0;
+  const long long n = static_cast<long long>(width) * discretization_.nOwned;
+  for (long long i = 0; i < n; ++i) sum += a[i] * b[i];
+  return comm_.sum(sum);
+}
+
+std::size_t Model::bondBytes() const {
+  std::size_t bytes = discretization_.neighborhoodList.capacity() * sizeof(int) +
+                      discretization_.neighborhoodStart.capacity() * sizeof(long long) +
+                      discretization_.bondIsCut.capacity();
+  for (Block& block : *blocks_)
+    bytes += static_cast<std::size_t>(block.getNeighborhoodData()->NeighborhoodListSize()) * sizeof(int) +
+             block.getDataManager()->bondBytes();
+  return bytes;
+}
+
+}  // namespace pd
