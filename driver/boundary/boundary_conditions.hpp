@@ -26,6 +26,10 @@ class BoundaryConditions {
   void applyInitial();
   /// Sets prescribed displacements (and velocities) and values for time t in the fields' NP1, ghosts included.
   void applyPrescribed(double t);
+  /// Sets the prescribed values of one scalar field alone (what a diffusion solver asks for in each stage).
+  void applyPrescribedValue(const std::string& field, double t);
+  /// Whether a prescribed value of this field changes with time.
+  bool prescribedValueDependsOnTime(const std::string& field) const;
   /// Adds External_Force_Density (body force, traction) at time t to `forceDensity` [3 nOwned].
   void addExternalForce(double t, double* forceDensity) const;
   bool hasExternalForce() const;
