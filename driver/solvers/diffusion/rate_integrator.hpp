@@ -29,8 +29,9 @@ class RateIntegrator {
   /// Lines for the closing report: steps, stages, rejected steps, the limit and the fraction used.
   virtual std::vector<std::string> summary() const { return {}; }
 
-  /// State beyond the field that a bit-identical restart needs (the step that the controller proposes next, older
-  /// levels of a multi-step method). Owned points only, in local order.
+  /// Numbers that a bit-identical restart needs (the step that the controller proposes next), the same on every rank.
+  /// Point data (older levels of a multi-step method) belong in fields of fieldIds(), which checkpoints move to
+  /// whatever rank owns the point.
   virtual std::vector<double> restartState() const { return {}; }
   virtual void setRestartState(const std::vector<double>&) {}
 };
