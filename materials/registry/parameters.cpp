@@ -18,29 +18,31 @@ std::string numberText(double value) {
   return out.str();
 }
 
-template <class Names>
-std::string joined(const Names& names) {
-  std::string result;
-  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + ("\"" + name + "\"");
-  return result;
-}
-
-std::string ruleComplaint(const ParameterDeclarations::Rule& rule, const Teuchos::ParameterList& given) {
-  const auto isGiven = [&](const std::string& name) { return given.isParameter(name) || given.isSublist(name); };
+std::string ruleComplaint(const ParameterDeclarations::Rule& rule,
+                          const std::function<bool(const std::string&)>& isGiven) {
   if (rule.kind == ParameterDeclarations::Rule::Needs) {
     if (!isGiven(rule.names[0])) return "";
     std::vector<std::string> missing;
     for (std::size_t i = 1; i < rule.names.size(); ++i)
       if (!isGiven(rule.names[i])) missing.push_back(rule.names[i]);
-    return missing.empty() ? "" : "\"" + rule.names[0] + "\" needs " + joined(missing) + " beside it";
+    return missing.empty() ? "" : "\"" + rule.names[0] + "\" needs " + quotedList(missing) + " beside it";
   }
   const auto count = std::count_if(rule.names.begin(), rule.names.end(), isGiven);
   const bool tooMany = count > 1 && rule.kind != ParameterDeclarations::Rule::AtLeastOne;
   const bool tooFew = count == 0 && rule.kind != ParameterDeclarations::Rule::AtMostOne;
-  if (tooMany) return "give only one of " + joined(rule.names);
+  if (tooMany) return "give only one of " + quotedList(rule.names);
   if (tooFew)
     return (rule.kind == ParameterDeclarations::Rule::AtLeastOne ? "give at least one of " : "give one of ") +
-           joined(rule.names);
+           quotedList(rule.names);
+  return "";
+}
+
+template <class Value>
+std::string firstComplaint(const Parameter& parameter, const Teuchos::Array<Value>& values) {
+  for (const Value& value : values) {
+    const std::string message = parameter.complaint(value);
+    if (!message.empty()) return message;
+  }
   return "";
 }
 
@@ -63,33 +65,28 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
                  : "must be a number or a function of x, y, z, t";
     case ParameterType::Text: {
       if (!given.isType<std::string>(name)) return "must be text";
-      const std::string value = given.get<std::string>(name);
-      const auto& choices = parameter.choices;
-      if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
-      const std::string nearest = nearestWord(value, choices);
-      return "\"" + value + "\" is not allowed here (one of " + joined(choices) + ")" +
-             (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?");
+      return parameter.complaint(given.get<std::string>(name));
     }
     case ParameterType::Reals:
-      return given.isType<Teuchos::Array<double>>(name) ? "" : "must be a list of numbers";
+      if (given.isType<Teuchos::Array<int>>(name))
+        return firstComplaint(parameter, given.get<Teuchos::Array<int>>(name));
+      if (!given.isType<Teuchos::Array<double>>(name)) return "must be a list of numbers";
+      return firstComplaint(parameter, given.get<Teuchos::Array<double>>(name));
     case ParameterType::Texts:
-      return given.isType<Teuchos::Array<std::string>>(name) ? "" : "must be a list of names";
+      if (!given.isType<Teuchos::Array<std::string>>(name)) return "must be a list of names";
+      return firstComplaint(parameter, given.get<Teuchos::Array<std::string>>(name));
   }
   return "";
-}
-
-void setDefault(Teuchos::ParameterList& list, const Parameter& parameter) {
-  const auto& value = parameter.defaultValue;
-  if (std::holds_alternative<double>(value)) list.set(parameter.name, std::get<double>(value));
-  if (std::holds_alternative<int>(value)) list.set(parameter.name, std::get<int>(value));
-  if (std::holds_alternative<bool>(value)) list.set(parameter.name, std::get<bool>(value));
-  if (std::holds_alternative<std::string>(value)) list.set(parameter.name, std::get<std::string>(value));
 }
 
 void normalise(Teuchos::ParameterList& list, const Parameter& parameter) {
   const std::string& name = parameter.name;
   if (parameter.type == ParameterType::Real && list.isType<int>(name))
     list.set(name, static_cast<double>(list.get<int>(name)));
+  if (parameter.type == ParameterType::Reals && list.isType<Teuchos::Array<int>>(name)) {
+    const auto given = list.get<Teuchos::Array<int>>(name);
+    list.set(name, Teuchos::Array<double>(given.begin(), given.end()));
+  }
   if (parameter.type != ParameterType::Function) return;
   if (list.isType<double>(name)) {
     std::ostringstream out;
@@ -154,7 +151,7 @@ Parameter& Parameter::from(const char* sourceText) {
 }
 
 std::string Parameter::allowedText() const {
-  if (!choices.empty()) return "one of " + joined(choices);
+  if (!choices.empty()) return "one of " + quotedList(choices);
   const std::string unitText = unit.empty() || unit == "1" ? "" : " " + unit;
   const bool hasLow = std::isfinite(lowest), hasHigh = std::isfinite(highest);
   if (hasLow && hasHigh)
@@ -180,6 +177,43 @@ std::string Parameter::complaint(double value) const {
   if ((low && std::isfinite(lowest)) || (high && std::isfinite(highest)))
     return "is " + numberText(value) + ", must be " + allowedText();
   return "";
+}
+
+std::string Parameter::complaint(const std::string& value) const {
+  if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
+  const std::string nearest = nearestWord(value, choices);
+  return "\"" + value + "\" is not allowed here (" + allowedText() + ")" +
+         (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?");
+}
+
+std::string Parameter::expectation() const {
+  const std::string allowed = allowedText();
+  const std::string unitText = unit.empty() || unit == "1" ? "" : " in " + unit;
+  const std::string range = allowed.empty() ? unitText : " " + allowed;
+  switch (type) {
+    case ParameterType::Real:
+      return "a number" + range;
+    case ParameterType::Integer:
+      return "an integer" + range;
+    case ParameterType::Flag:
+      return "true or false";
+    case ParameterType::Text:
+      return choices.empty() ? "text" : allowed;
+    case ParameterType::Function:
+      return "a number or a function of x, y, z, t" + unitText;
+    case ParameterType::Reals:
+      return "a list of numbers" + range;
+    case ParameterType::Texts:
+      return "a list of names" + (choices.empty() ? "" : ", each " + allowed);
+  }
+  return "";
+}
+
+void Parameter::setDefault(Teuchos::ParameterList& list) const {
+  if (std::holds_alternative<double>(defaultValue)) list.set(name, std::get<double>(defaultValue));
+  if (std::holds_alternative<int>(defaultValue)) list.set(name, std::get<int>(defaultValue));
+  if (std::holds_alternative<bool>(defaultValue)) list.set(name, std::get<bool>(defaultValue));
+  if (std::holds_alternative<std::string>(defaultValue)) list.set(name, std::get<std::string>(defaultValue));
 }
 
 Parameter& ParameterDeclarations::add(const std::string& name, ParameterType type, const std::string& unit,
@@ -250,9 +284,7 @@ const ParameterDeclarations::Sublist* ParameterDeclarations::findSublist(const s
 std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes(
     const Teuchos::ParameterList& given) const {
   std::vector<std::pair<std::string, std::string>> result;
-  std::vector<std::string> known;
-  for (const Parameter& parameter : parameters_) known.push_back(parameter.name);
-  for (const Sublist& sublist : sublists_) known.push_back(sublist.name);
+  const std::vector<std::string> known = names();
 
   for (auto it = given.begin(); it != given.end(); ++it) {
     const std::string& name = given.name(it);
@@ -266,19 +298,34 @@ std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes
     } else if (const Parameter* parameter = find(name)) {
       const std::string message = entryComplaint(*parameter, given);
       if (!message.empty()) result.emplace_back(name, message);
-    } else {
+    } else if (!isHostKey(name)) {
       const std::string nearest = nearestWord(name, known);
-      result.emplace_back(name, "unknown key" + (nearest.empty() ? " (known here: " + joined(known) + ")"
+      result.emplace_back(name, "unknown key" + (nearest.empty() ? " (known here: " + quotedList(known) + ")"
                                                                  : "; did you mean \"" + nearest + "\"?"));
     }
   }
   for (const Parameter& parameter : parameters_)
     if (parameter.isRequired && !given.isParameter(parameter.name))
       result.emplace_back(parameter.name, "is required: " + parameter.meaning);
+  const auto isGiven = [&](const std::string& name) { return given.isParameter(name) || given.isSublist(name); };
+  for (const std::string& message : brokenRules(isGiven)) result.emplace_back("", message);
+  return result;
+}
+
+std::vector<std::string> ParameterDeclarations::brokenRules(
+    const std::function<bool(const std::string&)>& isGiven) const {
+  std::vector<std::string> result;
   for (const Rule& rule : rules_) {
-    const std::string message = ruleComplaint(rule, given);
-    if (!message.empty()) result.emplace_back("", message);
+    const std::string message = ruleComplaint(rule, isGiven);
+    if (!message.empty()) result.push_back(message);
   }
+  return result;
+}
+
+std::vector<std::string> ParameterDeclarations::names() const {
+  std::vector<std::string> result;
+  for (const Parameter& parameter : parameters_) result.push_back(parameter.name);
+  for (const Sublist& sublist : sublists_) result.push_back(sublist.name);
   return result;
 }
 
@@ -296,12 +343,22 @@ Teuchos::ParameterList ParameterDeclarations::complete(const Teuchos::ParameterL
     if (result.isParameter(parameter.name))
       normalise(result, parameter);
     else
-      setDefault(result, parameter);
+      parameter.setDefault(result);
   }
   for (const Sublist& sublist : sublists_)
     if (result.isSublist(sublist.name))
       result.sublist(sublist.name) =
           sublist.declarations.front().complete(result.sublist(sublist.name), owner + "/" + sublist.name);
+  return result;
+}
+
+bool isHostKey(const std::string& name) {
+  return name == "Material Model" || name == "Damage Model" || name == "Compute Class" || name == "Horizon";
+}
+
+std::string quotedList(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "\"" : ", \"") + name + "\"";
   return result;
 }
 

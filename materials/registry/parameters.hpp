@@ -4,8 +4,10 @@
 #define PD_PARAMETERS_HPP
 
 #include <Teuchos_ParameterList.hpp>
+#include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -54,8 +56,14 @@ struct Parameter {
   std::string allowedText() const;
   /// Default as text; empty where there is none.
   std::string defaultText() const;
+  /// "a number > 0 Pa", "true or false", "a list of names": what a user may write.
+  std::string expectation() const;
   /// Message where `value` is out of range (without name and place), else empty.
   std::string complaint(double value) const;
+  /// Message where `value` is none of `choices` (if there are any), else empty.
+  std::string complaint(const std::string& value) const;
+  /// Sets the default, if there is one, in `list`.
+  void setDefault(Teuchos::ParameterList& list) const;
 };
 
 /// The parameters of one plug-in (or deck section), and its named sub-lists.
@@ -93,13 +101,18 @@ class ParameterDeclarations {
   const Parameter* find(const std::string& name) const;
   const Sublist* findSublist(const std::string& name) const;
 
-  /// Checks `given` against the declarations and returns it with the defaults filled in. Keys of `ignored` (those a
-  /// host injects) pass unchecked. Throws std::invalid_argument that lists every mistake, each naming `owner`.
+  /// Checks `given` against the declarations and returns it with the defaults filled in. Keys that a host injects
+  /// (isHostKey) pass unchecked. Throws std::invalid_argument that lists every mistake, each naming `owner`.
   /// A plug-in calls this in its constructor, so that it is safe under a host that checks nothing.
   Teuchos::ParameterList complete(const Teuchos::ParameterList& given, const std::string& owner) const;
 
   /// All mistakes of `given` as (parameter name, message) pairs; the name is empty for a broken rule.
   std::vector<std::pair<std::string, std::string>> mistakes(const Teuchos::ParameterList& given) const;
+
+  /// A message for each rule that is broken where `isGiven` says which parameters and sub-lists are there.
+  std::vector<std::string> brokenRules(const std::function<bool(const std::string&)>& isGiven) const;
+  /// Names of all parameters and sub-lists.
+  std::vector<std::string> names() const;
 
  private:
   Parameter& add(const std::string& name, ParameterType type, const std::string& unit, const std::string& meaning);
@@ -107,6 +120,12 @@ class ParameterDeclarations {
   std::vector<Sublist> sublists_;
   std::vector<Rule> rules_;
 };
+
+/// Keys that a host puts into the list of a plug-in, declared or not: those that name it, and the horizon of its block.
+bool isHostKey(const std::string& name);
+
+/// `"A", "B"`.
+std::string quotedList(const std::vector<std::string>& names);
 
 /// The word of `known` nearest to `word` (Levenshtein distance, case ignored) if it is near enough to be a slip of
 /// the pen; empty otherwise.

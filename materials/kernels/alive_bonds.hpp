@@ -1,0 +1,38 @@
+// Which bonds are unbroken, as one bit a bond in the order of the chunks.
+#ifndef PD_ALIVE_BONDS_HPP
+#define PD_ALIVE_BONDS_HPP
+
+#include <vector>
+
+#include "chunked_neighborhood.hpp"
+
+namespace pd::kernels {
+
+/// A view of the field Bond_Damage for vector loops. The field stays the only memory: refresh() reads it again for
+/// every point whose `Damage` has changed since (a damage model that changes bonds of a point changes its Damage).
+class AliveBonds {
+ public:
+  AliveBonds() = default;
+  /// All bonds unbroken.
+  explicit AliveBonds(const ChunkedNeighborhood& neighborhood);
+
+  /// `bondDamage`: in the host's order; `damage`: by local id. Returns false where a bond is damaged in part (0 < d <
+  /// 1).
+  bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
+
+  /// One byte a neighbour k of the chunk; bit = lane. Zero in lanes that are unused or have fewer neighbours.
+  const unsigned char* of(const Chunk& chunk) const { return &bits_[chunk.entries / lanes]; }
+  unsigned char* of(const Chunk& chunk) { return &bits_[chunk.entries / lanes]; }
+  /// Takes note that the caller has itself brought this point's bits and Damage up to date.
+  void setSeen(const Chunk& chunk, int lane, double damage) { seen_[chunk.points + std::size_t(lane)] = damage; }
+
+  std::size_t bytes() const { return bits_.size() + seen_.size() * sizeof(double); }
+
+ private:
+  std::vector<unsigned char> bits_;
+  std::vector<double> seen_;  ///< Damage of each lane at the last refresh
+};
+
+}  // namespace pd::kernels
+
+#endif

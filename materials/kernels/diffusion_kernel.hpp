@@ -1,0 +1,18 @@
+// Nonlocal diffusion: the rate of a scalar field from its differences over bonds.
+#ifndef PD_DIFFUSION_KERNEL_HPP
+#define PD_DIFFUSION_KERNEL_HPP
+
+#include "alive_bonds.hpp"
+#include "chunked_neighborhood.hpp"
+
+namespace pd::kernels {
+
+/// rate_i += sum_j w_ij (C_j - C_i). `weights`: width 1, w_ij = d kernel(|xi|) (volume share) V_j in 1/s.
+/// `alive`: null, or the bonds that carry flux. C and rate by local id; both must be readable for `lanes` values past
+/// their end.
+void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
+                       const double* concentration, double* rate);
+
+}  // namespace pd::kernels
+
+#endif
