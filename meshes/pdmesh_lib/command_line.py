@@ -1,0 +1,292 @@
+"""The command line of pdmesh."""
+import argparse
+import os
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from . import lattice
+from .convert import convert, group_points
+from .errors import MeshError
+from .expressions import named, select, variables_of
+from .mesh import read_mesh
+from .points import (export_points, read_node_set, read_points, report, write_node_set, write_points)
+
+_EPILOG = """sample runs
+  pdmesh convert plate.msh plate.txt --thickness 0.004 --layer-depth 0.005 --horizon 0.005
+      points at the centroids of the elements of a Gmsh mesh; every physical line group becomes a node set: the points
+      within 5 mm of it
+  pdmesh convert part.inp part.txt --at nodes --scale 1e-3
+      points at the nodes of an Abaqus mesh in millimetres
+  pdmesh grid box --size 0.2 0.1 --spacing 0.001 --thickness 0.004 --node-set "top: y > 0.097" -o plate.txt
+  pdmesh grid disc --radius 0.05 --spacing 0.001 --notch 0 0 0.03 0 0.001 -o disc.txt
+  pdmesh grid tube --radius 0.02 --inner-radius 0.01 --length 0.1 --spacing 0.001 -o tube.txt
+  pdmesh info plate.txt top.txt bottom.txt --horizon 0.005
+  pdmesh export plate.txt plate.vtu
+
+A text discretization has one point a line, `x y z block volume` (m, m3); a node set has point numbers, counted from 1.
+"""
+
+
+def main(arguments=None):
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    try:
+        options.run(options)
+    except MeshError as error:
+        print(f"pdmesh: {error}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="pdmesh", description="Meshes for pdrun.", epilog=_EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True, metavar="convert | grid | info | export")
+    _add_convert(commands)
+    _add_grid(commands)
+    info = commands.add_parser("info", help="what a mesh or a text discretization holds")
+    info.add_argument("mesh", help="text discretization (.txt) or any mesh that meshio reads")
+    info.add_argument("node_sets", nargs="*", help="node set files to check against it")
+    info.add_argument("--horizon", type=float, help="horizon (m) to judge the spacing by")
+    info.set_defaults(run=_info)
+    export = commands.add_parser("export", help="write points for ParaView or any format of meshio")
+    export.add_argument("mesh", help="text discretization")
+    export.add_argument("output", help="file, format by extension: .vtu, .vtk, .msh, .xdmf ...")
+    export.add_argument("--node-sets", nargs="*", default=[], metavar="FILE", help="node sets to mark by 0 and 1")
+    export.set_defaults(run=_export)
+    return parser
+
+
+def _add_common(command):
+    command.add_argument("--thickness", type=float, metavar="T",
+                         help="thickness of a plane mesh, m (1D: cross section, m2); default 1")
+    command.add_argument("--node-set", action="append", default=[], metavar="'NAME: EXPRESSION'",
+                         help="node set by a condition in x, y, z, r, block, volume, as 'top: y > 0.099 and x < 0.1'; "
+                              "written to NAME.txt beside the mesh; may be repeated")
+    command.add_argument("--horizon", type=float, metavar="H", help="horizon (m) to judge the spacing by")
+    command.add_argument("--quiet", action="store_true", help="no report; warnings stay")
+
+
+def _add_convert(commands):
+    command = commands.add_parser(
+        "convert", help="finite element mesh to points with volumes",
+        description="Points at element centroids, with exact volumes (curved second order elements too), or at nodes, "
+                    "with their exact share of the adjacent elements (corner nodes of second order elements). Blocks "
+                    "are physical groups, element sets or element blocks; groups of lower dimension become node sets.")
+    command.add_argument("mesh", help="anything meshio reads: .msh (2.2, 4.1), .vtu, .inp (Abaqus), .e (Exodus) ...")
+    command.add_argument("output", help="text discretization to write")
+    command.add_argument("--at", choices=["centroids", "nodes"], default="centroids", help="where the points are")
+    command.add_argument("--scale", type=float, default=1.0, metavar="S", help="factor on coordinates: 1e-3 from mm")
+    command.add_argument("--layer-depth", action="append", default=[], metavar="[GROUP=]D",
+                         help="node sets of groups take the points within D metres of the group; without it those of "
+                              "the elements that have the group as a side (--at nodes: its nodes)")
+    command.add_argument("--block-field", metavar="NAME", help="element data that numbers the blocks")
+    _add_common(command)
+    command.set_defaults(run=_convert)
+
+
+def _add_grid(commands):
+    command = commands.add_parser(
+        "grid", help="lattice of points in a box, disc, ring, cylinder or tube",
+        description="Points at the centres of lattice cells. Round shapes take the cells whose centres are inside; "
+                    "--fit-volume makes their volumes add up to the exact one.")
+    command.add_argument("shape", choices=["box", "disc", "ring", "cylinder", "tube"])
+    command.add_argument("-o", "--output", required=True, help="text discretization to write")
+    command.add_argument("--spacing", type=float, nargs="+", required=True, metavar="DX",
+                         help="one, or one a direction; adjusted so that whole cells fit")
+    command.add_argument("--size", type=float, nargs="+", metavar="L", help="box: edges; one makes it 1D, two 2D")
+    command.add_argument("--origin", type=float, nargs="+", default=[0.0], metavar="X",
+                         help="box: lowest corner; round shapes: centre (z: lower end); default 0 0 0")
+    command.add_argument("--radius", type=float, metavar="R")
+    command.add_argument("--inner-radius", type=float, metavar="R")
+    command.add_argument("--length", type=float, metavar="L", help="cylinder, tube: length along z")
+    command.add_argument("--hole", type=float, nargs=3, action="append", default=[], metavar=("X", "Y", "R"),
+                         help="remove a circular hole (through z)")
+    command.add_argument("--notch", type=float, nargs=5, action="append", default=[],
+                         metavar=("X0", "Y0", "X1", "Y1", "WIDTH"), help="remove a slot between two points")
+    command.add_argument("--wedge", type=float, nargs=4, action="append", default=[],
+                         metavar=("X", "Y", "DIRECTION", "ANGLE"),
+                         help="remove the sector with its tip at X Y that opens ANGLE degrees about DIRECTION degrees")
+    command.add_argument("--remove", action="append", default=[], metavar="EXPRESSION", help="remove by a condition")
+    command.add_argument("--block", action="append", default=[], metavar="'NUMBER: EXPRESSION'",
+                         help="give points another block than 1, as '2: x > 0.1'")
+    command.add_argument("--jitter", type=float, default=0.0, metavar="A",
+                         help="move points by up to A spacings at random, A < 0.5; volumes stay")
+    command.add_argument("--seed", type=int, default=1, help="of the jitter")
+    command.add_argument("--fit-volume", action="store_true", help="round shapes: scale volumes to the exact sum")
+    _add_common(command)
+    command.set_defaults(run=_grid)
+
+
+def _convert(options):
+    _positive(options, "scale", "thickness", "horizon")
+    depths = _layer_depths(options.layer_depth)
+    mesh = read_mesh(options.mesh, options.block_field)
+    result = convert(mesh, options.at == "nodes", options.thickness, options.scale)
+    points = result.points
+    unknown = set(depths) - {None} - {group.name for group in mesh.groups}
+    if unknown:
+        raise MeshError(f"--layer-depth: {options.mesh} has no group {', '.join(sorted(unknown))} (there are: "
+                        f"{', '.join(group.name for group in mesh.groups) or 'none'})")
+    for group in mesh.groups:
+        points.node_sets[group.name] = group_points(result, group, depths.get(group.name, depths.get(None)))
+    facts = [f"mesh volume {result.mesh_volume:.12g} m3, points' volume differs by "
+             f"{abs(points.volume.sum() / result.mesh_volume - 1):.1e} of it"]
+    warnings = []
+    if result.slivers:
+        warnings.append(f"{result.slivers} elements are slivers (volume below a twentieth of their size's); points "
+                        "there lie close together, and stable steps get small")
+    if mesh.dimension == 2 and options.thickness is None:
+        warnings.append("no --thickness given: the volumes are those of a plate 1 m thick")
+    _finish(options, points, facts, warnings,
+            f"from {os.path.basename(options.mesh)} (points at {options.at}, scale {options.scale!r})")
+
+
+def _grid(options):
+    _positive(options, "thickness", "horizon", "radius", "inner_radius", "length")
+    origin = (options.origin + [0.0, 0.0, 0.0])[:3]
+    measure = 1.0 if options.thickness is None else options.thickness
+    exact = None
+    if options.shape == "box":
+        if not options.size or len(options.size) > 3:
+            raise MeshError("a box needs --size with one to three edges")
+        spacing = _spacings(options.spacing, len(options.size))
+        points, steps = lattice.lattice(options.size, spacing, origin, _measure(options, len(options.size)))
+    else:
+        is_long = options.shape in ("cylinder", "tube")
+        needed = ["radius"] + (["length"] if is_long else []) + \
+            (["inner_radius"] if options.shape in ("ring", "tube") else [])
+        for name in needed:
+            if getattr(options, name) is None:
+                raise MeshError(f"a {options.shape} needs --{name.replace('_', '-')}")
+        dimension = 3 if is_long else 2
+        measure = _measure(options, dimension)
+        points, steps, exact = lattice.round_shape(
+            options.radius, options.inner_radius or 0.0, options.length if is_long else None,
+            _spacings(options.spacing, dimension), origin, measure)
+    whole = points.volume.sum()
+    points = _cut(points, options)
+    facts = ["spacing " + " x ".join(f"{step:.6g}" for step in steps) + " m"]
+    if exact is not None:
+        facts.append(f"lattice volume of the whole shape {whole:.8g} m3, exact {exact:.8g} m3 "
+                     f"({100 * (whole / exact - 1):+.3f} %)" + (", volumes scaled to it" if options.fit_volume else ""))
+        if options.fit_volume:
+            points.volume *= exact / whole
+    for text in options.block:
+        number, expression = named(text)
+        if not re.fullmatch(r"[1-9]\d*", number):
+            raise MeshError(f"--block `{text}`: `{number}` is not a positive whole number")
+        points.block[select(expression, variables_of(points))] = int(number)
+    # Node sets and blocks are chosen on the regular lattice, so that a jitter does not change them.
+    sets = {name: select(expression, variables_of(points)) for name, expression in map(named, options.node_set)}
+    if options.jitter:
+        lattice.jitter(points, steps, options.jitter, options.seed)
+        facts.append(f"jittered by {options.jitter:g} spacings, seed {options.seed}")
+    points.node_sets = sets
+    _finish(options, points, facts, [], f"lattice: {options.shape}", from_grid=True)
+
+
+def _cut(points, options):
+    gone = np.zeros(len(points), bool)
+    for hole in options.hole:
+        gone |= lattice.in_hole(points.x, hole)
+    for notch in options.notch:
+        gone |= lattice.in_notch(points.x, notch)
+    for wedge in options.wedge:
+        gone |= lattice.in_wedge(points.x, wedge)
+    for expression in options.remove:
+        gone[select(expression, variables_of(points))] = True
+    return lattice.keep(points, ~gone)
+
+
+def _finish(options, points, facts, warnings, heading, from_grid=False):
+    """Node sets by expression, files, report: what convert and grid have in common."""
+    if not from_grid:
+        for text in options.node_set:
+            name, expression = named(text)
+            if name in points.node_sets:
+                raise MeshError(f"--node-set {name}: the mesh has a group of this name; choose another")
+            points.node_sets[name] = select(expression, variables_of(points))
+    # repr gives the shortest text that reads back to the same number, so nothing is lost in the file.
+    write_points(points, options.output, [f"pdmesh {heading}"])
+    folder = Path(options.output).parent
+    files = {}
+    for name, indices in points.node_sets.items():
+        file = folder / (re.sub(r"[^\w.-]+", "_", name) + ".txt")
+        if file == Path(options.output) or file in files.values():
+            raise MeshError(f"node set {name}: its file {file} is already taken; rename the group or the mesh")
+        files[name] = file
+    for name, file in files.items():
+        write_node_set(points.node_sets[name], file, name)
+    more_facts, more_warnings = report(points, options.horizon)
+    if not options.quiet:
+        print("\n".join([f"{options.output}: pdmesh {heading}"] + ["  " + fact for fact in facts + more_facts]))
+        if files:
+            print("  written: " + ", ".join(str(file) for file in [options.output, *files.values()]))
+    for warning in warnings + more_warnings:
+        print(f"pdmesh: warning: {warning}", file=sys.stderr)
+
+
+def _info(options):
+    _positive(options, "horizon")
+    if options.mesh.endswith(".txt"):
+        points = read_points(options.mesh)
+        for file in options.node_sets:
+            points.node_sets[Path(file).stem] = read_node_set(file, len(points))
+    else:
+        mesh = read_mesh(options.mesh)
+        for kind, connectivity, _ in mesh.cells:
+            print(f"{len(connectivity)} {kind} elements")
+        for group in mesh.groups:
+            count = sum(len(c) for _, c in group.parts) + (0 if group.nodes is None else len(group.nodes))
+            print(f"group {group.name}: {count} elements or nodes")
+        points = convert(mesh).points
+    facts, warnings = report(points, options.horizon)
+    print("\n".join(facts))
+    for warning in warnings:
+        print(f"pdmesh: warning: {warning}", file=sys.stderr)
+
+
+def _export(options):
+    points = read_points(options.mesh)
+    for file in options.node_sets:
+        points.node_sets[Path(file).stem] = read_node_set(file, len(points))
+    export_points(points, options.output)
+
+
+def _positive(options, *names):
+    for name in names:
+        value = getattr(options, name, None)
+        if value is not None and not (value > 0 and np.isfinite(value)):
+            raise MeshError(f"--{name.replace('_', '-')} must be positive, not {value:g}")
+
+
+def _layer_depths(texts):
+    depths = {}
+    for text in texts:
+        group, equals, value = text.rpartition("=")
+        try:
+            depth = float(value)
+        except ValueError:
+            raise MeshError(f"--layer-depth {text}: `{value}` is not a number") from None
+        if not depth > 0:
+            raise MeshError(f"--layer-depth {text}: the depth must be positive")
+        depths[group if equals else None] = depth
+    return depths
+
+
+def _spacings(spacing, dimension):
+    if len(spacing) not in (1, dimension):
+        raise MeshError(f"--spacing takes one number or {dimension}, not {len(spacing)}")
+    return (spacing * dimension)[:dimension]
+
+
+def _measure(options, dimension):
+    if dimension == 3 and options.thickness is not None:
+        raise MeshError("--thickness is for plane meshes; this one is three-dimensional")
+    return 1.0 if options.thickness is None else options.thickness

@@ -1,0 +1,169 @@
+"""A text discretization: points with block and volume, and node sets. Reading, writing, statistics."""
+import re
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .errors import MeshError
+
+
+class Points:
+    """x [n, 3] (m), block [n], volume [n] (m3); node_sets: name -> indices from 0; `measure` is what turns a volume
+    into length (cross section, 1D) or area (thickness, 2D)."""
+
+    def __init__(self, x, block, volume, dimension, measure=1.0):
+        self.x, self.block, self.volume = x, np.asarray(block, int), volume
+        self.dimension, self.measure = dimension, measure
+        self.node_sets = {}
+        self.block_names = {}
+
+    def __len__(self):
+        return len(self.x)
+
+    def spacing(self):
+        """Edge of the cube (square, segment) of each point's volume."""
+        return (self.volume / self.measure) ** (1.0 / self.dimension)
+
+
+def dimension_of(x):
+    """1 where all points lie on a line along x, 2 in one z plane, else 3."""
+    extent = x.max(axis=0) - x.min(axis=0)
+    flat = extent <= 1e-12 * max(extent.max(), 1e-300)
+    if flat[2]:
+        return 1 if flat[1] else 2
+    return 3
+
+
+def write_points(points, file_name, heading):
+    lines = ["# " + line + "\n" for line in heading]
+    lines.append(f"# {len(points)} points, {points.dimension}D"
+                 + {1: f", cross section {points.measure!r}", 2: f", thickness {points.measure!r}", 3: ""}
+                 [points.dimension] + "\n")
+    for number, name in sorted(points.block_names.items()):
+        lines.append(f"# block_{number}: {name}\n")
+    lines.append("# x y z block volume\n")
+    x = points.x.tolist()
+    rows = [f"{p[0]!r} {p[1]!r} {p[2]!r} {b} {v!r}\n"
+            for p, b, v in zip(x, points.block.tolist(), points.volume.tolist())]
+    _write_lines(file_name, lines + rows)
+
+
+def write_node_set(indices, file_name, name):
+    numbers = (np.asarray(indices) + 1).tolist()
+    _write_lines(file_name, [f"# {name}: {len(numbers)} points\n"] + [f"{i}\n" for i in numbers])
+
+
+def _write_lines(file_name, lines):
+    try:
+        with open(file_name, "w", encoding="utf-8") as file:
+            file.writelines(lines)
+    except OSError as error:
+        raise MeshError(f"{file_name}: cannot be written: {error.strerror}") from None
+
+
+def read_points(file_name):
+    """Reads `x y z block volume` lines; the thickness (cross section) from the heading that pdmesh writes."""
+    try:
+        with open(file_name, encoding="utf-8") as file:
+            text = file.read()
+    except (OSError, UnicodeDecodeError) as error:
+        raise MeshError(f"{file_name}: cannot be read as text: {error}") from None
+    heading = "".join(line for line in text[:2000].splitlines(True) if line.startswith("#"))
+    found = re.search(r"(?:thickness|cross section) ([0-9.eE+-]+)", heading)
+    measure = float(found.group(1)) if found else 1.0
+    rows = [(number, line.split()) for number, line in enumerate(text.splitlines(), 1)
+            if line.strip() and line.lstrip()[0] not in "#*"]
+    for number, row in rows:
+        if len(row) != 5:
+            raise MeshError(f"{file_name}:{number}: expected 5 numbers `x y z block volume`, found {len(row)} words")
+    try:
+        table = np.array([row for _, row in rows], dtype=float).reshape(-1, 5)
+    except ValueError:
+        for number, row in rows:
+            for word in row:
+                try:
+                    float(word)
+                except ValueError:
+                    raise MeshError(f"{file_name}:{number}: `{word}` is not a number") from None
+        raise
+    if len(table) == 0:
+        raise MeshError(f"{file_name}: no points")
+    return Points(table[:, :3], table[:, 3].astype(int), table[:, 4], dimension_of(table[:, :3]), measure)
+
+
+def read_node_set(file_name, n_points):
+    try:
+        text = Path(file_name).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise MeshError(f"{file_name}: cannot be read as text: {error}") from None
+    words = " ".join(line for line in text.splitlines() if not line.lstrip().startswith(("#", "*", "/"))).split()
+    try:
+        numbers = np.array(words, dtype=int)
+    except ValueError as error:
+        raise MeshError(f"{file_name}: {error}") from None
+    if len(numbers) and (numbers.min() < 1 or numbers.max() > n_points):
+        raise MeshError(f"{file_name}: node numbers from {numbers.min()} to {numbers.max()}, "
+                        f"but the mesh has points 1 to {n_points}")
+    return numbers - 1
+
+
+def export_points(points, file_name):
+    """Writes points, blocks and volumes in any format of meshio (VTU for ParaView)."""
+    import meshio
+    cells = [("vertex", np.arange(len(points))[:, None])]
+    data = {"block": points.block, "volume": points.volume}
+    for name, indices in points.node_sets.items():
+        data[name] = np.isin(np.arange(len(points)), indices).astype(int)
+    try:
+        meshio.write(file_name, meshio.Mesh(points.x, cells, point_data=data))
+    except Exception as error:  # meshio raises many kinds
+        raise MeshError(f"{file_name}: meshio cannot write it: {error}") from None
+
+
+def report(points, horizon=None):
+    """Lines for the terminal: (facts, warnings)."""
+    facts, warnings = [], []
+    spacing = points.spacing()
+    low, high = points.x.min(axis=0), points.x.max(axis=0)
+    facts.append(f"{len(points)} points, {points.dimension}D, "
+                 + " x ".join(f"[{low[i]:.6g}, {high[i]:.6g}]" for i in range(points.dimension)) + " m")
+    facts.append(f"volume {points.volume.sum():.12g} m3")
+    for number in np.unique(points.block):
+        mask = points.block == number
+        name = points.block_names.get(number)
+        facts.append(f"block_{number}{f' ({name})' if name else ''}: {mask.sum()} points, "
+                     f"{points.volume[mask].sum():.6g} m3")
+    for name, indices in points.node_sets.items():
+        facts.append(f"node set {name}: {len(indices)} points")
+        if len(indices) == 0:
+            warnings.append(f"node set {name} is empty")
+    if np.any(points.volume <= 0):
+        bad = np.flatnonzero(points.volume <= 0)
+        warnings.append(f"{len(bad)} points have a zero or negative volume, the first is number {bad[0] + 1}")
+        return facts, warnings
+    tree = cKDTree(points.x)
+    nearest = tree.query(points.x, k=2)[0][:, 1] if len(points) > 1 else np.array([np.inf])
+    facts.append(f"spacing (from volumes) {spacing.min():.4g} .. mean {spacing.mean():.4g} .. {spacing.max():.4g} m; "
+                 f"nearest neighbour {nearest.min():.4g} .. {nearest.max():.4g} m")
+    if np.any(nearest == 0):
+        bad = np.flatnonzero(nearest == 0)
+        warnings.append(f"{len(bad)} points coincide with another, the first is number {bad[0] + 1}")
+    elif np.any(nearest < 0.2 * spacing):
+        bad = np.flatnonzero(nearest < 0.2 * spacing)
+        warnings.append(f"{len(bad)} points are nearer to a neighbour than a fifth of their spacing, the first is "
+                        f"number {bad[0] + 1}: explicit steps get small there")
+    coarse = float(np.quantile(spacing, 0.99))
+    facts.append(f"fitting horizon {3.015 * coarse:.4g} m (3.015 times the spacing of the coarsest hundredth)")
+    if horizon is not None:
+        sample = np.random.default_rng(0).choice(len(points), min(len(points), 2000), replace=False)
+        counts = tree.query_ball_point(points.x[sample], horizon * (1 + 1e-10), return_length=True) - 1
+        facts.append(f"horizon {horizon:.6g} m: {horizon / spacing.mean():.3g} mean spacings, {counts.min()} .. mean "
+                     f"{counts.mean():.1f} .. {counts.max()} neighbours")
+        thin = int(np.count_nonzero(spacing * 3 > horizon * (1 + 1e-9)))
+        if thin:
+            warnings.append(f"the horizon is shorter than 3 spacings at {thin} points ({100 * thin / len(points):.1f} "
+                            f"%): crack paths then follow the mesh; refine, or use {3.015 * coarse:.4g} m")
+        if counts.min() == 0:
+            warnings.append("some points have no neighbour within the horizon")
+    return facts, warnings
