@@ -109,6 +109,7 @@ const DeckNode::Data& checked(const std::shared_ptr<const DeckNode::Data>& data)
 bool DeckNode::isMap() const { return data_ && (data_->kind == Kind::Map || data_->kind == Kind::Null); }
 bool DeckNode::isSequence() const { return data_ && data_->kind == Kind::Sequence; }
 bool DeckNode::isScalar() const { return data_ && data_->kind == Kind::Scalar; }
+bool DeckNode::isQuoted() const { return data_ && data_->isQuoted; }
 
 DeckNode DeckNode::operator[](const std::string& key) const {
   if (!data_) return {};

@@ -20,9 +20,10 @@ class DeckNode {
   bool exists() const { return data_ != nullptr; }
   explicit operator bool() const { return exists(); }
 
-  bool isMap() const;
+  bool isMap() const;  ///< a key without a value counts as an empty map
   bool isSequence() const;
   bool isScalar() const;
+  bool isQuoted() const;  ///< a scalar in quotes, or a block of text
 
   /// The entry of a map; a node that does not exist where there is none.
   DeckNode operator[](const std::string& key) const;
@@ -47,7 +48,9 @@ class DeckNode {
   std::string text(const std::string& key, const std::string& fallback) const;
 
   /// The map as a Teuchos list (int, double, bool, string, arrays, sub-lists), types converted to what `declarations`
-  /// asks for, defaults filled in. Mistakes throw DeckError with all of them.
+  /// asks for, defaults filled in. Functions are handed over as text; one that is given as a table is left out (read
+  /// it by Function::fromDeck). The keys that name a plug-in pass, and the horizon that the driver adds to a material
+  /// is not missed. Mistakes throw DeckError with all of them.
   Teuchos::ParameterList parameters(const ParameterDeclarations& declarations) const;
 
   struct Data;

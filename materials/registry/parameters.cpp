@@ -81,6 +81,7 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
 
 void normalise(Teuchos::ParameterList& list, const Parameter& parameter) {
   const std::string& name = parameter.name;
+  if (!list.isParameter(name)) return;
   if (parameter.type == ParameterType::Real && list.isType<int>(name))
     list.set(name, static_cast<double>(list.get<int>(name)));
   if (parameter.type == ParameterType::Reals && list.isType<Teuchos::Array<int>>(name)) {
@@ -214,6 +215,7 @@ void Parameter::setDefault(Teuchos::ParameterList& list) const {
   if (std::holds_alternative<int>(defaultValue)) list.set(name, std::get<int>(defaultValue));
   if (std::holds_alternative<bool>(defaultValue)) list.set(name, std::get<bool>(defaultValue));
   if (std::holds_alternative<std::string>(defaultValue)) list.set(name, std::get<std::string>(defaultValue));
+  normalise(list, *this);
 }
 
 Parameter& ParameterDeclarations::add(const std::string& name, ParameterType type, const std::string& unit,
@@ -365,7 +367,8 @@ std::string quotedList(const std::vector<std::string>& names) {
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known) {
   const auto lower = [](unsigned char c) { return std::tolower(c); };
   std::string best;
-  std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  const std::size_t farthest = word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
+  std::size_t bestDistance = farthest + 1;
   for (const std::string& candidate : known) {
     std::vector<std::size_t> row(candidate.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;

@@ -1,0 +1,220 @@
+#include "deck_parameters.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "deck_data.hpp"
+#include "function.hpp"
+
+namespace pd {
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The items of a list; one value stands for a list of one.
+std::vector<DeckNode> itemsOrSelf(const DeckNode& value) {
+  if (value.isSequence()) return value.items();
+  std::vector<DeckNode> result;
+  result.push_back(value);
+  return result;
+}
+
+/// Reads the entries of one section that are declared.
+class SectionReader {
+ public:
+  SectionReader(Mistakes& mistakes, Teuchos::ParameterList& list) : mistakes_(mistakes), list_(list) {}
+
+  void read(const DeckNode& value, const Parameter& parameter) {
+    try {
+      convert(value, parameter);
+    } catch (const DeckError& error) {
+      // The typed readers know what they found, the declaration knows what is wanted.
+      addAll(mistakes_, error);
+    }
+  }
+
+ private:
+  void convert(const DeckNode& value, const Parameter& parameter) {
+    const std::string& name = parameter.name;
+    switch (parameter.type) {
+      case ParameterType::Real:
+        if (!isWritten(value, parameter, [](const std::string& text) { return parseReal(text).has_value(); })) return;
+        if (isAllowed(value, parameter, value.real())) list_.set(name, value.real());
+        return;
+      case ParameterType::Integer:
+        if (!isWritten(value, parameter, [](const std::string& text) { return parseInteger(text).has_value(); }))
+          return;
+        if (isAllowed(value, parameter, value.integer())) list_.set(name, value.integer());
+        return;
+      case ParameterType::Flag:
+        if (isWritten(value, parameter, [](const std::string& text) { return parseFlag(text).has_value(); }))
+          list_.set(name, value.flag());
+        return;
+      case ParameterType::Text:
+        if (!isWritten(
+                value, parameter, [](const std::string& text) { return !text.empty(); }, true))
+          return;
+        if (isAllowed(value, parameter, value.text())) list_.set(name, value.text());
+        return;
+      case ParameterType::Function:
+        function(value, parameter);
+        return;
+      case ParameterType::Reals:
+        reals(value, parameter);
+        return;
+      case ParameterType::Texts:
+        texts(value, parameter);
+        return;
+    }
+  }
+
+  /// Whether the value is a scalar of the right form; else a mistake that says what the declaration wants.
+  template <class Predicate>
+  bool isWritten(const DeckNode& value, const Parameter& parameter, Predicate hasForm, bool mayBeQuoted = false) {
+    std::string found = "nothing";
+    if (value.isSequence()) found = "a list";
+    if (value.isMap() && !value.entries().empty()) found = "a section";
+    if (value.isScalar()) {
+      if (hasForm(value.text()) && (mayBeQuoted || !value.isQuoted())) return true;
+      const std::string text = value.text();
+      found = "\"" + (text.size() > 60 ? text.substr(0, 57) + "..." : text) + "\"";
+      if (hasForm(text)) found += " in quotes";
+      const auto number = parseReal(text);
+      if (parameter.type == ParameterType::Integer && number && !value.isQuoted())
+        found += " (write it without a point)";
+    }
+    mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not " + found);
+    return false;
+  }
+
+  template <class Value>
+  bool isAllowed(const DeckNode& value, const Parameter& parameter, const Value& given) {
+    const std::string complaint = parameter.complaint(given);
+    if (!complaint.empty()) mistakes_.add(value.place(), value.path() + " " + complaint);
+    return complaint.empty();
+  }
+
+  void function(const DeckNode& value, const Parameter& parameter) {
+    if (value.isMap() && value.entries().empty()) {
+      isWritten(value, parameter, [](const std::string&) { return false; });
+      return;
+    }
+    const Function function = Function::fromDeck(value);
+    if (function.isConstant() && !isAllowed(value, parameter, function(0.0, 0.0, 0.0, 0.0))) return;
+    if (value.isScalar()) list_.set(parameter.name, value.text());
+  }
+
+  void reals(const DeckNode& value, const Parameter& parameter) {
+    Parameter one = parameter;
+    one.type = ParameterType::Real;
+    Teuchos::Array<double> numbers;
+    bool isGood = true;
+    for (const DeckNode& item : itemsOrSelf(value)) {
+      const auto isReal = [](const std::string& text) { return parseReal(text).has_value(); };
+      if (isWritten(item, value.isSequence() ? one : parameter, isReal) && isAllowed(item, one, item.real()))
+        numbers.push_back(item.real());
+      else
+        isGood = false;
+    }
+    if (isGood) list_.set(parameter.name, numbers);
+  }
+
+  /// A list of names, one name, or Peridigm's map {name: true}.
+  void texts(const DeckNode& value, const Parameter& parameter) {
+    Parameter one = parameter;
+    one.type = ParameterType::Text;
+    Teuchos::Array<std::string> names;
+    bool isGood = true;
+    if (value.isMap() && !value.entries().empty()) {
+      for (const auto& [name, isWanted] : value.entries())
+        if (isWanted.flag() && isAllowed(isWanted, one, name)) names.push_back(name);
+    } else {
+      const auto isName = [](const std::string& text) { return !text.empty(); };
+      for (const DeckNode& item : itemsOrSelf(value)) {
+        if (isWritten(item, value.isSequence() ? one : parameter, isName, true) && isAllowed(item, one, item.text()))
+          names.push_back(item.text());
+        else
+          isGood = false;
+      }
+    }
+    if (isGood) list_.set(parameter.name, names);
+  }
+
+  Mistakes& mistakes_;
+  Teuchos::ParameterList& list_;
+};
+
+void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations, Mistakes& mistakes,
+                       const HostKeys& hostKeys) {
+  for (const Parameter& parameter : declarations.parameters()) {
+    if (!parameter.isRequired || section[parameter.name] || contains(hostKeys.injected, parameter.name)) continue;
+    mistakes.add(section.keyPlace(), section.path() + " lacks \"" + parameter.name + "\" (" + parameter.expectation() +
+                                         "): " + parameter.meaning);
+  }
+  const auto isGiven = [&](const std::string& name) {
+    return section[name].exists() || contains(hostKeys.injected, name);
+  };
+  for (const std::string& message : declarations.brokenRules(isGiven))
+    mistakes.add(section.keyPlace(), section.path() + ": " + message);
+}
+
+}  // namespace
+
+std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string nearest = nearestWord(word, known);
+  return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
+}
+
+std::string inSection(const DeckNode& section) {
+  return section.path().empty() ? " at the top level" : " in " + section.path();
+}
+
+void addAll(Mistakes& mistakes, const DeckError& error) {
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) mistakes.add("", line);
+}
+
+Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDeclarations& declarations,
+                                      Mistakes& mistakes, const HostKeys& hostKeys) {
+  Teuchos::ParameterList list;
+  if (!section.isMap()) {
+    mistakes.add(section.place(), section.path() + " must be a section with keys of its own");
+    return list;
+  }
+  SectionReader reader(mistakes, list);
+  for (const auto& [key, value] : section.entries()) {
+    if (const Parameter* parameter = declarations.find(key)) {
+      reader.read(value, *parameter);
+    } else if (const auto* sublist = declarations.findSublist(key)) {
+      list.sublist(key) = readParameters(value, sublist->declarations.front(), mistakes);
+    } else if (contains(hostKeys.known, key)) {
+      if (value.isScalar()) list.set(key, value.text());
+    } else {
+      std::vector<std::string> known = declarations.names();
+      known.insert(known.begin(), hostKeys.known.begin(), hostKeys.known.end());
+      mistakes.add(value.keyPlace(), "unknown key \"" + key + "\"" + inSection(section) + didYouMean(key, known) +
+                                         (known.empty() ? "; it takes no keys" : "; known here: " + quotedList(known)));
+    }
+  }
+  checkCompleteness(section, declarations, mistakes, hostKeys);
+  for (const Parameter& parameter : declarations.parameters())
+    if (!section[parameter.name]) parameter.setDefault(list);
+  return list;
+}
+
+Teuchos::ParameterList DeckNode::parameters(const ParameterDeclarations& declarations) const {
+  Mistakes mistakes;
+  HostKeys hostKeys;
+  for (const char* key : {"Material Model", "Damage Model", "Compute Class"})
+    if ((*this)[key]) hostKeys.known.emplace_back(key);
+  if ((*this)["Material Model"]) hostKeys.injected.emplace_back("Horizon");
+  Teuchos::ParameterList list = readParameters(*this, declarations, mistakes, hostKeys);
+  mistakes.report();
+  return list;
+}
+
+}  // namespace pd
