@@ -1,0 +1,113 @@
+#include "compute_support.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "Peridigm_Field.hpp"
+
+namespace pd {
+
+namespace PeridigmField = PeridigmNS::PeridigmField;
+using PeridigmNS::FieldManager;
+
+void declareCommonParameters(ParameterDeclarations& declarations, const char* defaultLabel) {
+  declarations.text("Compute Class", "Name of the compute.");
+  declarations.text("Output Label", "Name of the field that holds the result.").defaultTo(defaultLabel);
+}
+
+void declareVector(ParameterDeclarations& declarations, const std::string& prefix, const std::string& unit,
+                   const std::string& meaning) {
+  for (const char* axis : {" X", " Y", " Z"}) declarations.real(prefix + axis, unit, meaning);
+}
+
+Vector3 vectorOf(const Teuchos::ParameterList& parameters, const std::string& prefix) {
+  Vector3 result{};
+  const char* axes[] = {" X", " Y", " Z"};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (parameters.isParameter(prefix + axes[k])) result[k] = parameters.get<double>(prefix + axes[k]);
+  return result;
+}
+
+Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string& prefix) {
+  bool isGiven = false;
+  for (const char* axis : {" X", " Y", " Z"}) isGiven = isGiven || parameters.isParameter(prefix + axis);
+  if (!isGiven) return {1.0, 0.0, 0.0};
+  Vector3 result = vectorOf(parameters, prefix);
+  const double length = std::sqrt(dot(result, result.data()));
+  if (length == 0.0) throw std::invalid_argument("\"" + prefix + " X, Y, Z\" must not all be zero");
+  for (double& component : result) component /= length;
+  return result;
+}
+
+int volumeField() { return elementScalarField("Volume"); }
+int modelCoordinatesField() {
+  return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::CONSTANT,
+                                         "Model_Coordinates");
+}
+
+namespace {
+
+int steppedVectorField(const char* label) {
+  return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP, label);
+}
+
+}  // namespace
+
+int coordinatesField() { return steppedVectorField("Coordinates"); }
+int displacementField() { return steppedVectorField("Displacement"); }
+int velocityField() { return steppedVectorField("Velocity"); }
+int forceDensityField() { return steppedVectorField("Force_Density"); }
+
+int globalField(const std::string& label, PeridigmField::Length length) {
+  return FieldManager::self().getFieldId(PeridigmField::GLOBAL, length, PeridigmField::CONSTANT, label);
+}
+
+int elementScalarField(const std::string& label) {
+  return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::CONSTANT, label);
+}
+
+double* view(PeridigmNS::Block& block, int fieldId, PeridigmField::Step step) {
+  double* values = nullptr;
+  block.getData(fieldId, step)->ExtractView(&values);
+  return values;
+}
+
+const double* bondDamageView(PeridigmNS::Block& block) {
+  FieldManager& fields = FieldManager::self();
+  if (!fields.hasField("Bond_Damage")) return nullptr;
+  const int id = fields.getFieldId("Bond_Damage");
+  return block.hasData(id, PeridigmField::STEP_NP1) ? view(block, id, PeridigmField::STEP_NP1) : nullptr;
+}
+
+std::vector<double> sumOverRanks(const Epetra_Comm& comm, std::vector<double> values) {
+  std::vector<double> result(values.size());
+  comm.SumAll(values.data(), result.data(), static_cast<int>(values.size()));
+  return result;
+}
+
+double sumOverRanks(const Epetra_Comm& comm, double value) {
+  double result = 0.0;
+  comm.SumAll(&value, &result, 1);
+  return result;
+}
+
+double maxOverRanks(const Epetra_Comm& comm, double value) {
+  double result = 0.0;
+  comm.MaxAll(&value, &result, 1);
+  return result;
+}
+
+double minOverRanks(const Epetra_Comm& comm, double value) {
+  double result = 0.0;
+  comm.MinAll(&value, &result, 1);
+  return result;
+}
+
+void setGlobal(const Blocks& blocks, int fieldId, const double* values, int count) {
+  double* result = view(blocks->front(), fieldId, PeridigmField::STEP_NONE);
+  for (int k = 0; k < count; ++k) result[k] = values[k];
+}
+
+void setGlobal(const Blocks& blocks, int fieldId, double value) { setGlobal(blocks, fieldId, &value, 1); }
+
+}  // namespace pd
