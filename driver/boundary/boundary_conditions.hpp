@@ -11,20 +11,31 @@
 
 namespace pd {
 
-/// Types: Initial Displacement, Initial Velocity, Initial Value, Prescribed Displacement, Prescribed Value
-/// (any scalar point field: `Field: Concentration`; Initial/Prescribed Temperature and Concentration are the same with
-/// the field fixed), Body Force (N/m3), Traction (N/m2, spread over the node set's points by area), No Failure (sets
-/// the field No_Failure), Saturated Crack Faces (points whose Damage exceeds Threshold hold Value in Field).
+/// The entries of section Boundary Conditions that are no node sets. Value: a number, a function of x, y, z
+/// (reference place, m) and t (s), or a table in time. Types:
+///  - Initial Displacement, Initial Velocity {Node Set, Coordinate, Value}
+///  - Initial Value {Node Set, Field, Value}; Initial Temperature and Initial Concentration with the field fixed
+///  - Prescribed Displacement {Node Set, Coordinate, Value}: u = value(x, t)
+///  - Prescribed Value {Node Set, Field, Value}; Prescribed Temperature and Prescribed Concentration
+///  - Body Force {Node Set, Coordinate, Value}: force density, N/m3
+///  - Traction {Node Set, Coordinate, Value, Area}: force per area, N/m2, on a face of `Area` m2, whose force is
+///    carried by the points of the set in proportion to their volumes: force density = value * Area / (volume of the
+///    set). A constant traction thus gives the total force value * Area whatever the mesh and the depth of the set.
+///  - No Failure {Node Set}: sets the field No_Failure, whose bonds damage models leave alone
+///  - Saturated Crack Faces {Field, Value, Threshold, Node Set (default: all points)}: points whose Damage exceeds
+///    Threshold hold Value from then on. They are marked by 1 in the field <Field>_Source.
 class BoundaryConditions {
  public:
+  /// Allocates the fields that the conditions need in `model`. Throws DeckError naming both conditions where two of
+  /// them prescribe one degree of freedom differently (in Peridigm's decks the later one holds, as there), or where a
+  /// condition acts on a field that nothing in the run uses. Collective.
   BoundaryConditions(const Deck& deck, Model& model);
   ~BoundaryConditions();
 
-  /// Fields that the conditions need beyond the plug-ins'. Call before the Model is made.
-  static std::vector<int> fieldIds(const Deck& deck);
-
+  /// Initial displacements, velocities and values; ghosts included.
   void applyInitial();
-  /// Sets prescribed displacements (and velocities) and values for time t in the fields' NP1, ghosts included.
+  /// Sets prescribed displacements and values for time t in the fields' NP1, ghosts included, and, where there is a
+  /// Velocity, the mean velocity of prescribed displacements since the time of the last call.
   void applyPrescribed(double t);
   /// Sets the prescribed values of one scalar field alone (what a diffusion solver asks for in each stage).
   void applyPrescribedValue(const std::string& field, double t);
@@ -34,9 +45,12 @@ class BoundaryConditions {
   void addExternalForce(double t, double* forceDensity) const;
   bool hasExternalForce() const;
 
-  /// Turns points whose Damage exceeds the threshold into sources and sets their value. Returns how many new ones
-  /// (all ranks).
+  /// Turns points whose Damage exceeds the threshold into sources and sets their value (at the time last applied).
+  /// Returns how many new ones (all ranks). Damage of ghosts must be up to date (Model::evaluateDamage does it).
   long long updateDamageSources();
+
+  /// Takes up sources and displacements from fields that a restart at time t has filled.
+  void resume(double t);
 
   /// [3 nPoints] 1 where that displacement component is prescribed.
   const std::vector<char>& displacementIsPrescribed() const;
