@@ -1,0 +1,50 @@
+// Deformation of a point from its unbroken bonds.
+#ifndef PD_DEFORMATION_GRADIENT_HPP
+#define PD_DEFORMATION_GRADIENT_HPP
+
+#include <array>
+#include <vector>
+
+#include "compute_support.hpp"
+
+namespace pd {
+
+/// Row by row: xx, xy, xz, yx, ...
+using Tensor = std::array<double, 9>;
+
+/// The gradient that fits the deformed bonds best, by volume (Silling et al. 2007, eq. 142):
+///   F = (sum of V_j y (x) xi) K^+ + I - K K^+,   K = sum of V_j xi (x) xi,
+/// xi a bond before and y after deformation. In directions in which the unbroken bonds do not reach (z of a plane body,
+/// all where a point is loose) the pseudo-inverse leaves the identity.
+class DeformationGradients {
+ public:
+  DeformationGradients();
+  std::vector<int> fieldIds() const { return {volumeField_, modelCoordinatesField_, coordinatesField_}; }
+
+  /// One a point, in the order of the block's OwnedIDs.
+  std::vector<Tensor> of(PeridigmNS::Block& block) const;
+
+ private:
+  int volumeField_, modelCoordinatesField_, coordinatesField_;
+};
+
+/// "Small" (F + F^T)/2 - I, or "Green-Lagrange" (F^T F - I)/2.
+void declareStrainMeasure(ParameterDeclarations& declarations);
+Tensor strainOf(const Tensor& deformationGradient, bool isGreenLagrange);
+
+/// Isotropic linear elasticity with the moduli of a block's material.
+class HookesLaw {
+ public:
+  /// Declares "Plane Stress".
+  static void declareParameters(ParameterDeclarations& declarations);
+  HookesLaw(const PeridigmNS::Material& material, bool isPlaneStress);
+  Tensor stress(const Tensor& strain) const;
+
+ private:
+  double lambda_, shearModulus_;
+  bool isPlaneStress_;
+};
+
+}  // namespace pd
+
+#endif

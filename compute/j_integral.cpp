@@ -1,0 +1,129 @@
+// J_Integral: energy release rate of a crack in a plane body, J/m2, as an integral over a ring around the tip.
+//
+// Domain form (Li, Shih and Needleman 1985): with q falling from 1 at the inner to 0 at the outer radius of the ring,
+//   J = (1/h) sum of V (sigma_ij u_i,d q_,j - W q_,d),   d the direction of growth, W the strain energy density.
+// Stress and gradients are those of Bond_Stress. The crack must leave the ring along -d, and be free of traction.
+#include <cmath>
+
+#include "deformation_gradient.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+namespace PeridigmField = PeridigmNS::PeridigmField;
+
+class JIntegral : public PeridigmNS::Compute {
+ public:
+  static void declareParameters(ParameterDeclarations& declarations);
+  JIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
+      : JIntegral(completeParameters<JIntegral>(params, "J_Integral"), params, comm, globalData) {}
+
+  std::vector<int> FieldIds() const override {
+    std::vector<int> ids = gradients_.fieldIds();
+    ids.push_back(outputField_);
+    return ids;
+  }
+  void initialize(Blocks blocks) override;
+  int compute(Blocks blocks) const override;
+
+ private:
+  JIntegral(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
+            ComputeParameters globalData);
+  double contribution(const Tensor& deformationGradient, const HookesLaw& law, const double* fromTip) const;
+
+  DeformationGradients gradients_;
+  int volumeField_ = pd::volumeField(), coordinatesField_ = modelCoordinatesField();
+  Vector3 tip_, direction_;
+  std::string tipLabel_;
+  int tipField_ = -1;
+  double innerRadius_, outerRadius_, thickness_;
+  bool isPlaneStress_;
+  int outputField_;
+};
+
+void JIntegral::declareParameters(ParameterDeclarations& declarations) {
+  declareCommonParameters(declarations, "J_Integral");
+  HookesLaw::declareParameters(declarations);
+  declarations.real("Thickness", "m", "Thickness of the plane body.").positive().required();
+  declarations.real("Inner Radius", "m", "Inner radius of the ring; at least two horizons.").positive().required();
+  declarations.real("Outer Radius", "m", "Outer radius of the ring.").positive().required();
+  declareVector(declarations, "Direction", "1", "Direction in which the crack grows (default: x).");
+  declareVector(declarations, "Tip", "m", "Position of the crack tip; what is not given is 0.");
+  declarations.text("Tip Field", "Label of a Crack_Tip compute whose position is used instead of \"Tip X, Y, Z\".");
+}
+
+JIntegral::JIntegral(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
+                     ComputeParameters globalData)
+    : Compute(params, comm, globalData),
+      tip_(vectorOf(parameters, "Tip")),
+      direction_(directionOf(parameters, "Direction")),
+      innerRadius_(parameters.get<double>("Inner Radius")),
+      outerRadius_(parameters.get<double>("Outer Radius")),
+      thickness_(parameters.get<double>("Thickness")),
+      isPlaneStress_(parameters.get<bool>("Plane Stress")),
+      outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmField::SCALAR)) {
+  if (parameters.isParameter("Tip Field")) tipLabel_ = parameters.get<std::string>("Tip Field");
+  if (!(outerRadius_ > innerRadius_))
+    throw std::invalid_argument("J_Integral: \"Outer Radius\" must be larger than \"Inner Radius\"");
+}
+
+void JIntegral::initialize(Blocks blocks) {
+  if (tipLabel_.empty()) return;
+  tipField_ = PeridigmNS::FieldManager::self().getFieldId(tipLabel_);
+  const PeridigmNS::FieldSpec spec = PeridigmNS::FieldManager::self().getFieldSpec(tipField_);
+  if (spec.getRelation() != PeridigmField::GLOBAL || spec.getLength() != PeridigmField::VECTOR ||
+      !blocks->front().hasData(tipField_, PeridigmField::STEP_NONE))
+    throw std::invalid_argument("J_Integral: \"Tip Field\" \"" + tipLabel_ + "\" is not the result of a Crack_Tip");
+}
+
+/// The integrand at a point of the ring, per volume and thickness.
+double JIntegral::contribution(const Tensor& deformationGradient, const HookesLaw& law, const double* fromTip) const {
+  const Tensor strain = strainOf(deformationGradient, false);
+  const Tensor stress = law.stress(strain);
+  double energy = 0.0;
+  for (std::size_t k = 0; k < 9; ++k) energy += 0.5 * stress[k] * strain[k];
+
+  const double radius = std::hypot(fromTip[0], fromTip[1]);
+  const double slope = -1.0 / ((outerRadius_ - innerRadius_) * radius);
+  double result = 0.0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double gradientOfQ = slope * fromTip[j];
+    result -= energy * direction_[j] * gradientOfQ;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t d = 0; d < 2; ++d) {
+        const double displacementGradient = deformationGradient[3 * i + d] - (i == d ? 1.0 : 0.0);
+        result += stress[3 * i + j] * displacementGradient * direction_[d] * gradientOfQ;
+      }
+  }
+  return result;
+}
+
+int JIntegral::compute(Blocks blocks) const {
+  Vector3 tip = tip_;
+  if (tipField_ >= 0) {
+    const double* position = view(blocks->front(), tipField_, PeridigmField::STEP_NONE);
+    tip = {position[0], position[1], position[2]};
+  }
+  double sum = 0.0;
+  for (PeridigmNS::Block& block : *blocks) {
+    const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
+    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const std::vector<Tensor> gradients = gradients_.of(block);
+    const HookesLaw law(*block.getMaterialModel(), isPlaneStress_);
+    for (std::size_t i = 0; i < gradients.size(); ++i) {
+      const int id = block.getNeighborhoodData()->OwnedIDs()[i];
+      const double fromTip[2] = {x[3 * id] - tip[0], x[3 * id + 1] - tip[1]};
+      const double radius = std::hypot(fromTip[0], fromTip[1]);
+      if (radius <= innerRadius_ || radius >= outerRadius_) continue;
+      sum += volume[id] * contribution(gradients[i], law, fromTip);
+    }
+  }
+  setGlobal(blocks, outputField_, sumOverRanks(*epetraComm, sum) / thickness_);
+  return 0;
+}
+
+}  // namespace pd
+
+using pd::JIntegral;
+PD_REGISTER_COMPUTE(JIntegral, "J_Integral",
+                    "Energy release rate of a crack in a plane body, over a ring around its tip.")
