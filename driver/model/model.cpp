@@ -9,7 +9,6 @@
 #include "collective.hpp"
 #include "field_names.hpp"
 #include "influence.hpp"
-#include "plugin_parameters.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -48,10 +47,9 @@ Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNod
   const auto* plugin = MaterialRegistry::self().find(node["Material Model"].text());
   if (plugin == nullptr) throw DeckError(node["Material Model"].place() + ": unknown material model");
   const ParameterDeclarations declarations = plugin->declare();
-  Teuchos::ParameterList injected;
+  Teuchos::ParameterList parameters = node.parameters(declarations);
   double horizon = 0.0;
-  if (constantHorizon(blockNode, horizon)) injected.set("Horizon", horizon);
-  Teuchos::ParameterList parameters = pluginParameters(node, declarations, "Material Model", injected);
+  if (constantHorizon(blockNode, horizon)) parameters.set("Horizon", horizon);
   // Peridigm's default: far below the smallest distance that the material sees.
   const std::string probe = "Finite Difference Probe Length";
   if (declarations.find(probe) != nullptr && !node[probe]) parameters.set(probe, 1.0e-6 * shortestBond);
@@ -72,7 +70,7 @@ Teuchos::RCP<DamageModel> createDamageModel(const Deck& deck, const DeckNode& bl
   if (!node) throw DeckError(blockNode["Damage Model"].place() + ": no damage model of this name in Damage Models");
   const auto* plugin = DamageModelRegistry::self().find(node["Damage Model"].text());
   if (plugin == nullptr) throw DeckError(node["Damage Model"].place() + ": unknown damage model");
-  const auto parameters = pluginParameters(node, plugin->declare(), "Damage Model", Teuchos::ParameterList());
+  const Teuchos::ParameterList parameters = node.parameters(plugin->declare());
   try {
     return plugin->create(parameters);
   } catch (const DeckError&) {

@@ -1,0 +1,210 @@
+#include "simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <optional>
+
+#include "../deck/sections.hpp"
+#include "../output/output_section.hpp"
+#include "../solvers/solver.hpp"
+#include "Peridigm_Field.hpp"
+#include "collective.hpp"
+#include "error_norms.hpp"
+#include "field_names.hpp"
+#include "solver_sections.hpp"
+
+namespace pd {
+
+namespace {
+
+/// One Solver section of the deck.
+struct Stage {
+  std::string name;
+  Teuchos::RCP<Solver> solver;
+  double startTime = 0.0, endTime = 1.0;
+};
+
+Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
+  std::optional<Deck> deck;
+  collectively(comm, [&] {
+    deck = Deck::read(options.deckFile, options.overrides);
+    checkDeck(*deck);
+    deck->mistakes().report();
+  });
+  return *deck;
+}
+
+Stage createStage(const DeckNode& section) {
+  Stage stage;
+  stage.startTime = section.real("Initial Time", 0.0);
+  stage.endTime = section.real("Final Time", 1.0);
+  for (const auto& [name, node] : section.entries()) {
+    const auto* plugin = SolverRegistry::self().find(name);
+    if (plugin == nullptr) continue;
+    stage.name = name;
+    stage.solver = plugin->create(node.parameters(plugin->declare()));
+    return stage;
+  }
+  throw DeckError(section.keyPlace() + ": this section names no solver (one of " +
+                  quotedList(SolverRegistry::self().names()) + ")");
+}
+
+std::vector<Stage> createStages(const Deck& deck) {
+  std::vector<Stage> stages;
+  Mistakes mistakes;
+  for (const DeckNode& section : solverSections(deck)) {
+    try {
+      stages.push_back(createStage(section));
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    } catch (const std::invalid_argument& error) {
+      mistakes.add(section.keyPlace(), error.what());
+    }
+  }
+  if (stages.empty() && mistakes.empty()) mistakes.add(deck.fileName(), "the deck has no section Solver");
+  mistakes.report();
+  return stages;
+}
+
+/// Fields that a solver may advance: those that must stay finite.
+std::vector<std::string> advancedFields(const Model& model) {
+  std::vector<std::string> labels;
+  for (const std::string& label : PeridigmNS::FieldManager::self().getFieldLabels())
+    if (model.hasField(label) && model.hasField(fluxDivergenceField(label))) labels.push_back(label);
+  for (const char* label : {"Displacement", "Velocity", "Damage"})
+    if (model.hasField(label)) labels.emplace_back(label);
+  return labels;
+}
+
+void logModel(Model& model, Output& output, const Deck& deck) {
+  const Communicator& comm = model.comm();
+  const Discretization& mesh = model.discretization();
+  const long long nBonds = comm.sum(model.nBonds());
+  output.log(fmt::format(
+      "{}: {} points in {} dimension(s), {} directed bonds ({:.1f} a point), {} block(s), {} rank(s)", deck.fileName(),
+      mesh.nGlobal, mesh.dimension, nBonds, static_cast<double>(nBonds) / static_cast<double>(mesh.nGlobal),
+      model.blocks()->size(), comm.size()));
+}
+
+void writeResolvedDeck(const Deck& deck, const Communicator& comm) {
+  collectively(comm, [&] {
+    if (!comm.isRoot()) return;
+    const std::string fileName = mainOutputName(deck, readOutputSections(deck)) + ".resolved.yaml";
+    std::ofstream file(fileName);
+    file << resolvedDeck(deck) << std::flush;
+    if (!file) throw RunError(fileName + ": cannot be written");
+  });
+}
+
+/// The loop over all stages and their increments.
+class Run {
+ public:
+  Run(Simulation simulation, std::vector<Stage>& stages, const Communicator& comm)
+      : simulation_(simulation), stages_(stages), comm_(comm), labels_(advancedFields(simulation.model)) {}
+
+  /// From the initial state, or from `restart` (fields already filled).
+  void execute(const Checkpoint* restart) {
+    for (std::size_t s = 0; s < stages_.size(); ++s) {
+      Stage& stage = stages_[s];
+      int nSteps = 0;
+      orAbortUnlessShared([&] {
+        stage.solver->initialize(simulation_);
+        nSteps = stage.solver->numberOfIncrements(simulation_, stage.startTime, stage.endTime);
+      });
+      int done = 0;
+      if (restart != nullptr && restart->step > firstStep_) {
+        done = std::min(restart->step - firstStep_, nSteps);
+        if (restart->step <= firstStep_ + nSteps) stage.solver->setRestartState(restart->solverState);
+      }
+      advance(stage, done, nSteps, s + 1 == stages_.size());
+      firstStep_ += nSteps;
+    }
+  }
+
+ private:
+  void advance(Stage& stage, int done, int nSteps, bool isLastStage) {
+    Model& model = simulation_.model;
+    const double length = stage.endTime - stage.startTime;
+    const auto timeOf = [&](int increment) { return stage.startTime + length * increment / nSteps; };
+    for (int increment = done + 1; increment <= nSteps; ++increment) {
+      const int step = firstStep_ + increment;
+      const double start = timeOf(increment - 1), end = timeOf(increment);
+      orAbortUnlessShared([&] { stage.solver->advance(simulation_, start, end - start); });
+      for (const std::string& label : labels_) model.requireFinite(label, step);
+      model.updateState();
+      const bool isLast = isLastStage && increment == nSteps;
+      simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
+      simulation_.output.checkpoint(model, step, end, stage.solver->restartState(), isLast);
+      simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
+    }
+  }
+
+  /// Solvers throw DeckError and RunError on all ranks alike; anything else may have happened on one rank alone.
+  template <class Work>
+  void orAbortUnlessShared(const Work& work) {
+    try {
+      work();
+    } catch (const DeckError&) {
+      throw;
+    } catch (const RunError&) {
+      throw;
+    } catch (const std::exception& error) {
+      abortRun(comm_, error.what());
+    }
+  }
+
+  Simulation simulation_;
+  std::vector<Stage>& stages_;
+  const Communicator& comm_;
+  std::vector<std::string> labels_;
+  int firstStep_ = 0;  ///< increments of the stages before
+};
+
+}  // namespace
+
+void runDeck(const RunOptions& options, const Communicator& comm) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const Deck deck = readCheckedDeck(options, comm);
+  Discretization discretization = readDiscretization(deck, comm);
+  const double readingTime = std::chrono::duration<double>(Clock::now() - start).count();
+
+  Model model(deck, comm, std::move(discretization), {});
+  model.timers().add("mesh and neighborhoods", readingTime);
+  std::vector<Stage> stages = createStages(deck);
+  for (const Stage& stage : stages) model.allocateFields(stage.solver->fieldIds());
+  BoundaryConditions conditions(deck, model);
+  Output output(deck, comm, options.isQuiet);
+  model.allocateFields(output.fieldIds());
+  output.initialize(model);
+  const ErrorNorms errorNorms(deck, model);
+  writeResolvedDeck(deck, comm);
+  logModel(model, output, deck);
+
+  conditions.applyInitial();
+  model.initialize();
+  std::optional<Checkpoint> restart;
+  if (options.restartFile.empty()) {
+    conditions.applyPrescribed(stages.front().startTime);
+    if (model.hasMechanics()) model.updateCoordinates();
+    model.updateState();
+    output.write(model, 0, 0, stages.front().startTime, false);
+  } else {
+    restart = readCheckpoint(model, options.restartFile);
+    conditions.resume(restart->time);
+    model.updateState();
+    output.log(
+        fmt::format("going on from step {} (t = {:g} s) of {}", restart->step, restart->time, options.restartFile));
+  }
+
+  Run(Simulation{model, conditions, output}, stages, comm).execute(restart ? &*restart : nullptr);
+
+  std::vector<std::string> summary;
+  for (const Stage& stage : stages)
+    for (const std::string& line : stage.solver->summary()) summary.push_back(stage.name + ": " + line);
+  output.report(model, summary, errorNorms.evaluate(stages.back().endTime));
+}
+
+}  // namespace pd
