@@ -63,6 +63,8 @@ def _read_raw(file_name):
     import meshio
     if not Path(file_name).is_file():
         raise MeshError(f"{file_name}: no such file")
+    # meshio 5.0 knows the 15-node wedge but not its dimension, and fails on it.
+    getattr(meshio._mesh, "topological_dimension", {}).setdefault("wedge15", 3)
     chatter = io.StringIO()
     try:
         with contextlib.redirect_stderr(chatter), contextlib.redirect_stdout(chatter):
