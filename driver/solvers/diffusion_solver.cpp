@@ -1,0 +1,125 @@
+#include "diffusion_solver.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "Peridigm_Field.hpp"
+#include "declarations.hpp"
+#include "field_names.hpp"
+
+namespace pd {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
+  return result;
+}
+
+/// Which integrators declare the parameter `name`.
+std::vector<std::string> methodsWith(const std::string& name) {
+  std::vector<std::string> methods;
+  for (const std::string& method : RateIntegratorRegistry::self().names())
+    if (RateIntegratorRegistry::self().find(method)->declare().find(name) != nullptr) methods.push_back(method);
+  return methods;
+}
+
+bool isDefault(const Parameter& parameter, const Teuchos::ParameterList& given) {
+  ParameterDeclarations alone;
+  alone.real(parameter.name, "", "") = parameter;
+  const Teuchos::ParameterList defaults = alone.complete(Teuchos::ParameterList(), "");
+  return defaults.isParameter(parameter.name) &&
+         defaults.getEntry(parameter.name).getAny(false) == given.getEntry(parameter.name).getAny(false);
+}
+
+}  // namespace
+
+void Diffusion::declareParameters(ParameterDeclarations& declare) {
+  declare.text("Field", "The scalar point field that is advanced.").defaultTo("Concentration");
+  declare.text("Method", "Time integrator.").defaultTo("RKL").oneOf(RateIntegratorRegistry::self().names());
+  declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
+  ParameterDeclarations methods;
+  for (const std::string& method : RateIntegratorRegistry::self().names())
+    addDeclarations(methods, RateIntegratorRegistry::self().find(method)->declare());
+  // Each says which methods use it.
+  ParameterDeclarations marked;
+  for (Parameter parameter : methods.parameters()) {
+    parameter.meaning += " Method " + joined(methodsWith(parameter.name)) + ".";
+    marked.real(parameter.name, "", "") = parameter;
+  }
+  addDeclarations(marked, methods);
+  addDeclarations(declare, marked);
+}
+
+Diffusion::Diffusion(const Teuchos::ParameterList& given) {
+  ParameterDeclarations declarations;
+  declareParameters(declarations);
+  const auto parameters = declarations.complete(given, "Diffusion");
+  field_ = parameters.get<std::string>("Field");
+  nIncrements_ = parameters.get<int>("Load Steps");
+
+  const auto method = parameters.get<std::string>("Method");
+  const ParameterDeclarations own = RateIntegratorRegistry::self().find(method)->declare();
+  std::string mistakes;
+  for (auto it = parameters.begin(); it != parameters.end(); ++it) {
+    const std::string& name = parameters.name(it);
+    const bool isCommon = name == "Field" || name == "Method" || name == "Load Steps";
+    if (isCommon || own.find(name) != nullptr || own.findSublist(name) != nullptr) continue;
+    const Parameter* parameter = declarations.find(name);
+    if (parameter != nullptr && isDefault(*parameter, parameters)) continue;
+    mistakes += (mistakes.empty() ? "" : "\n") + ("Diffusion: \"" + name + "\" has no meaning with Method: " + method) +
+                " (it belongs to " + joined(methodsWith(name)) + ")";
+  }
+  if (!mistakes.empty()) throw std::invalid_argument(mistakes);
+  integrator_ = RateIntegratorRegistry::self().create(method, entriesKnownTo(own, parameters));
+}
+
+std::vector<int> Diffusion::fieldIds() const {
+  using namespace PeridigmNS::PeridigmField;
+  auto& fields = PeridigmNS::FieldManager::self();
+  std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, field_),
+                          fields.getFieldId(NODE, SCALAR, TWO_STEP, fluxDivergenceField(field_))};
+  for (const int id : integrator_->fieldIds()) ids.push_back(id);
+  return ids;
+}
+
+void Diffusion::initialize(Simulation& simulation) {
+  const int flux = PeridigmNS::FieldManager::self().getFieldId(fluxDivergenceField(field_));
+  const auto& blocks = *simulation.model.blocks();
+  const bool hasFlux = std::any_of(blocks.begin(), blocks.end(), [&](PeridigmNS::Block block) {
+    const auto ids = block.getMaterialModel()->FieldIds();
+    return std::find(ids.begin(), ids.end(), flux) != ids.end();
+  });
+  if (!hasFlux)
+    throw RunError("Diffusion: no material of this run gives a flux divergence of \"" + field_ +
+                   "\"; give a block a material that diffuses it, or name another Field");
+  integrator_->initialize(simulation, field_);
+}
+
+void Diffusion::advance(Simulation& simulation, double t, double dt) {
+  ++increment_;
+  integrator_->advance(simulation, field_, t, dt);
+  simulation.model.requireFinite(field_, increment_);
+}
+
+std::vector<std::string> Diffusion::summary() const {
+  std::vector<std::string> lines = integrator_->summary();
+  for (std::string& line : lines) line = "Diffusion of " + field_ + ": " + line;
+  return lines;
+}
+
+std::vector<double> Diffusion::restartState() const {
+  std::vector<double> state = integrator_->restartState();
+  state.push_back(increment_);
+  return state;
+}
+
+void Diffusion::setRestartState(const std::vector<double>& state) {
+  increment_ = static_cast<int>(state.at(state.size() - 1));
+  integrator_->setRestartState({state.begin(), state.end() - 1});
+}
+
+PD_REGISTER_SOLVER(Diffusion, "Diffusion", "Transient nonlocal diffusion of a scalar field")
+
+}  // namespace pd

@@ -1,0 +1,39 @@
+// Solver of d(field)/dt = flux divergence, with the time integrator that the deck chooses.
+#ifndef PD_DIFFUSION_SOLVER_HPP
+#define PD_DIFFUSION_SOLVER_HPP
+
+#include <Teuchos_RCP.hpp>
+#include <string>
+#include <vector>
+
+#include "diffusion/rate_integrator.hpp"
+#include "solver.hpp"
+
+namespace pd {
+
+/// Parameters: `Field`, `Method`, `Load Steps`, and those of the integrator that `Method` names.
+class Diffusion : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  /// Throws std::invalid_argument for a key of another method.
+  explicit Diffusion(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  /// Throws RunError where no material of the run gives a flux divergence of the field.
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+  std::vector<double> restartState() const override;
+  void setRestartState(const std::vector<double>& state) override;
+
+ private:
+  std::string field_;
+  int nIncrements_;
+  int increment_ = 0;
+  Teuchos::RCP<RateIntegrator> integrator_;
+};
+
+}  // namespace pd
+
+#endif

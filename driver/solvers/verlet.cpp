@@ -1,0 +1,146 @@
+#include "verlet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bulk_modulus_step.hpp"
+#include "mechanics.hpp"
+
+namespace pd {
+
+void Verlet::declareParameters(ParameterDeclarations& declare) {
+  declare.real("Fixed dt", "s", "Time step; without it, the critical one times the safety factor.").positive();
+  declare.real("Safety Factor", "1", "Part of the critical time step that is used where \"Fixed dt\" is not given.")
+      .defaultTo(0.85)
+      .positive();
+  declare.flag("Allow Unstable Step", "Run even where the time step is above the critical one.").defaultTo(false);
+  declare.real("Damping", "1/s", "Coefficient c of the mass-proportional damping force -c rho v.")
+      .defaultTo(0.0)
+      .atLeast(0.0);
+  declare
+      .text(
+          "Critical Step",
+          "How the critical step is found: from the highest frequency of this very model, or by Peridigm's formula "
+          "from the bulk modulus, in which case \"Safety Factor\" multiplies \"Fixed dt\" too and no step is refused.")
+      .oneOf({"Highest Frequency", "Bulk Modulus"})
+      .defaultTo("Highest Frequency");
+}
+
+Verlet::Verlet(const Teuchos::ParameterList& given) {
+  ParameterDeclarations declarations;
+  declareParameters(declarations);
+  const auto parameters = declarations.complete(given, "Verlet");
+  if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
+  safetyFactor_ = parameters.get<double>("Safety Factor");
+  allowUnstableStep_ = parameters.get<bool>("Allow Unstable Step");
+  damping_ = parameters.get<double>("Damping");
+  usesBulkModulus_ = parameters.get<std::string>("Critical Step") == "Bulk Modulus";
+}
+
+std::vector<int> Verlet::fieldIds() const { return mechanicsFieldIds(true); }
+
+void Verlet::setRestartState(const std::vector<double>& state) {
+  step_ = static_cast<int>(state.at(0));
+  criticalStep_ = state.at(1);
+  forceIsCurrent_ = false;
+}
+
+void Verlet::estimateCriticalStep(Simulation& simulation) {
+  if (usesBulkModulus_) {
+    criticalStep_ = bulkModulusCriticalStep(simulation.model);
+    return;
+  }
+  const auto density = pointDensity(simulation.model);
+  const double largest =
+      largestSquaredFrequency(simulation, density, heldDisplacements(simulation), 2.0e-4, 300).upperBound;
+  criticalStep_ = largest > 0.0 ? 2.0 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+}
+
+double Verlet::stepToUse() const {
+  if (fixedStep_ > 0.0) return usesBulkModulus_ ? safetyFactor_ * fixedStep_ : fixedStep_;
+  return safetyFactor_ * criticalStep_;
+}
+
+void Verlet::initialize(Simulation& simulation) {
+  requireMechanics(simulation.model, "Verlet");
+  estimateCriticalStep(simulation);
+  forceIsCurrent_ = false;
+  const double step = stepToUse();
+  if (!std::isfinite(step))
+    throw RunError("Verlet: no point has a stiffness, so that there is no critical time step; give \"Fixed dt\"");
+  simulation.output.log(fmt::format("Verlet: critical time step {:.6g} s, used {:.6g} s = {:.4g} of it", criticalStep_,
+                                    step, step / criticalStep_));
+  if (step <= criticalStep_ || allowUnstableStep_ || usesBulkModulus_) return;
+  throw RunError(
+      fmt::format("Verlet: the time step {:.6g} s is above the critical one, {:.6g} s (2 / highest frequency "
+                  "of the model). Lower \"Fixed dt\" or \"Safety Factor\", leave them out, or set \"Allow "
+                  "Unstable Step: true\"",
+                  step, criticalStep_));
+}
+
+int Verlet::numberOfIncrements(Simulation&, double t0, double t1) {
+  const double n = (t1 - t0) / stepToUse();
+  // Equal steps that meet the end; round-off in a step that divides the time does not add one.
+  return std::max(1, static_cast<int>(std::ceil(n * (1.0 - 1.0e-10))));
+}
+
+void Verlet::updateMasses(Simulation& simulation) {
+  const auto density = pointDensity(simulation.model);
+  const auto isHeld = heldDisplacements(simulation);
+  inverseDensity_.resize(isHeld.size());
+  for (std::size_t i = 0; i < isHeld.size(); ++i) inverseDensity_[i] = isHeld[i] ? 0.0 : 1.0 / density[i / 3];
+}
+
+void Verlet::evaluateForce(Simulation& simulation, double t, double dt) {
+  Model& model = simulation.model;
+  model.updateCoordinates();
+  if (model.hasDamage()) model.evaluateDamage(dt);
+  model.evaluateForce(dt);
+  externalForce(simulation, t, externalForce_);
+}
+
+void Verlet::advance(Simulation& simulation, double t, double dt) {
+  Model& model = simulation.model;
+  ++step_;
+  usedStep_ = std::max(usedStep_, dt);
+  if (!forceIsCurrent_) {
+    updateMasses(simulation);
+    evaluateForce(simulation, t, dt);
+    forceIsCurrent_ = true;
+  }
+  const std::size_t n = inverseDensity_.size();
+  double *displacement = model.field("Displacement"), *velocity = model.field("Velocity");
+  const double* force = model.field("Force_Density");
+  {
+    const Timers::Scope timer(model.timers(), "time stepping");
+    const double keep = 1.0 - 0.5 * dt * damping_;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (inverseDensity_[i] > 0.0)
+        velocity[i] = keep * velocity[i] + 0.5 * dt * (force[i] + externalForce_[i]) * inverseDensity_[i];
+      displacement[i] += dt * velocity[i];
+    }
+  }
+  simulation.conditions.applyPrescribed(t + dt);
+  evaluateForce(simulation, t + dt, dt);
+  {
+    const Timers::Scope timer(model.timers(), "time stepping");
+    const double shrink = 1.0 / (1.0 + 0.5 * dt * damping_);
+    for (std::size_t i = 0; i < n; ++i)
+      if (inverseDensity_[i] > 0.0)
+        velocity[i] = shrink * (velocity[i] + 0.5 * dt * (force[i] + externalForce_[i]) * inverseDensity_[i]);
+  }
+  model.requireFinite("Force_Density", step_);
+}
+
+std::vector<std::string> Verlet::summary() const {
+  return {fmt::format("Verlet: {} steps, critical time step {:.6g} s ({}), used {:.6g} s = {:.4g} of it", step_,
+                      criticalStep_, usesBulkModulus_ ? "from the bulk modulus" : "2 / highest frequency", usedStep_,
+                      usedStep_ / criticalStep_)};
+}
+
+PD_REGISTER_SOLVER(Verlet, "Verlet", "Explicit dynamics by central differences (velocity Verlet)")
+
+}  // namespace pd

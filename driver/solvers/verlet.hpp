@@ -1,0 +1,45 @@
+// Explicit dynamics: central differences in the form of velocity Verlet.
+#ifndef PD_VERLET_HPP
+#define PD_VERLET_HPP
+
+#include <string>
+#include <vector>
+
+#include "solver.hpp"
+
+namespace pd {
+
+/// v += dt/2 (a - c v), u += dt v, a from the new u, v = (v + dt/2 a) / (1 + c dt/2). Stable for dt < 2 / omega_max.
+class Verlet : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit Verlet(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  /// Estimates the critical time step. Throws RunError where "Fixed dt" is above it.
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+  std::vector<double> restartState() const override { return {static_cast<double>(step_), criticalStep_}; }
+  void setRestartState(const std::vector<double>& state) override;
+
+ private:
+  void estimateCriticalStep(Simulation& simulation);
+  void updateMasses(Simulation& simulation);
+  void evaluateForce(Simulation& simulation, double t, double dt);
+  double stepToUse() const;
+
+  double fixedStep_ = 0.0;  ///< 0: not given
+  double safetyFactor_, damping_;
+  bool allowUnstableStep_, usesBulkModulus_;
+  double criticalStep_ = 0.0, usedStep_ = 0.0;
+  int step_ = 0;
+  bool forceIsCurrent_ = false;
+  std::vector<double> inverseDensity_;  ///< [3 nOwned] 0 where held
+  std::vector<double> externalForce_;   ///< [3 nOwned]
+};
+
+}  // namespace pd
+
+#endif
