@@ -15,7 +15,8 @@ namespace pd {
 /// Writes the `Output` sections of a deck, evaluates its computes. All calls are collective.
 class Output {
  public:
-  Output(const Deck& deck, const Communicator& comm, bool isQuiet);
+  /// `isRestart`: the log goes on where the restarted run stopped.
+  Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart = false);
   ~Output();
 
   /// Fields that outputs and computes ask for. Creates the computes. Call after the Model is made, so that the fields
@@ -23,7 +24,8 @@ class Output {
   std::vector<int> fieldIds();
   void initialize(Model& model);
 
-  /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything.
+  /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything. Where the
+  /// first call is not for step 0, the files of the restarted run are continued from that step on.
   void write(Model& model, int step, int nSteps, double time, bool isLast);
 
   /// Checkpoint with `solverState` when due (Output key "Checkpoint Frequency").
@@ -48,9 +50,12 @@ struct Checkpoint {
   int step = 0;
   double time = 0.0;
   std::vector<double> solverState;
+  std::string deckHash;  ///< of the deck that wrote it
 };
 
-/// Fills all fields of the model from the last complete checkpoint of `fileName`; works on another number of ranks.
+/// Fills all fields of the model from the checkpoint `fileName`, which may have been written on another number of
+/// ranks. Call after Model::initialize. Throws RunError where the file is not a checkpoint of this mesh and these
+/// neighbourhoods. Collective.
 Checkpoint readCheckpoint(Model& model, const std::string& fileName);
 
 }  // namespace pd

@@ -1,0 +1,27 @@
+// Files that a reader sees whole or not at all, even where the writer is killed.
+#ifndef PD_ATOMIC_FILE_HPP
+#define PD_ATOMIC_FILE_HPP
+
+#include <string>
+
+namespace pd {
+
+/// Name under which `path` is written before it is complete.
+std::string unfinishedName(const std::string& path);
+
+/// Gives the file written as unfinishedName(path) its own name, in one step of the file system, after its content
+/// has reached the disk. Throws RunError.
+void finishFile(const std::string& path);
+
+/// Writes `content` under the unfinished name and finishes the file. Throws RunError naming the path and the reason.
+void writeFileAtomically(const std::string& path, const std::string& content);
+
+/// Throws RunError "cannot <what> <path>: <reason of the system>".
+[[noreturn]] void throwFileError(const std::string& what, const std::string& path, int errorNumber);
+
+/// Creates the folder that `path` lies in, and its parents. Throws RunError.
+void makeFolderOf(const std::string& path);
+
+}  // namespace pd
+
+#endif

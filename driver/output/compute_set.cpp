@@ -1,0 +1,119 @@
+#include "compute_set.hpp"
+
+#include <algorithm>
+
+#include "plugins.hpp"
+
+namespace pd {
+
+using PeridigmNS::FieldManager;
+using PeridigmNS::FieldSpec;
+
+namespace {
+
+std::string withUnderscores(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+bool needsParameters(const ParameterDeclarations& declarations) {
+  return std::any_of(declarations.parameters().begin(), declarations.parameters().end(),
+                     [](const Parameter& parameter) { return parameter.isRequired; });
+}
+
+/// Calls `work`; a mistake that a plug-in finds is given the place in the deck.
+template <class Work>
+void atPlace(const std::string& place, const Work& work) {
+  try {
+    work();
+  } catch (const DeckError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw DeckError((place.empty() ? "" : place + ": ") + error.what());
+  }
+}
+
+}  // namespace
+
+ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm, const std::vector<std::string>& outputLabels)
+    : globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
+  globalData_->set("discretization", &discretization_);
+  Mistakes mistakes;
+  for (const auto& [name, node] : deck["Compute Class Parameters"].entries()) {
+    try {
+      add(withUnderscores(node["Compute Class"].text()), node, comm);
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    }
+  }
+  mistakes.report();
+  for (const std::string& label : outputLabels) {
+    const std::string className = withUnderscores(label);
+    const auto* plugin = ComputeRegistry::self().find(className);
+    if (plugin != nullptr && !hasClass(className) && !needsParameters(plugin->declare()))
+      add(className, DeckNode(), comm);
+  }
+}
+
+void ComputeSet::add(const std::string& className, const DeckNode& node, const Communicator& comm) {
+  const auto* plugin = ComputeRegistry::self().find(className);
+  if (plugin == nullptr)
+    throw DeckError(node["Compute Class"].place() + ": unknown compute class \"" + className + "\"");
+  Teuchos::RCP<Teuchos::ParameterList> parameters;
+  if (node) parameters = Teuchos::rcp(new Teuchos::ParameterList(node.parameters(plugin->declare())));
+  Entry entry;
+  entry.className = className;
+  entry.place = node ? node.keyPlace() : "";
+  atPlace(entry.place, [&] {
+    entry.compute =
+        plugin->create(parameters, Teuchos::rcp(static_cast<const Epetra_Comm*>(&comm), false), globalData_);
+    for (const int id : entry.compute->FieldIds()) {
+      const FieldSpec spec = FieldManager::self().getFieldSpec(id);
+      if (spec.label == "Stored_Elastic_Energy_Density") entry.needsStoredEnergy = true;
+      if (spec.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
+      entry.isGlobal = true;
+      if (std::find(globalLabels_.begin(), globalLabels_.end(), spec.label) == globalLabels_.end())
+        globalLabels_.push_back(spec.label);
+    }
+  });
+  entries_.push_back(entry);
+}
+
+bool ComputeSet::hasClass(const std::string& name) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.className == withUnderscores(name); });
+}
+
+std::vector<int> ComputeSet::fieldIds() const {
+  std::vector<int> ids;
+  for (const Entry& entry : entries_) {
+    const std::vector<int> more = entry.compute->FieldIds();
+    ids.insert(ids.end(), more.begin(), more.end());
+  }
+  return ids;
+}
+
+void ComputeSet::initialize(Model& model) {
+  const Discretization& points = model.discretization();
+  const auto nodeSets = Teuchos::rcp(new PeridigmNS::Discretization::NodeSets);
+  for (const auto& [name, localIds] : points.nodeSets) {
+    std::vector<int>& globalIds = (*nodeSets)[name];
+    for (const int id : localIds)
+      if (id < points.nOwned) globalIds.push_back(points.globalIds[static_cast<std::size_t>(id)]);
+  }
+  discretization_ = Teuchos::rcp(new PeridigmNS::Discretization(nodeSets));
+  // A compute may add over ranks here, so its mistakes are those of all ranks: the same names are known to each.
+  for (const Entry& entry : entries_) atPlace(entry.place, [&] { entry.compute->initialize(model.blocks()); });
+}
+
+void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {
+  const auto isDue = [&](const Entry& entry) { return entry.isGlobal || !onlyGlobal; };
+  if (std::any_of(entries_.begin(), entries_.end(),
+                  [&](const Entry& entry) { return isDue(entry) && entry.needsStoredEnergy; }))
+    model.evaluateStoredEnergy(0.0);
+  const Timers::Scope timer(model.timers(), "computes");
+  for (const Entry& entry : entries_)
+    if (isDue(entry)) entry.compute->compute(model.blocks());
+}
+
+}  // namespace pd

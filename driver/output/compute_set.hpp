@@ -1,0 +1,53 @@
+// The computes of a run: created from the deck, evaluated when something is written.
+#ifndef PD_COMPUTE_SET_HPP
+#define PD_COMPUTE_SET_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "../model/model.hpp"
+#include "Peridigm_Compute.hpp"
+#include "Peridigm_Discretization.hpp"
+
+namespace pd {
+
+class ComputeSet {
+ public:
+  /// One compute for each entry of `Compute Class Parameters`, and, as Peridigm does, one with default parameters for
+  /// each of `outputLabels` that names a compute class, unless an entry names that class. Throws DeckError.
+  ComputeSet(const Deck& deck, const Communicator& comm, const std::vector<std::string>& outputLabels);
+
+  std::vector<int> fieldIds() const;
+  /// Hands the node sets to the computes and initialises them. Throws DeckError. Collective.
+  void initialize(Model& model);
+
+  /// Evaluates all computes, or only those that yield values for the whole body. Collective.
+  void evaluate(Model& model, bool onlyGlobal) const;
+
+  /// Labels of fields for the whole body, in the order of the computes.
+  const std::vector<std::string>& globalLabels() const { return globalLabels_; }
+  /// Has a compute been made of the class (spaces as underscores, as in Peridigm)?
+  bool hasClass(const std::string& name) const;
+  bool isEmpty() const { return entries_.empty(); }
+
+ private:
+  struct Entry {
+    std::string className;
+    std::string place;  ///< in the deck; empty where the compute is made by default
+    Teuchos::RCP<PeridigmNS::Compute> compute;
+    bool isGlobal = false;
+    bool needsStoredEnergy = false;
+  };
+  void add(const std::string& className, const DeckNode& node, const Communicator& comm);
+
+  std::vector<Entry> entries_;
+  std::vector<std::string> globalLabels_;
+  Teuchos::RCP<PeridigmNS::Discretization> discretization_;
+  Teuchos::RCP<Teuchos::ParameterList> globalData_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,223 @@
+#include "hdf5_file.hpp"
+
+#include <algorithm>
+
+#include "../model/collective.hpp"
+#include "../model/model.hpp"
+
+namespace pd {
+
+namespace {
+
+hid_t memoryType(double) { return H5T_NATIVE_DOUBLE; }
+hid_t memoryType(int) { return H5T_NATIVE_INT; }
+hid_t memoryType(long long) { return H5T_NATIVE_LLONG; }
+hid_t fileType(double) { return H5T_IEEE_F64LE; }
+hid_t fileType(int) { return H5T_STD_I32LE; }
+hid_t fileType(long long) { return H5T_STD_I64LE; }
+
+/// Why HDF5 failed last. Kept when it happens, since the next call of HDF5 forgets it.
+std::string& hdf5Reason() {
+  static std::string reason = "no reason given";
+  return reason;
+}
+
+/// Keeps the innermost entry of the error stack, the reason closest to the system, and the call that failed.
+herr_t rememberReason(hid_t stack, void*) {
+  hdf5Reason().clear();
+  H5Ewalk2(
+      stack, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* error, void*) -> herr_t {
+        std::string& reason = hdf5Reason();
+        if (reason.empty() && error->desc != nullptr) reason = error->desc;
+        return 0;
+      },
+      nullptr);
+  return 0;
+}
+
+Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator& comm) {
+  H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
+  Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);
+  const hid_t file = mode == Hdf5File::Mode::Create ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                                                    : H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  return Hdf5Id(file, H5Fclose);
+}
+
+Hdf5Id collectiveTransfer() {
+  Hdf5Id transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+  return transfer;
+}
+
+Hdf5Id withoutTimes(hid_t propertyClass) {
+  Hdf5Id properties(H5Pcreate(propertyClass), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+
+/// Selects this rank's rows in the file, and gives the shape of its memory.
+Hdf5Id selectRows(hid_t fileSpace, const RowRange& rows, const std::vector<hsize_t>& extent) {
+  std::vector<hsize_t> start(extent.size(), 0), count(extent);
+  start[0] = static_cast<hsize_t>(rows.first);
+  count[0] = static_cast<hsize_t>(rows.count);
+  Hdf5Id memorySpace(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+  if (rows.count == 0) {
+    H5Sselect_none(fileSpace);
+    H5Sselect_none(memorySpace);
+  } else {
+    H5Sselect_hyperslab(fileSpace, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  }
+  return memorySpace;
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
+    : path_(path), comm_(comm), file_(openFile(path, mode, comm)) {
+  require(file_.isValid(), mode == Mode::Create ? "create" : "open");
+}
+
+void Hdf5File::require(bool isDone, const std::string& what) const {
+  collectively(comm_, [&] {
+    if (!isDone) throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason());
+  });
+}
+
+void Hdf5File::close() {
+  require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "write");
+  require(file_.reset(), "close");
+}
+
+void Hdf5File::makeGroup(const std::string& name) {
+  const Hdf5Id properties = withoutTimes(H5P_GROUP_CREATE);
+  const Hdf5Id group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
+  require(group.isValid(), "make group " + name + " in");
+}
+
+bool Hdf5File::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<std::string> Hdf5File::names(const std::string& group) const {
+  std::vector<std::string> result;
+  hsize_t index = 0;
+  const herr_t status = H5Literate_by_name(
+      file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, &index,
+      [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+        static_cast<std::vector<std::string>*>(list)->push_back(name);
+        return 0;
+      },
+      &result, H5P_DEFAULT);
+  require(status >= 0, "list group " + group + " of");
+  return result;
+}
+
+namespace {
+
+bool writeScalar(hid_t file, const std::string& object, const std::string& name, hid_t stored, hid_t given,
+                 const void* value) {
+  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Id attribute(
+      H5Acreate_by_name(file, object.c_str(), name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  return attribute.isValid() && H5Awrite(attribute, given, value) >= 0;
+}
+
+bool readScalar(hid_t file, const std::string& object, const std::string& name, hid_t type, void* value) {
+  const Hdf5Id attribute(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return attribute.isValid() && H5Aread(attribute, type, value) >= 0;
+}
+
+}  // namespace
+
+void Hdf5File::writeAttribute(const std::string& object, const std::string& name, double value) {
+  require(writeScalar(file_, object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value), "write " + name + " to");
+}
+
+void Hdf5File::writeAttribute(const std::string& object, const std::string& name, long long value) {
+  require(writeScalar(file_, object, name, H5T_STD_I64LE, H5T_NATIVE_LLONG, &value), "write " + name + " to");
+}
+
+void Hdf5File::writeAttribute(const std::string& object, const std::string& name, const std::string& value) {
+  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, value.size() + 1);
+  require(writeScalar(file_, object, name, type, type, value.c_str()), "write " + name + " to");
+}
+
+double Hdf5File::realAttribute(const std::string& object, const std::string& name) const {
+  double value = 0.0;
+  require(readScalar(file_, object, name, H5T_NATIVE_DOUBLE, &value), "read " + name + " from");
+  return value;
+}
+
+long long Hdf5File::integerAttribute(const std::string& object, const std::string& name) const {
+  long long value = 0;
+  require(readScalar(file_, object, name, H5T_NATIVE_LLONG, &value), "read " + name + " from");
+  return value;
+}
+
+std::string Hdf5File::textAttribute(const std::string& object, const std::string& name) const {
+  const Hdf5Id attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(attribute.isValid(), "read " + name + " from");
+  const Hdf5Id type(H5Aget_type(attribute), H5Tclose);
+  std::string value(H5Tget_size(type), '\0');
+  require(H5Aread(attribute, type, value.data()) >= 0, "read " + name + " from");
+  return value.c_str();
+}
+
+template <class T>
+void Hdf5File::write(const std::string& name, const std::vector<T>& values, const RowRange& rows, int width) {
+  std::vector<hsize_t> extent = {static_cast<hsize_t>(rows.total)};
+  if (width > 1) extent.push_back(static_cast<hsize_t>(width));
+  const Hdf5Id fileSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
+  const Hdf5Id properties = withoutTimes(H5P_DATASET_CREATE);
+  const Hdf5Id dataset(H5Dcreate2(file_, name.c_str(), fileType(T()), fileSpace, H5P_DEFAULT, properties, H5P_DEFAULT),
+                       H5Dclose);
+  require(dataset.isValid(), "make table " + name + " in");
+  const Hdf5Id memorySpace = selectRows(fileSpace, rows, extent);
+  const herr_t status = H5Dwrite(dataset, memoryType(T()), memorySpace, fileSpace, collectiveTransfer(), values.data());
+  require(status >= 0, "write table " + name + " to");
+}
+
+std::vector<hsize_t> Hdf5File::extent(const std::string& name) const {
+  const Hdf5Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  require(dataset.isValid(), "open table " + name + " in");
+  const Hdf5Id space(H5Dget_space(dataset), H5Sclose);
+  std::vector<hsize_t> result(static_cast<std::size_t>(std::max(1, H5Sget_simple_extent_ndims(space))), 0);
+  H5Sget_simple_extent_dims(space, result.data(), nullptr);
+  return result;
+}
+
+long long Hdf5File::nRows(const std::string& name) const { return static_cast<long long>(extent(name)[0]); }
+
+int Hdf5File::width(const std::string& name) const {
+  const std::vector<hsize_t> size = extent(name);
+  return size.size() > 1 ? static_cast<int>(size[1]) : 1;
+}
+
+template <class T>
+std::vector<T> Hdf5File::read(const std::string& name, const RowRange& rows) const {
+  const std::vector<hsize_t> size = extent(name);
+  collectively(comm_, [&] {
+    if (static_cast<long long>(size[0]) != rows.total)
+      throw RunError("table " + name + " of \"" + path_ + "\" has " + std::to_string(size[0]) + " rows, not " +
+                     std::to_string(rows.total));
+  });
+  const Hdf5Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Id fileSpace(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Id memorySpace = selectRows(fileSpace, rows, size);
+  std::vector<T> values(static_cast<std::size_t>(rows.count) * (size.size() > 1 ? size[1] : 1));
+  const herr_t status = H5Dread(dataset, memoryType(T()), memorySpace, fileSpace, collectiveTransfer(), values.data());
+  require(status >= 0, "read table " + name + " of");
+  return values;
+}
+
+#define PD_INSTANTIATE(T)                                                                         \
+  template void Hdf5File::write(const std::string&, const std::vector<T>&, const RowRange&, int); \
+  template std::vector<T> Hdf5File::read(const std::string&, const RowRange&) const;
+PD_INSTANTIATE(double)
+PD_INSTANTIATE(int)
+PD_INSTANTIATE(long long)
+#undef PD_INSTANTIATE
+
+}  // namespace pd

@@ -1,0 +1,82 @@
+// HDF5 files of tables that all ranks write and read together.
+#ifndef PD_HDF5_FILE_HPP
+#define PD_HDF5_FILE_HPP
+
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+#include "../parallel/communicator.hpp"
+#include "global_order.hpp"
+
+namespace pd {
+
+/// An HDF5 identifier that closes itself.
+class Hdf5Id {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Hdf5Id(hid_t id, Close close) : id_(id), close_(close) {}
+  ~Hdf5Id() { reset(); }
+  Hdf5Id(Hdf5Id&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = H5I_INVALID_HID; }
+  Hdf5Id(const Hdf5Id&) = delete;
+  Hdf5Id& operator=(const Hdf5Id&) = delete;
+  operator hid_t() const { return id_; }
+  bool isValid() const { return id_ >= 0; }
+  /// Whether closing succeeded.
+  bool reset() {
+    const bool isClosed = id_ < 0 || close_(id_) >= 0;
+    id_ = H5I_INVALID_HID;
+    return isClosed;
+  }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// An open file. Every call is collective and throws RunError, naming the path and HDF5's reason, on all ranks where
+/// it fails on one. Time stamps are left out, so that equal content gives equal files.
+class Hdf5File {
+ public:
+  enum class Mode { Create, Read };
+  Hdf5File(const std::string& path, Mode mode, const Communicator& comm);
+
+  /// Writes what HDF5 still holds back and closes the file. The destructor only closes.
+  void close();
+
+  void makeGroup(const std::string& name);
+  /// Names of the links in a group, sorted.
+  std::vector<std::string> names(const std::string& group) const;
+  bool has(const std::string& path) const;
+
+  // Attributes of a group or dataset ("/" for the file itself). Every rank gives the same value.
+  void writeAttribute(const std::string& object, const std::string& name, double value);
+  void writeAttribute(const std::string& object, const std::string& name, long long value);
+  void writeAttribute(const std::string& object, const std::string& name, const std::string& value);
+  double realAttribute(const std::string& object, const std::string& name) const;
+  long long integerAttribute(const std::string& object, const std::string& name) const;
+  std::string textAttribute(const std::string& object, const std::string& name) const;
+
+  /// A table [rows.total x width] (one-dimensional where the width is 1) of which this rank gives the rows of `rows`.
+  /// T is double, int or long long.
+  template <class T>
+  void write(const std::string& name, const std::vector<T>& values, const RowRange& rows, int width);
+  template <class T>
+  std::vector<T> read(const std::string& name, const RowRange& rows) const;
+
+  long long nRows(const std::string& name) const;
+  int width(const std::string& name) const;
+
+ private:
+  void require(bool isDone, const std::string& what) const;
+  std::vector<hsize_t> extent(const std::string& name) const;
+
+  std::string path_;
+  const Communicator& comm_;
+  Hdf5Id file_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,64 @@
+#include "history.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <sstream>
+
+#include "atomic_file.hpp"
+
+namespace pd {
+
+History::History(const std::string& path, const std::vector<std::string>& columns, int firstStep) : path_(path) {
+  std::string header = "step,time";
+  for (const std::string& column : columns) header += "," + column;
+  makeFolderOf(path_);
+  takeOver(header, firstStep);
+  file_.reset(std::fopen(path_.c_str(), "ab"));
+  if (!file_) throwFileError("open", path_, errno);
+}
+
+void History::takeOver(const std::string& header, int firstStep) {
+  std::string kept = header + "\n";
+  std::ifstream old(path_);
+  std::string line;
+  if (firstStep > 0 && std::getline(old, line)) {
+    if (line == header) {
+      // A row that the end of the earlier run cut short has no end of line.
+      while (std::getline(old, line) && !old.eof()) {
+        int step = -1;
+        if (std::istringstream(line) >> step && step >= 0 && step < firstStep) kept += line + "\n";
+      }
+    } else if (std::rename(path_.c_str(), (path_ + ".old").c_str()) != 0) {
+      throwFileError("rename", path_, errno);
+    }
+  }
+  writeFileAtomically(path_, kept);
+}
+
+void History::row(int step, double time, const std::vector<double>& values) {
+  std::string line = fmt::format("{},{}", step, time);
+  for (const double value : values) line += fmt::format(",{}", value);
+  line += '\n';
+  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
+    throwFileError("write", path_, errno);
+}
+
+std::vector<std::string> columnNames(const std::string& label, int width) {
+  if (width == 1) return {label};
+  std::vector<std::string> names;
+  const std::string axes = "XYZ";
+  for (int k = 0; k < width; ++k) {
+    const auto axis = [&](int i) { return std::string(1, axes[static_cast<std::size_t>(i)]); };
+    if (width == 3)
+      names.push_back(label + axis(k));
+    else if (width == 9)
+      names.push_back(label + axis(k / 3) + axis(k % 3));
+    else
+      names.push_back(label + "_" + std::to_string(k + 1));
+  }
+  return names;
+}
+
+}  // namespace pd

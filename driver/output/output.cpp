@@ -1,0 +1,225 @@
+#include "output.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+
+#include "../deck/sections.hpp"
+#include "../model/collective.hpp"
+#include "Peridigm_Field.hpp"
+#include "atomic_file.hpp"
+#include "checkpoint.hpp"
+#include "compute_set.hpp"
+#include "output_files.hpp"
+#include "output_section.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "run_log.hpp"
+
+namespace pd {
+
+using PeridigmNS::FieldManager;
+namespace PeridigmField = PeridigmNS::PeridigmField;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+const Clock::time_point programStart = Clock::now();
+
+/// The rank that owns each point, Peridigm's name for it.
+const char* const rankLabel = "Proc_Num";
+
+/// Fields of points that the driver fills by itself, whatever plug-ins there are; -1 for another label.
+int driverField(const std::string& label) {
+  for (const char* known : {"Volume", "Block_Id", "Element_Id", "Horizon", "Stored_Elastic_Energy_Density"})
+    if (label == known)
+      return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::CONSTANT,
+                                             label);
+  if (label == "Coordinates")
+    return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP, label);
+  return -1;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+struct Output::Implementation {
+  const Deck deck;
+  const Communicator& comm;
+  const std::vector<OutputSection> sections;
+  const std::string mainName;
+  std::string deckHash;
+  // Of the root rank alone.
+  std::unique_ptr<RunLog> log;
+  std::unique_ptr<Progress> progress;
+
+  std::unique_ptr<ComputeSet> computes;
+  std::vector<OutputFiles> files;
+  std::unique_ptr<GlobalOrder> order;
+  bool needsStoredEnergy = false;
+  bool isOpen = false;
+
+  Implementation(const Deck& deck_, const Communicator& comm_)
+      : deck(deck_), comm(comm_), sections(readOutputSections(deck_)), mainName(mainOutputName(deck_, sections)) {}
+
+  OutputFiles& filesNamed(const std::string& fileName);
+  OutputLabels sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes);
+  void refuse(Model& model, const OutputVariable& variable, Mistakes& mistakes);
+  const GlobalOrder& orderOf(Model& model);
+  void line(const std::string& text) {
+    if (log) log->line(text);
+  }
+};
+
+OutputFiles& Output::Implementation::filesNamed(const std::string& fileName) {
+  for (OutputFiles& known : files)
+    if (known.fileName() == fileName) return known;
+  files.emplace_back(fileName);
+  return files.back();
+}
+
+void Output::Implementation::refuse(Model& model, const OutputVariable& variable, Mistakes& mistakes) {
+  const bool isBondField = FieldManager::self().hasField(variable.label) &&
+                           FieldManager::self().getFieldSpec(variable.label).relation == PeridigmField::BOND;
+  std::vector<std::string> known = {rankLabel};
+  for (const std::string& label : FieldManager::self().getFieldLabels())
+    if (model.hasField(label)) known.push_back(label);
+  const std::string nearest = nearestWord(variable.label, known);
+  const std::string message =
+      isBondField ? "\"" + variable.label + "\" is a field of bonds, which are written to checkpoints only"
+                  : "no plug-in of this run provides \"" + variable.label + "\"";
+  // Peridigm leaves out in silence what no plug-in provides.
+  if (deck.isPeridigmDeck())
+    line("note: " + variable.place + ": " + message + "; it is left out");
+  else
+    mistakes.add(variable.place, message + (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+                                     "; there are: " + joined(known));
+}
+
+OutputLabels Output::Implementation::sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes) {
+  OutputLabels labels;
+  for (const OutputVariable& variable : section.variables) {
+    if (model.hasField(variable.label)) {
+      const bool isGlobal = FieldManager::self().getFieldSpec(variable.label).relation == PeridigmField::GLOBAL;
+      (isGlobal ? labels.global : labels.point).push_back(variable.label);
+      needsStoredEnergy = needsStoredEnergy || variable.label == "Stored_Elastic_Energy_Density";
+    } else if (variable.label == rankLabel) {
+      labels.point.push_back(variable.label);
+    } else if (!computes->hasClass(variable.label)) {
+      // A compute may be asked for by its class, and yield fields with other labels.
+      refuse(model, variable, mistakes);
+    }
+  }
+  return labels;
+}
+
+const GlobalOrder& Output::Implementation::orderOf(Model& model) {
+  const Discretization& points = model.discretization();
+  if (!order) order = std::make_unique<GlobalOrder>(comm, points.globalIds, points.nOwned, points.nGlobal);
+  return *order;
+}
+
+Output::Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart)
+    : implementation_(new Implementation(deck, comm)) {
+  Implementation& self = *implementation_;
+  collectively(comm, [&] {
+    if (!comm.isRoot()) return;
+    self.log = std::make_unique<RunLog>(self.mainName + ".log", isQuiet, isRestart);
+    self.progress = std::make_unique<Progress>(*self.log);
+  });
+}
+
+Output::~Output() = default;
+
+std::vector<int> Output::fieldIds() {
+  Implementation& self = *implementation_;
+  std::vector<std::string> labels;
+  for (const OutputSection& section : self.sections)
+    for (const OutputVariable& variable : section.variables) labels.push_back(variable.label);
+  self.computes = std::make_unique<ComputeSet>(self.deck, self.comm, labels);
+  std::vector<int> ids = self.computes->fieldIds();
+  for (const std::string& label : labels)
+    if (const int id = driverField(label); id >= 0) ids.push_back(id);
+  return ids;
+}
+
+void Output::initialize(Model& model) {
+  Implementation& self = *implementation_;
+  self.deckHash = textHash(resolvedDeck(self.deck));
+  Mistakes mistakes;
+  for (const OutputSection& section : self.sections) {
+    self.filesNamed(section.fileName).add(section, self.sortLabels(model, section, mistakes));
+    if (section.asksForExodus)
+      self.line("note: \"" + section.fileName + "\" is written as HDF5 with an XDMF file, not as ExodusII");
+  }
+  mistakes.report();
+  // What computes yield for the whole body is cheap to write, so it is, asked for by name or not.
+  for (const std::string& label : self.computes->globalLabels()) {
+    const bool isListed = std::any_of(self.files.begin(), self.files.end(),
+                                      [&](const OutputFiles& files) { return files.hasColumn(label); });
+    if (!isListed && !self.files.empty()) self.files.front().addColumn(label);
+  }
+  self.computes->initialize(model);
+}
+
+void Output::write(Model& model, int step, int, double time, bool isLast) {
+  Implementation& self = *implementation_;
+  if (!self.isOpen) {
+    const Timers::Scope timer(model.timers(), "output");
+    for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), step);
+    self.isOpen = true;
+  }
+  const auto isAnyDue = [&](auto isDue) {
+    return std::any_of(self.files.begin(), self.files.end(),
+                       [&](OutputFiles& files) { return (files.*isDue)(step, isLast); });
+  };
+  const bool areFieldsDue = isAnyDue(&OutputFiles::areFieldsDue), isHistoryDue = isAnyDue(&OutputFiles::isHistoryDue);
+  if (!areFieldsDue && !isHistoryDue) return;
+  if (areFieldsDue && self.needsStoredEnergy) model.evaluateStoredEnergy(0.0);
+  self.computes->evaluate(model, !areFieldsDue);
+  const Timers::Scope timer(model.timers(), "output");
+  for (OutputFiles& files : self.files) files.write(model, step, time, isLast);
+  if (areFieldsDue)
+    collectively(self.comm, [&] {
+      if (self.log) self.log->requireWritten();
+    });
+}
+
+void Output::checkpoint(Model& model, int step, double time, const std::vector<double>& solverState, bool isLast) {
+  Implementation& self = *implementation_;
+  for (const OutputFiles& files : self.files) {
+    if (!files.isCheckpointDue(step, isLast)) continue;
+    const Timers::Scope timer(model.timers(), "checkpoint");
+    writeCheckpoint(model, self.orderOf(model), files.fileName() + ".checkpoint.h5", step, time, solverState,
+                    self.deckHash);
+  }
+}
+
+void Output::log(const std::string& line) { implementation_->line(line); }
+
+void Output::progress(int step, int nSteps, double time, const std::string& what) {
+  if (implementation_->progress) implementation_->progress->report(step, nSteps, time, what);
+}
+
+void Output::report(Model& model, const std::vector<std::string>& solverSummary,
+                    const std::vector<std::pair<std::string, double>>& errorNorms) {
+  Implementation& self = *implementation_;
+  RunReport report = collectReport(model, std::chrono::duration<double>(Clock::now() - programStart).count());
+  report.deck = self.deck.fileName();
+  report.solverSummary = solverSummary;
+  report.errorNorms = errorNorms;
+  collectively(self.comm, [&] {
+    if (!self.comm.isRoot()) return;
+    std::istringstream table(reportTable(report));
+    for (std::string line; std::getline(table, line);) self.log->line(line);
+    self.log->requireWritten();
+    writeFileAtomically(self.mainName + ".report.json", reportJson(report));
+  });
+}
+
+}  // namespace pd

@@ -1,0 +1,78 @@
+#include "output_section.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace pd {
+
+namespace {
+
+bool isMultiple(int step, int frequency) { return frequency > 0 && step % frequency == 0; }
+
+/// The items of a list; one value stands for a list of one.
+std::vector<DeckNode> itemsOrSelf(const DeckNode& node) {
+  if (node.isSequence()) return node.items();
+  return node ? std::vector<DeckNode>{node} : std::vector<DeckNode>{};
+}
+
+/// A list of labels, or Peridigm's map {label: true}.
+std::vector<OutputVariable> readVariables(const DeckNode& node) {
+  std::vector<OutputVariable> variables;
+  if (node.isMap()) {
+    for (const auto& [label, isWanted] : node.entries())
+      if (isWanted.flag()) variables.push_back({label, isWanted.keyPlace()});
+  } else {
+    for (const DeckNode& item : itemsOrSelf(node)) variables.push_back({item.text(), item.place()});
+  }
+  return variables;
+}
+
+OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
+  OutputSection section;
+  section.fileName = node.text("Output Filename", "dump");
+  section.frequency = node.integer("Output Frequency", -1);
+  for (const DeckNode& step : itemsOrSelf(node["Output Steps"]))
+    section.steps.insert(static_cast<int>(std::lround(step.real())));
+  section.firstStep = node.integer("Initial Output Step", 1);
+  section.lastStep = node.integer("Final Output Step", std::numeric_limits<int>::max());
+  section.historyFrequency = node.integer("History Frequency", isPeridigmDeck ? section.frequency : 1);
+  section.checkpointFrequency = node.integer("Checkpoint Frequency", -1);
+  section.variables = readVariables(node["Output Variables"]);
+  section.asksForExodus = node.text("Output File Type", "HDF5") == "ExodusII";
+  return section;
+}
+
+}  // namespace
+
+bool OutputSection::isInRange(int step) const {
+  return (step >= firstStep || (step == 0 && firstStep <= 1)) && step <= lastStep;
+}
+
+bool OutputSection::areFieldsDue(int step, bool isLast) const {
+  if (!writesFields() || !isInRange(step)) return false;
+  return isLast || isMultiple(step, frequency) || steps.count(step) != 0;
+}
+
+bool OutputSection::isHistoryDue(int step, bool isLast) const {
+  if (historyFrequency <= 0 || !isInRange(step)) return false;
+  return isLast || isMultiple(step, historyFrequency);
+}
+
+bool OutputSection::isCheckpointDue(int step, bool isLast) const {
+  return checkpointFrequency > 0 && step > 0 && (isLast || isMultiple(step, checkpointFrequency));
+}
+
+std::vector<OutputSection> readOutputSections(const Deck& deck) {
+  std::vector<OutputSection> sections;
+  for (const auto& [key, node] : deck.root().entries())
+    if (key.find("Output") != std::string::npos) sections.push_back(readSection(node, deck.isPeridigmDeck()));
+  return sections;
+}
+
+std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections) {
+  if (!sections.empty()) return sections.front().fileName;
+  return std::filesystem::path(deck.fileName()).stem().string();
+}
+
+}  // namespace pd

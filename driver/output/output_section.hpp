@@ -1,0 +1,48 @@
+// One `Output` section of a deck: what is written, when, under which name.
+#ifndef PD_OUTPUT_SECTION_HPP
+#define PD_OUTPUT_SECTION_HPP
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../deck/deck.hpp"
+
+namespace pd {
+
+struct OutputVariable {
+  std::string label;
+  std::string place;  ///< in the deck
+};
+
+struct OutputSection {
+  std::string fileName;      ///< path of the files without their endings
+  int frequency = -1;        ///< of fields, in increments; -1: none
+  std::set<int> steps;       ///< further increments whose fields are written
+  int firstStep = 1;         ///< nothing is written before; the initial state counts as 1, as in Peridigm
+  int lastStep = 0;          ///< or after
+  int historyFrequency = 1;  ///< of values for the whole body; -1: none
+  int checkpointFrequency = -1;
+  std::vector<OutputVariable> variables;
+  bool asksForExodus = false;  ///< Peridigm's only file type
+
+  bool writesFields() const { return frequency > 0 || !steps.empty(); }
+  bool areFieldsDue(int step, bool isLast) const;
+  bool isHistoryDue(int step, bool isLast) const;
+  bool isCheckpointDue(int step, bool isLast) const;
+
+ private:
+  bool isInRange(int step) const;
+};
+
+/// All sections whose name contains "Output", as in Peridigm, in the order of the deck. The deck has been checked.
+///
+/// Peridigm writes values for the whole body as often as fields: the default for decks with the root key `Peridigm`.
+std::vector<OutputSection> readOutputSections(const Deck& deck);
+
+/// Path of the files of the first section without their endings; where the deck has no section, the name of the deck.
+std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections);
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,44 @@
+// Lines of a run for its log file and the terminal.
+#ifndef PD_RUN_LOG_HPP
+#define PD_RUN_LOG_HPP
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace pd {
+
+/// Used by the root rank alone.
+class RunLog {
+ public:
+  /// `isContinued`: lines are added to those of the run that is restarted. Throws RunError.
+  RunLog(const std::string& path, bool isQuiet, bool isContinued);
+  ~RunLog();
+
+  /// A line for the file, and for standard output unless quiet.
+  void line(const std::string& text);
+
+  /// Whether standard error is a terminal that shows a line which replaces itself.
+  bool hasTerminal() const { return hasTerminal_; }
+  /// Replaces the terminal's last line.
+  void replaceTerminalLine(const std::string& text);
+
+  /// Throws RunError where a line could not be written, such as on a full disk.
+  void requireWritten() const;
+
+ private:
+  void clearTerminalLine();
+
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  bool isQuiet_, hasTerminal_;
+  bool isTerminalLineShown_ = false;
+  int writeError_ = 0;
+};
+
+}  // namespace pd
+
+#endif
