@@ -1,0 +1,67 @@
+// Static equilibrium by dynamic relaxation with a fictitious diagonal mass and an adaptive, global damping.
+#ifndef PD_ADAPTIVE_DYNAMIC_RELAXATION_HPP
+#define PD_ADAPTIVE_DYNAMIC_RELAXATION_HPP
+
+#include <string>
+#include <vector>
+
+#include "mechanics.hpp"
+#include "solver.hpp"
+
+namespace pd {
+
+/// P.G. Underwood, Dynamic relaxation (1983); B. Kilic, E. Madenci, Theor. Appl. Fract. Mech. 53 (2010) 194. With a
+/// pseudo time step of one:
+///   v^{n+1/2} = ((2 - c_n) v^{n-1/2} + 2 F^n / Lambda) / (2 + c_n),  u^{n+1} = u^n + v^{n+1/2},
+///   Lambda_ii >= 1/4 sum_j |K_ij|,  c_n = 2 sqrt(u K1 u / u u) with K1_ii = -(F_i^n - F_i^{n-1}) / (Lambda_ii v_i).
+/// c_n is one number for the whole body, on all ranks.
+///
+/// With `Iterations Per Load Step` the motion goes on from load step to load step and bonds may break in each
+/// iteration. With a tolerance each load step starts at rest, relaxes at constant damage, and repeats until no bond
+/// breaks in equilibrium.
+class AdaptiveDynamicRelaxation : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit AdaptiveDynamicRelaxation(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+  std::vector<double> restartState() const override;
+  void setRestartState(const std::vector<double>& state) override;
+
+ private:
+  struct Norms {
+    double free = 0.0;   ///< |sum of forces| at free displacements, N
+    double scale = 0.0;  ///< the larger of the reactions and the external forces, N
+    double damping = 0.0;
+  };
+  void prepareMasses(Simulation& simulation);
+  void evaluateForce(Simulation& simulation, double dt, bool breakBonds);
+  Norms measure(Simulation& simulation) const;
+  void move(Simulation& simulation, double damping);
+  void iterateFixed(Simulation& simulation, double dt);
+  void iterateToTolerance(Simulation& simulation, double t, double dt);
+  /// Returns the iterations taken. Throws RunError where `nAllowed` do not suffice.
+  int relax(Simulation& simulation, double t, double dt, int nAllowed);
+  double residual(const Norms& norms);
+
+  int iterationsPerLoadStep_ = 0;  ///< 0: to the tolerance
+  int maximumIterations_, nIncrements_;
+  double relativeTolerance_;
+
+  std::vector<double> inverseMass_;    ///< [3 nOwned] 1 / Lambda, 0 where held
+  std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
+  std::vector<int> prescribed_;        ///< entries of 3 nOwned whose reaction counts
+  bool hasMasses_ = false, isMoving_ = false;
+  double largestScale_ = 0.0;
+  int loadStep_ = 0;
+  long long nIterations_ = 0, nBreakingRounds_ = 0;
+  double lastResidual_ = 0.0, largestResidual_ = 0.0;
+};
+
+}  // namespace pd
+
+#endif
