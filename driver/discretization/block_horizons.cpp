@@ -1,0 +1,129 @@
+#include "block_horizons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "../deck/deck_data.hpp"
+#include "../deck/function.hpp"
+
+namespace pd {
+
+namespace {
+
+/// The number in "block_7"; 0 where the name is not of this form.
+int blockNumber(const std::string& name) {
+  const std::string prefix = "block_";
+  if (name.compare(0, prefix.size(), prefix) != 0) return 0;
+  return parseInteger(name.substr(prefix.size())).value_or(0);
+}
+
+std::string namesOf(const std::vector<int>& blockNumbers) {
+  constexpr std::size_t maximumListed = 20;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(blockNumbers.size(), maximumListed); ++i)
+    names += (i == 0 ? "block_" : ", block_") + std::to_string(blockNumbers[i]);
+  return names + (blockNumbers.size() > maximumListed ? ", ..." : "");
+}
+
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+/// The horizon of an entry as a function of place; NaN where the deck does not give one that can be read.
+Function horizonOf(const DeckNode& entry, Mistakes& mistakes) {
+  try {
+    if (entry["Horizon"]) return Function::fromDeck(entry["Horizon"]);
+    mistakes.add(entry.place(), entry.path() + " needs a Horizon, in m");
+  } catch (const DeckError& error) {
+    mistakes.add("", error.what());
+  }
+  return Function::constant(std::nan(""));
+}
+
+}  // namespace
+
+std::vector<int> blockNumbersOf(const MeshPoints& points) {
+  std::set<int> numbers;
+  int last = 0;
+  for (const int block : points.blockId) {
+    if (block != last) numbers.insert(block);
+    last = block;
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>& blockNumbers,
+                                        const std::string& meshFile) {
+  Mistakes& mistakes = deck.mistakes();
+  std::map<int, DeckNode> entries;
+  DeckNode entryOfOthers;
+  const auto assign = [&](int number, const DeckNode& entry, const DeckNode& names) {
+    const auto [it, isNew] = entries.emplace(number, entry);
+    if (!isNew)
+      mistakes.add(names.place(), "block_" + std::to_string(number) + " already belongs to " + it->second.path());
+  };
+  for (const auto& item : deck["Blocks"].entries()) {
+    const DeckNode& entry = item.second;
+    const DeckNode names = entry["Block Names"];
+    if (!names || !names.isScalar()) {
+      mistakes.add(entry.place(), entry.path() + " needs Block Names, such as \"" + namesOf(blockNumbers) + "\"");
+      continue;
+    }
+    for (const std::string& name : wordsOf(names.text())) {
+      const int number = blockNumber(name);
+      if (name == "default") {
+        if (entryOfOthers) mistakes.add(names.place(), "\"default\" is taken by " + entryOfOthers.path() + " already");
+        entryOfOthers = entry;
+      } else if (std::binary_search(blockNumbers.begin(), blockNumbers.end(), number)) {
+        assign(number, entry, names);
+      } else {
+        mistakes.add(names.place(),
+                     "the mesh " + meshFile + " has no block \"" + name + "\"; it has: " + namesOf(blockNumbers));
+      }
+    }
+  }
+  std::vector<int> withoutEntry;
+  for (const int number : blockNumbers)
+    if (entries.count(number) == 0) withoutEntry.push_back(number);
+  if (entryOfOthers)
+    for (const int number : withoutEntry) entries.emplace(number, entryOfOthers);
+  else if (!withoutEntry.empty())
+    mistakes.add(deck["Blocks"] ? deck["Blocks"].keyPlace() : deck.fileName(),
+                 "no entry of Blocks gives a material and a horizon to " + namesOf(withoutEntry) + " of the mesh " +
+                     meshFile + "; name them in Block Names, or use \"default\"");
+  return entries;
+}
+
+std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, DeckNode>& entries,
+                                  Mistakes& mistakes) {
+  std::vector<double> horizon(points.volume.size());
+  std::map<int, Function> functions;
+  std::set<int> refused;  // blocks with a mistake already; one a block is enough
+  for (const auto& [number, entry] : entries) {
+    const std::size_t before = mistakes.lines().size();
+    functions.emplace(number, horizonOf(entry, mistakes));
+    if (mistakes.lines().size() > before) refused.insert(number);
+  }
+  for (int i = 0; i < points.size(); ++i) {
+    const int block = points.blockId[i];
+    const auto function = functions.find(block);
+    if (function == functions.end()) continue;
+    const double* x = points.at(i);
+    const double value = function->second(x[0], x[1], x[2], 0.0);
+    horizon[i] = value;
+    if ((value > 0.0 && std::isfinite(value)) || !refused.insert(block).second) continue;
+    mistakes.add(entries.at(block)["Horizon"].place(),
+                 fmt::format("the horizon must be greater than 0 and finite; it is {:g} m at the point of {}", value,
+                             points.place(i)));
+  }
+  return horizon;
+}
+
+}  // namespace pd

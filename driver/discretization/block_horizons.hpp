@@ -1,0 +1,28 @@
+// Which entry of "Blocks" a block of the mesh belongs to, and the horizon that it gives to its points.
+#ifndef PD_BLOCK_HORIZONS_HPP
+#define PD_BLOCK_HORIZONS_HPP
+
+#include <map>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "text_mesh.hpp"
+
+namespace pd {
+
+/// Sorted numbers of the blocks that the points belong to.
+std::vector<int> blockNumbersOf(const MeshPoints& points);
+
+/// The deck's entry of each block of the mesh. `Block Names` lists blocks as "block_1 block_2"; "default" stands for
+/// all that no entry names. Blocks without an entry, entries without a block and blocks with two entries are added to
+/// deck.mistakes().
+std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>& blockNumbers,
+                                        const std::string& meshFile);
+
+/// [n] Horizon of every point, m: the number or function of x, y, z in its block's entry. Values that are not positive
+/// and finite are added to `mistakes`.
+std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, DeckNode>& entries, Mistakes& mistakes);
+
+}  // namespace pd
+
+#endif

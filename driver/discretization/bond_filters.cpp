@@ -1,0 +1,210 @@
+#include "bond_filters.hpp"
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "mesh_geometry.hpp"
+
+namespace pd {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// ---- filters ----
+
+/// Cuts bonds that meet a part of a plane.
+class PlaneFilter : public BondFilter {
+ public:
+  /// `covers`: whether a point of the plane belongs to the surface.
+  PlaneFilter(const MeshPoints& points, const Vector& origin, const Vector& normal, double tolerance,
+              std::function<bool(const Vector&)> covers)
+      : points_(points), covers_(std::move(covers)), height_(points.volume.size()) {
+    for (int i = 0; i < points.size(); ++i) {
+      const double height = dot(difference(at(i), origin), normal);
+      height_[i] = std::abs(height) <= tolerance ? 0.0 : height;
+    }
+  }
+
+  bool cuts(int a, int b) const override {
+    if (a > b) std::swap(a, b);  // the same arithmetic from either end
+    const double heightA = height_[a], heightB = height_[b];
+    const bool isOnOneSide = (heightA > 0.0 && heightB > 0.0) || (heightA < 0.0 && heightB < 0.0);
+    if (isOnOneSide || heightA == heightB) return false;
+    const double t = heightA / (heightA - heightB);
+    const Vector xa = at(a), xb = at(b);
+    return covers_({xa[0] + t * (xb[0] - xa[0]), xa[1] + t * (xb[1] - xa[1]), xa[2] + t * (xb[2] - xa[2])});
+  }
+
+ private:
+  Vector at(int point) const {
+    const double* x = points_.at(point);
+    return {x[0], x[1], x[2]};
+  }
+
+  const MeshPoints& points_;
+  std::function<bool(const Vector&)> covers_;
+  std::vector<double> height_;  ///< over the plane, m
+};
+
+/// Cuts bonds from a point of one set to a point of the other.
+class NodeSetPairFilter : public BondFilter {
+ public:
+  NodeSetPairFilter(int nPoints, const std::vector<int>& first, const std::vector<int>& second)
+      : membership_(static_cast<std::size_t>(nPoints), 0) {
+    for (const int id : first) membership_[id] |= 1;
+    for (const int id : second) membership_[id] |= 2;
+  }
+
+  bool cuts(int a, int b) const override {
+    const int setsA = membership_[a], setsB = membership_[b];
+    return ((setsA & 1) != 0 && (setsB & 2) != 0) || ((setsA & 2) != 0 && (setsB & 1) != 0);
+  }
+
+ private:
+  std::vector<unsigned char> membership_;  ///< bit 0: in the first set, bit 1: in the second
+};
+
+class BlockFilter : public BondFilter {
+ public:
+  explicit BlockFilter(const MeshPoints& points) : points_(points) {}
+  bool cuts(int a, int b) const override { return points_.blockId[a] != points_.blockId[b]; }
+
+ private:
+  const MeshPoints& points_;
+};
+
+// ---- reading ----
+
+DeckNode required(const DeckNode& node, const std::string& key) {
+  const DeckNode value = node[key];
+  if (!value) throw DeckError(node.place() + ": " + node.path() + " needs " + key);
+  return value;
+}
+
+double positive(const DeckNode& node, const std::string& key) {
+  const DeckNode value = required(node, key);
+  if (!(value.real() > 0.0)) throw DeckError(value.place() + ": " + value.path() + " must be greater than 0 m");
+  return value.real();
+}
+
+/// The three values <stem>_X, <stem>_Y, <stem>_Z.
+Vector vectorOf(const DeckNode& node, const std::string& stem) {
+  return {required(node, stem + "_X").real(), required(node, stem + "_Y").real(), required(node, stem + "_Z").real()};
+}
+
+Vector directionOf(const DeckNode& node, const std::string& stem) {
+  Vector direction = vectorOf(node, stem);
+  const double length = std::sqrt(dot(direction, direction));
+  if (!(length > 0.0))
+    throw DeckError(node[stem + "_X"].place() + ": " + node.path() + ": " + stem +
+                    " is a zero vector, not a direction");
+  for (double& component : direction) component /= length;
+  return direction;
+}
+
+class FilterReader {
+ public:
+  FilterReader(const MeshPoints& points, const NodeSets& nodeSets)
+      : points_(points), nodeSets_(nodeSets), tolerance_(geometricTolerance(boundingBox(points))) {}
+
+  std::unique_ptr<BondFilter> read(const DeckNode& node) const {
+    const std::string type = required(node, "Type").text();
+    if (type == "Rectangular_Plane") return rectangle(node);
+    if (type == "Disk") return disk(node);
+    if (type == "Node Set Pair") return nodeSetPair(node);
+    throw DeckError(node["Type"].place() + ": unknown bond filter \"" + type +
+                    "\"; there are Rectangular_Plane, Disk, Node Set Pair");
+  }
+
+ private:
+  std::unique_ptr<BondFilter> rectangle(const DeckNode& node) const {
+    const Vector normal = directionOf(node, "Normal"), corner = vectorOf(node, "Lower_Left_Corner");
+    const Vector bottom = directionOf(node, "Bottom_Unit_Vector");
+    const double bottomLength = positive(node, "Bottom_Length"), sideLength = positive(node, "Side_Length");
+    if (std::abs(dot(normal, bottom)) > 1e-6)
+      throw DeckError(node["Bottom_Unit_Vector_X"].place() + ": " + node.path() +
+                      ": Bottom_Unit_Vector must be perpendicular to Normal");
+    const Vector side = cross(bottom, normal);
+    const double tolerance = tolerance_;
+    return std::make_unique<PlaneFilter>(points_, corner, normal, tolerance, [=](const Vector& x) {
+      const double alongBottom = dot(difference(x, corner), bottom), alongSide = dot(difference(x, corner), side);
+      return alongBottom >= -tolerance && alongBottom <= bottomLength + tolerance && alongSide >= -tolerance &&
+             alongSide <= sideLength + tolerance;
+    });
+  }
+
+  std::unique_ptr<BondFilter> disk(const DeckNode& node) const {
+    const Vector center = vectorOf(node, "Center"), normal = directionOf(node, "Normal");
+    const double reach = positive(node, "Radius") + tolerance_;
+    return std::make_unique<PlaneFilter>(points_, center, normal, tolerance_, [=](const Vector& x) {
+      const Vector distance = difference(x, center);
+      return dot(distance, distance) <= reach * reach;
+    });
+  }
+
+  std::unique_ptr<BondFilter> nodeSetPair(const DeckNode& node) const {
+    return std::make_unique<NodeSetPairFilter>(points_.nRows, nodeSet(node, "First Node Set"),
+                                               nodeSet(node, "Second Node Set"));
+  }
+
+  const std::vector<int>& nodeSet(const DeckNode& node, const std::string& key) const {
+    const DeckNode name = required(node, key);
+    if (const std::vector<int>* ids = findNodeSet(nodeSets_, name.text())) return *ids;
+    std::string known;
+    for (const auto& entry : nodeSets_) known += (known.empty() ? "" : ", ") + entry.first;
+    throw DeckError(name.place() + ": no node set \"" + name.text() + "\" in Boundary Conditions" +
+                    (known.empty() ? "" : " (there are: " + known + ")"));
+  }
+
+  const MeshPoints& points_;
+  const NodeSets& nodeSets_;
+  double tolerance_;
+};
+
+}  // namespace
+
+BondFilters::BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets) {
+  const DeckNode section = deck["Discretization"];
+  const FilterReader reader(points, nodeSets);
+  for (const auto& item : section["Bond Filters"].entries()) {
+    try {
+      filters_.push_back({reader.read(item.second), item.second.flag("Count In Damage", false)});
+    } catch (const DeckError& error) {
+      deck.mistakes().add("", error.what());
+    }
+  }
+  const std::string omitted = section.text("Omit Bonds Between Blocks", "None");
+  if (omitted == "All")
+    filters_.push_back({std::make_unique<BlockFilter>(points), false});
+  else if (omitted != "None")
+    deck.mistakes().add(section["Omit Bonds Between Blocks"].place(),
+                        "Omit Bonds Between Blocks must be None or All, not \"" + omitted + "\"");
+}
+
+bool BondFilters::canMark() const {
+  for (const Entry& entry : filters_)
+    if (entry.countsInDamage) return true;
+  return false;
+}
+
+BondFilters::Verdict BondFilters::judge(int a, int b) const {
+  Verdict verdict = Verdict::keep;
+  for (const Entry& entry : filters_) {
+    if (!entry.filter->cuts(a, b)) continue;
+    if (!entry.countsInDamage) return Verdict::remove;
+    verdict = Verdict::mark;
+  }
+  return verdict;
+}
+
+}  // namespace pd

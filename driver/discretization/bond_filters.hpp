@@ -1,0 +1,48 @@
+// Bonds that the deck cuts or leaves out from the start.
+#ifndef PD_BOND_FILTERS_HPP
+#define PD_BOND_FILTERS_HPP
+
+#include <memory>
+#include <vector>
+
+#include "../deck/deck.hpp"
+#include "node_sets.hpp"
+#include "text_mesh.hpp"
+
+namespace pd {
+
+/// One rule that cuts bonds. cuts(a, b) == cuts(b, a), to the last bit.
+class BondFilter {
+ public:
+  virtual ~BondFilter() = default;
+  virtual bool cuts(int a, int b) const = 0;  ///< ids of points in the mesh
+};
+
+/// The "Bond Filters" of a discretization, and "Omit Bonds Between Blocks". Types:
+///   * Rectangular_Plane, Disk: a bond is cut where the straight line between its reference points meets the
+///     surface, border included. A point on the surface loses its bonds to either side and keeps those within the
+///     surface (Peridigm's rule).
+///   * Node Set Pair: bonds between the points of two node sets.
+/// Cut bonds are removed, or with `Count In Damage: true` kept and marked, so that they count as broken.
+class BondFilters {
+ public:
+  enum class Verdict { keep, mark, remove };
+
+  /// Refers to `points`, which must outlive this object. Mistakes are added to deck.mistakes().
+  BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets);
+
+  bool empty() const { return filters_.empty(); }
+  bool canMark() const;
+  Verdict judge(int a, int b) const;
+
+ private:
+  struct Entry {
+    std::unique_ptr<BondFilter> filter;
+    bool countsInDamage;
+  };
+  std::vector<Entry> filters_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,133 @@
+#include "discretization.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "block_horizons.hpp"
+#include "bond_filters.hpp"
+#include "mesh_geometry.hpp"
+#include "neighbor_search.hpp"
+#include "neighborhoods.hpp"
+#include "node_sets.hpp"
+#include "ordering.hpp"
+#include "partition.hpp"
+#include "resolution_check.hpp"
+#include "text_file.hpp"
+#include "text_mesh.hpp"
+
+namespace pd {
+
+namespace {
+
+constexpr int maximumListed = 10;  ///< points in one message
+
+MeshPoints readMesh(const Deck& deck, const Communicator& comm) {
+  const DeckNode section = deck["Discretization"];
+  if (!section) throw DeckError(deck.fileName() + ": the deck has no section Discretization");
+  const DeckNode name = section["Input Mesh File"];
+  if (section.text("Type", "Text File") != "Text File")
+    throw DeckError(section["Type"].place() +
+                    ": Discretization/Type must be \"Text File\"; pdmesh converts other meshes");
+  if (!name) throw DeckError(section.place() + ": Discretization needs Input Mesh File");
+  const std::string fileName = deck.resolvePath(name.text());
+  const std::optional<std::string> text = readTextFile(fileName, name.place(), comm, deck.mistakes());
+  deck.mistakes().report();
+  return parseTextMesh(*text, fileName, deck.mistakes());
+}
+
+double positiveLength(const DeckNode& section, const std::string& key, Mistakes& mistakes) {
+  const double value = section.real(key, 1.0);
+  if (!(value > 0.0)) mistakes.add(section[key].place(), "Discretization/" + key + " must be greater than 0");
+  return value;
+}
+
+/// Local ids of the points of each node set.
+NodeSets localNodeSets(const NodeSets& nodeSets, const Discretization& d) {
+  std::vector<int> localId(static_cast<std::size_t>(d.nGlobal), -1);
+  for (int i = 0; i < d.nPoints; ++i) localId[d.globalIds[i]] = i;
+  NodeSets result;
+  for (const auto& [name, ids] : nodeSets) {
+    std::vector<int>& local = result[name];
+    for (const int id : ids)
+      if (localId[id] >= 0) local.push_back(localId[id]);
+    std::sort(local.begin(), local.end());
+  }
+  return result;
+}
+
+/// Takes over the values of this rank's points.
+void fillPoints(const MeshPoints& points, const std::vector<double>& horizon, Discretization& d) {
+  for (const int id : d.globalIds) {
+    d.x.insert(d.x.end(), points.at(id), points.at(id) + 3);
+    d.volume.push_back(points.volume[id]);
+    d.horizon.push_back(horizon[id]);
+    d.blockId.push_back(points.blockId[id]);
+  }
+}
+
+/// What is wrong with the neighbourhoods of this rank, a line each: points that have no bond.
+std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, const Discretization& d) {
+  std::string lines;
+  int count = 0;
+  for (int i = 0; i < d.nOwned; ++i) {
+    if (d.neighborhoodList[d.neighborhoodStart[i]] != 0 || ++count > maximumListed) continue;
+    lines += fmt::format("{}: the point ({:g}, {:g}, {:g}) has no neighbours within its horizon of {:g} m; {}\n",
+                         points.place(d.globalIds[i]), d.x[3 * i], d.x[3 * i + 1], d.x[3 * i + 2], d.horizon[i],
+                         filters.empty() ? "choose a larger Horizon (3 to 6 spacings) or remove the point"
+                                         : "choose a larger Horizon, or set `Count In Damage: true` on the bond filter "
+                                           "that takes its bonds away");
+  }
+  if (count > maximumListed)
+    lines += fmt::format("{}: {} more points without neighbours\n", points.fileName, count - maximumListed);
+  return lines;
+}
+
+void reportLines(const std::string& lines, Mistakes& mistakes) {
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = lines.find('\n', begin);
+    mistakes.add("", lines.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  mistakes.report();
+}
+
+}  // namespace
+
+Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
+  Mistakes& mistakes = deck.mistakes();
+  const MeshPoints points = readMesh(deck, comm);
+  const DeckNode section = deck["Discretization"];
+  const NodeSets nodeSets = readNodeSets(deck, comm, points);
+  const BondFilters filters(deck, points, nodeSets);
+
+  Discretization d;
+  d.nGlobal = points.nRows;
+  d.blockNumbers = blockNumbersOf(points);
+  d.dimension = meshDimension(boundingBox(points));
+  const double thickness = positiveLength(section, "Thickness", mistakes);
+  const double area = positiveLength(section, "Cross Section Area", mistakes);
+  const std::vector<double> horizon =
+      pointHorizons(points, entriesOfBlocks(deck, d.blockNumbers, points.fileName), mistakes);
+  mistakes.report();
+
+  const std::vector<double> spacing = pointSpacings(points.volume, d.dimension, thickness, area);
+  const bool includesPartial = section.flag("Include Partial Neighbors", !deck.isPeridigmDeck());
+  const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
+  const NeighborRule rule = NeighborRule::make(horizon, ruleSpacing);
+  checkResolution(deck, points, ruleSpacing, d.dimension, rule, comm.size());
+  mistakes.report();
+
+  const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(points.size());
+  buildNeighborhoods(points, rule, filters, lineOrder(points.x, meanSpacing), partitionPoints(points.x, comm.mpi()),
+                     comm.rank(), d);
+  fillPoints(points, horizon, d);
+  d.nodeSets = localNodeSets(nodeSets, d);
+  d.shortestBond = comm.min(d.shortestBond);
+  reportLines(comm.gather(lonelyPoints(points, filters, d)), mistakes);
+  return d;
+}
+
+}  // namespace pd

@@ -1,0 +1,23 @@
+// The neighbourhoods of a rank's points, and the ghosts that they need.
+#ifndef PD_NEIGHBORHOODS_HPP
+#define PD_NEIGHBORHOODS_HPP
+
+#include <vector>
+
+#include "bond_filters.hpp"
+#include "discretization.hpp"
+#include "neighbor_search.hpp"
+#include "text_mesh.hpp"
+
+namespace pd {
+
+/// Fills nOwned, nPoints, globalIds, neighborhoodList, neighborhoodStart, bondIsCut and shortestBond (of this rank).
+/// `order`: all points of the mesh in the order that local numbers follow; `owner`: rank of each point. Ghosts are
+/// the points of other ranks that are neighbours of owned points before bond filters remove any.
+void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, const BondFilters& filters,
+                        const std::vector<int>& order, const std::vector<int>& owner, int rank,
+                        Discretization& discretization);
+
+}  // namespace pd
+
+#endif

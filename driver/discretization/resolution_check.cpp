@@ -1,0 +1,101 @@
+#include "resolution_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pd {
+
+namespace {
+
+/// What one point of the sample sees.
+struct Surroundings {
+  int point = 0;
+  double nearest = std::numeric_limits<double>::infinity();  ///< distance to the next point, m
+  long long nNeighbors = 0;
+};
+
+Surroundings surroundingsOf(int point, const MeshPoints& points, const NeighborRule& rule) {
+  Surroundings result;
+  result.point = point;
+  const double* x = points.at(point);
+  double nearestSquared = result.nearest;
+  for (int j = 0; j < points.size(); ++j) {
+    const double* y = points.at(j);
+    const double dx = y[0] - x[0], dy = y[1] - x[1], dz = y[2] - x[2];
+    const double distanceSquared = dx * dx + dy * dy + dz * dz;
+    const double limit = rule.reach[point] + (rule.margin[point] + rule.margin[j]);
+    if (j == point) continue;
+    nearestSquared = std::min(nearestSquared, distanceSquared);
+    result.nNeighbors += distanceSquared < limit * limit ? 1 : 0;
+  }
+  result.nearest = std::sqrt(nearestSquared);
+  return result;
+}
+
+std::vector<Surroundings> sample(const MeshPoints& points, const NeighborRule& rule) {
+  constexpr int sampleSize = 100;
+  const int stride = std::max(1, points.size() / sampleSize);
+  std::vector<Surroundings> result;
+  for (int i = stride / 2; i < points.size(); i += stride) result.push_back(surroundingsOf(i, points, rule));
+  return result;
+}
+
+/// Spacings agree with the distances of points within this factor on any sensible mesh: the nearest point of a Gmsh
+/// mesh is 0.6 to 1 spacings away, of a lattice 1.
+constexpr double spacingFactor = 3.0;
+
+void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
+                  std::vector<Surroundings> sampled) {
+  const auto ratio = [&](const Surroundings& s) { return spacing[s.point] / s.nearest; };
+  std::sort(sampled.begin(), sampled.end(),
+            [&](const Surroundings& a, const Surroundings& b) { return ratio(a) < ratio(b); });
+  const Surroundings median = sampled[sampled.size() / 2];
+  if (ratio(median) < spacingFactor && ratio(median) > 1.0 / spacingFactor) return;
+  const char* remedies[] = {
+      "set Discretization/Cross Section Area (m2)",
+      "set Discretization/Thickness (m) to the thickness that the volumes of the mesh contain",
+      "coordinates must be in m and volumes in m3",
+  };
+  const char* formulas[] = {"volume / cross section area", "square root of volume / thickness", "cube root of volume"};
+  deck.mistakes().add(
+      deck["Discretization"].place(),
+      fmt::format("volumes and coordinates do not fit: the volume {:g} m3 of the point {} means a spacing of {:.4g} m "
+                  "({}), but the next point is {:.4g} m away; {}, or check the columns of the mesh",
+                  points.volume[median.point], points.place(median.point), spacing[median.point],
+                  formulas[dimension - 1], median.nearest, remedies[dimension - 1]));
+}
+
+void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Surroundings>& sampled, int nRanks) {
+  long long nNeighbors = 0;
+  double nearest = 0.0;
+  for (const Surroundings& s : sampled) {
+    nNeighbors += s.nNeighbors;
+    nearest += s.nearest;
+  }
+  const auto n = static_cast<double>(sampled.size());
+  const double perPoint = static_cast<double>(nNeighbors) / n;
+  const double bondsOnARank = perPoint * points.size() / nRanks;
+  if (bondsOnARank < std::numeric_limits<int>::max()) return;
+  const DeckNode blocks = deck["Blocks"];
+  deck.mistakes().add(
+      blocks.place(),
+      fmt::format("the horizon reaches over about {:.0f} neighbours a point, {:.1e} bonds on each of {} ranks, more "
+                  "than the 2.1e9 that fit; points are {:.3g} m apart and horizons are usually 3 to 6 times that: "
+                  "choose a smaller Horizon, or more ranks",
+                  perPoint, bondsOnARank, nRanks, nearest / n));
+}
+
+}  // namespace
+
+void checkResolution(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
+                     const NeighborRule& rule, int nRanks) {
+  if (points.size() < 2) return;  // a single point is reported as one without neighbours
+  const std::vector<Surroundings> sampled = sample(points, rule);
+  if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, sampled);
+  checkSize(deck, points, sampled, nRanks);
+}
+
+}  // namespace pd
