@@ -1,0 +1,131 @@
+"""The command line of pdplot."""
+import argparse
+import sys
+from pathlib import Path
+
+from .results import PlotError, Results, read_history
+
+_EPILOG = """sample runs
+  pdplot                                       the newest results here: Damage (or the first field) at the last step
+  pdplot plate.h5 --field Concentration --step 1300,1800,2600,3000 -o hydrogen.png
+  pdplot plate --field Displacement --component y --deformed auto
+  pdplot plate --step all --animate crack.gif --crack 0.36
+  pdplot plate other --field Damage            two runs and their difference
+  pdplot plate other --history Crack_Length,Top_ReactionY
+  pdplot solid --field Damage --slice z=0.002
+"""
+# What a viewer wants to see first.
+_FAVOURITES = ["Damage", "Concentration", "Temperature", "Displacement"]
+
+
+def main(arguments=None):
+    options = _parser().parse_args(arguments)
+    try:
+        for file in _draw(options):
+            print(file)
+    except PlotError as error:
+        print(f"pdplot: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _parser():
+    parser = argparse.ArgumentParser(prog="pdplot", description="Pictures of the results of pdrun.", epilog=_EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", nargs="*", help="results: NAME.h5, NAME or a folder; default: the newest here")
+    parser.add_argument("--field", help="field to show; default: Damage, Concentration ... or the first there is")
+    parser.add_argument("--component", choices=["x", "y", "z"], help="of a vector; default: its magnitude")
+    parser.add_argument("--step", default="last", metavar="last|all|N,N...", help="one or several, side by side")
+    parser.add_argument("--deformed", nargs="?", const="auto", metavar="SCALE",
+                        help="show points displaced, SCALE times (default: to a twentieth of the size)")
+    parser.add_argument("--crack", nargs="?", const=0.36, type=float, metavar="DAMAGE",
+                        help="outline what has more damage than this (default 0.36)")
+    parser.add_argument("--slice", metavar="AXIS=POSITION", help="of a solid; default: through its thinnest middle")
+    parser.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours")
+    parser.add_argument("--map", help="matplotlib's colour map")
+    parser.add_argument("--unit", help="unit of the field, for the label")
+    parser.add_argument("--factor", type=float, default=1.0, help="multiplies the field")
+    parser.add_argument("--animate", metavar="FILE.gif", help="all chosen steps as an animation")
+    parser.add_argument("--speed", type=float, default=5.0, help="frames a second of the animation")
+    parser.add_argument("--history", nargs="?", const="", metavar="COLUMN,COLUMN...",
+                        help="curves of NAME.csv over time, all columns or those named")
+    parser.add_argument("--against", metavar="COLUMN", help="what the history is drawn over; default: time")
+    parser.add_argument("-o", "--output", help="picture to write (.png, .pdf, .svg)")
+    return parser
+
+
+def _draw(options):
+    from . import figures
+    if options.history is not None:
+        return [_draw_history(options, figures)]
+    runs = [Results(name) for name in options.results or [None]]
+    view = _view(options, runs[0], figures)
+    steps = _steps(options.step, runs[0])
+    if options.deformed:
+        view.scale = figures.auto_scale(runs[0], steps) if options.deformed == "auto" else _number(options.deformed)
+    if options.animate:
+        figures.animation(runs[0], view, options.animate, steps if len(steps) > 1 else runs[0].steps, options.speed)
+        return [options.animate]
+    if len(runs) == 2 and len(steps) == 1:
+        figure = figures.comparison(runs[0], runs[1], steps[0], view)
+    else:
+        panels = [(run, step, (f"{run.label}, " if len(runs) > 1 else "") + figures.step_title(run, step))
+                  for run in runs for step in steps]
+        figure = figures.map_panels(panels, view)
+    return [_save(figure, options, runs[0], f"{runs[0].label}_{view.field}")]
+
+
+def _draw_history(options, figures):
+    names = options.results or [None]
+    histories = [(Path(str(name or ".")).stem or "run", read_history(name or ".")) for name in names]
+    columns = [column.strip() for column in options.history.split(",") if column.strip()]
+    figure = figures.history_panels(histories, columns, options.against)
+    output = options.output or f"{histories[0][0]}_history.png"
+    figure.savefig(output, dpi=150)
+    return output
+
+
+def _save(figure, options, results, name):
+    output = options.output or str(results.path.with_name(name + ".png"))
+    try:
+        figure.savefig(output, dpi=150)
+    except (OSError, ValueError) as error:
+        raise PlotError(f"{output}: cannot be written: {error}") from None
+    return output
+
+
+def _view(options, results, figures):
+    fields = results.fields()
+    field = options.field or next((name for name in _FAVOURITES if name in fields), fields[0] if fields else None)
+    if field is None:
+        raise PlotError(f"{results.path}: no fields in the last step")
+    component = None if options.component is None else "xyz".index(options.component)
+    return figures.View(field, component, crack=options.crack, slice=_slice(options.slice), limits=options.range,
+                        map=options.map, unit=options.unit, factor=options.factor)
+
+
+def _steps(text, results):
+    if text == "last":
+        return [results.steps[-1]]
+    if text == "all":
+        return results.steps
+    try:
+        return [int(word) for word in text.split(",")]
+    except ValueError:
+        raise PlotError(f"--step {text}: expected last, all or numbers such as 100,200") from None
+
+
+def _slice(text):
+    if text is None:
+        return None
+    axis, equals, position = text.partition("=")
+    if axis not in ("x", "y", "z") or not equals:
+        raise PlotError(f"--slice {text}: expected for example z=0.002")
+    return "xyz".index(axis), _number(position)
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        raise PlotError(f"`{text}` is not a number") from None

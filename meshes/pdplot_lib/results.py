@@ -1,0 +1,98 @@
+"""Reads what pdrun writes: fields in <name>.h5, histories in <name>.csv."""
+import csv
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+
+class PlotError(Exception):
+    """What a user of pdplot did wrong: names the file or option, and the remedy."""
+
+
+class Results:
+    """Fields of one run. x [n, 3] reference coordinates (m), volume [n] (m3); `steps`: numbers of the steps there."""
+
+    def __init__(self, name):
+        self.path = find_results(name)
+        self.label = self.path.stem
+        try:
+            self._file = h5py.File(self.path, "r")
+            self.x = self._file["mesh/coordinates"][:]
+            self.volume = self._file["mesh/volume"][:]
+            self.block = self._file["mesh/block_id"][:]
+        except (OSError, KeyError) as error:
+            raise PlotError(f"{self.path}: not a result file of pdrun, or its folder {self.label}.steps is missing: "
+                            f"{error}") from None
+        self._names = {int(name): name for name in self._file["steps"]}
+        self.steps = sorted(self._names)
+        extent = np.ptp(self.x, axis=0)
+        flat = extent <= 1e-12 * max(extent.max(), 1e-300)
+        self.dimension = 3 if not flat[2] else (1 if flat[1] else 2)
+        if not self.steps:
+            raise PlotError(f"{self.path}: no steps have been written")
+
+    def time(self, step):
+        return float(self._group(step).attrs["time"])
+
+    def fields(self, step=None):
+        return sorted(self._group(self.steps[-1] if step is None else step))
+
+    def field(self, name, step):
+        """[n] or [n, width]"""
+        group = self._group(step)
+        if name not in group:
+            raise PlotError(f"{self.path}: step {step} has no field {name} (there are: {', '.join(sorted(group))}); "
+                            "name it under Output Variables in the deck")
+        return group[name][:]
+
+    def spacing(self):
+        """Mean distance of neighbouring points, from the number of points in the extent that they fill."""
+        extent = np.ptp(self.x, axis=0)
+        used = extent[:self.dimension]
+        # n points a direction span n - 1 spacings: two rounds remove that.
+        spacing = (np.prod(used) / len(self.x)) ** (1 / self.dimension)
+        for _ in range(3):
+            spacing = (np.prod(used + spacing) / len(self.x)) ** (1 / self.dimension)
+        return spacing
+
+    def _group(self, step):
+        try:
+            return self._file["steps"][self._names[step]]
+        except KeyError:
+            known = ", ".join(map(str, self.steps))
+            raise PlotError(f"{self.path}: no step {step} (there are: {known})") from None
+
+
+def find_results(name=None):
+    """The .h5 file of `name` (with or without its ending, or a folder); of the newest run here where there is none."""
+    path = Path(name) if name else Path(".")
+    if path.is_dir():
+        found = sorted((file for file in path.glob("*.h5") if (path / (file.stem + ".steps")).is_dir()),
+                       key=lambda file: file.stat().st_mtime)
+        if not found:
+            raise PlotError(f"{path.resolve()}: no results of pdrun here (a .h5 file with its .steps folder)")
+        return found[-1]
+    for candidate in (path, path.with_name(path.name + ".h5"), path.with_suffix(".h5")):
+        if candidate.is_file() and candidate.suffix == ".h5":
+            return candidate
+    raise PlotError(f"{name}: no such results (expected {path.with_name(path.name + '.h5')})")
+
+
+def read_history(name):
+    """Columns of the CSV file of a run: name -> [rows]."""
+    path = Path(name)
+    if path.suffix != ".csv":
+        path = find_results(name).with_suffix(".csv") if path.is_dir() else path.with_suffix("").with_name(
+            path.name[:-3] if path.name.endswith(".h5") else path.name)
+        path = path if path.suffix == ".csv" else path.with_name(path.name + ".csv")
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+    except OSError as error:
+        raise PlotError(f"{path}: no history: {error.strerror}") from None
+    header, body = rows[0], [row for row in rows[1:] if len(row) == len(rows[0])]
+    if not body:
+        raise PlotError(f"{path}: the history has no rows yet")
+    table = np.array(body, dtype=float)
+    return {column.strip(): table[:, i] for i, column in enumerate(header)}
