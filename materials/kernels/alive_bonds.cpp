@@ -18,9 +18,11 @@ bool AliveBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
     unsigned char* bits = of(chunk);
     const int* points = neighborhood.pointIds(chunk);
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
-      double& seen = seen_[chunk.points + static_cast<std::size_t>(lane)];
-      if (damage[points[lane]] == seen) continue;
-      seen = damage[points[lane]];
+      if (damage != nullptr) {
+        double& seen = seen_[chunk.points + static_cast<std::size_t>(lane)];
+        if (damage[points[lane]] == seen) continue;
+        seen = damage[points[lane]];
+      }
       const double* ofPoint = bondDamage + neighborhood.firstBond(chunk, lane);
       for (int k = 0; k < neighborhood.nNeighbors(chunk, lane); ++k) {
         isWhole = isWhole && (ofPoint[k] == 0.0 || ofPoint[k] == 1.0);

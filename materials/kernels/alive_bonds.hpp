@@ -16,16 +16,14 @@ class AliveBonds {
   /// All bonds unbroken.
   explicit AliveBonds(const ChunkedNeighborhood& neighborhood);
 
-  /// `bondDamage`: in the host's order; `damage`: by local id. Returns false where a bond is damaged in part (0 < d <
+  /// `bondDamage`: in the host's order; `damage`: by local id; null: read
+  /// every bond again. Returns false where a bond is damaged in part (0 < d <
   /// 1).
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
 
   /// One byte a neighbour k of the chunk; bit = lane. Zero in lanes that are unused or have fewer neighbours.
   const unsigned char* of(const Chunk& chunk) const { return &bits_[chunk.entries / lanes]; }
   unsigned char* of(const Chunk& chunk) { return &bits_[chunk.entries / lanes]; }
-  /// Takes note that the caller has itself brought this point's bits and Damage up to date.
-  void setSeen(const Chunk& chunk, int lane, double damage) { seen_[chunk.points + std::size_t(lane)] = damage; }
-
   std::size_t bytes() const { return bits_.size() + seen_.size() * sizeof(double); }
 
  private:

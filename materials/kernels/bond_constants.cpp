@@ -42,23 +42,6 @@ double cellVolume(double spacing, const Section& section) {
   return section.size * std::pow(spacing, dimensionOf(section.geometry));
 }
 
-/// C11 and C12 of the bar, plane or solid problem.
-void stiffness(Geometry geometry, double youngsModulus, double nu, double& c11, double& c12) {
-  switch (geometry) {
-    case Geometry::Bar:
-      c11 = youngsModulus;
-      c12 = 0.0;
-      return;
-    case Geometry::PlaneStress:
-      c11 = youngsModulus / (1.0 - nu * nu);
-      c12 = nu * c11;
-      return;
-    default:
-      c11 = youngsModulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
-      c12 = youngsModulus * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-  }
-}
-
 }  // namespace
 
 int dimensionOf(Geometry geometry) {
@@ -100,6 +83,21 @@ double surfaceFactor(double wholeVolume, double familyVolume, double neighborFam
   return 2.0 * wholeVolume / (familyVolume + neighborFamilyVolume);
 }
 
+double latticeFamilyVolume(const Section& section, double horizon, double spacing, VolumeCorrection rule) {
+  double sum = 0.0;
+  forLattice(dimensionOf(section.geometry), horizon, spacing, rule,
+             [&](double, double, double, double, double share) { sum += share; });
+  return sum * cellVolume(spacing, section);
+}
+
+Stiffness stiffness(Geometry geometry, double youngsModulus, double nu) {
+  const double E = youngsModulus;
+  if (geometry == Geometry::Bar) return {E, 0.0};
+  if (geometry == Geometry::PlaneStress) return {E / (1.0 - nu * nu), nu * E / (1.0 - nu * nu)};
+  const double lame = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  return {lame + E / (1.0 + nu), lame};
+}
+
 ElasticConstants elasticConstants(const Section& section, double youngsModulus, double nu, double horizon,
                                   const Influence& influence) {
   const double moment = relativeMoment(influence, horizon, dimensionOf(section.geometry));
@@ -123,7 +121,8 @@ ElasticConstants elasticConstants(const Section& section, double youngsModulus, 
 }
 
 ElasticConstants latticeElasticConstants(const Section& section, double youngsModulus, double nu, double horizon,
-                                         double spacing, VolumeCorrection rule, const Influence& influence) {
+                                         double spacing, VolumeCorrection rule, const Influence& influence,
+                                         bool isBondBased) {
   // Strain energy of a bond under strain eps: with direction n, e_n = n.eps.n and e_t^2 = |eps n|^2 - e_n^2:
   // C11 = 1/2 sum r (k_n n1^4 + k_t (n1^2 - n1^4)) V,  C12 = 1/2 sum r (k_n - k_t) n1^2 n2^2 V.
   double normal11 = 0.0, tangential11 = 0.0, mixed = 0.0;
@@ -136,11 +135,9 @@ ElasticConstants latticeElasticConstants(const Section& section, double youngsMo
                tangential11 += weight * (n1 - n1 * n1);
                mixed += weight * n1 * n2;
              });
-  double c11 = 0.0, c12 = 0.0;
-  stiffness(section.geometry, youngsModulus, nu, c11, c12);
+  const auto [c11, c12] = stiffness(section.geometry, youngsModulus, nu);
   if (section.geometry == Geometry::Bar) return {c11 / normal11, 0.0};
-  const ElasticConstants continuum = elasticConstants(section, youngsModulus, nu, horizon, influence);
-  if (std::abs(continuum.tangential) < 1e-12 * continuum.normal) {
+  if (isBondBased) {
     // One constant: match Young's modulus, which the lattice's own C12/C11 enters.
     const double ratio = mixed / normal11;
     const bool isPlane = section.geometry != Geometry::Solid;

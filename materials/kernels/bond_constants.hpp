@@ -39,11 +39,20 @@ double volumeShare(VolumeCorrection rule, double distance, double horizon, doubl
 /// Factor of the volume method of surface correction, 2 V0 / (V_i + V_j), from the family volumes of both ends.
 double surfaceFactor(double wholeVolume, double familyVolume, double neighborFamilyVolume);
 
+/// Sum of the neighbours' shares of volume on an ideal lattice: what horizonVolume() becomes for a whole neighbourhood.
+double latticeFamilyVolume(const Section& section, double horizon, double spacing, VolumeCorrection rule);
+
 /// Stiffness constants of the two-parameter bond model, N/m6. tangential = 0 is bond-based peridynamics.
 struct ElasticConstants {
   double normal = 0.0;
   double tangential = 0.0;
 };
+
+/// C11 and C12 (Pa) of the bar, plane or solid problem.
+struct Stiffness {
+  double c11 = 0.0, c12 = 0.0;
+};
+Stiffness stiffness(Geometry geometry, double youngsModulus, double poissonsRatio);
 
 /// From equal strain energy under uniform strain (reference: C11 and C12 of the plane or solid problem are exact):
 ///   bar          k_n = 2E/(A delta^2)
@@ -55,10 +64,10 @@ ElasticConstants elasticConstants(const Section& section, double youngsModulus, 
                                   const Influence& influence);
 
 /// The same from the sums over an ideal square or cubic lattice of this spacing, so that bulk E and nu on that lattice
-/// are exact (E alone where the continuum k_t is zero: bond-based PD has one constant).
+/// are exact. `isBondBased`: k_t = 0, and E alone is exact, since bond-based PD has one constant.
 ElasticConstants latticeElasticConstants(const Section& section, double youngsModulus, double poissonsRatio,
                                          double horizon, double spacing, VolumeCorrection rule,
-                                         const Influence& influence);
+                                         const Influence& influence, bool isBondBased);
 
 /// Critical stretch from the fracture energy G (J/m2): the work to break all bonds across a plane equals G.
 ///   bar sqrt(3G/(E delta)), plane sqrt(4G/(c h delta^4)), solid sqrt(10G/(pi c delta^5)), c = k_n above.

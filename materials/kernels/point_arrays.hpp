@@ -2,6 +2,7 @@
 #ifndef PD_POINT_ARRAYS_HPP
 #define PD_POINT_ARRAYS_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -28,6 +29,11 @@ class PointArrays {
         const std::size_t at = 3 * static_cast<std::size_t>(i) + d;
         components_[d][static_cast<std::size_t>(i)] = a[at] - b[at];
       }
+  }
+  /// Copies a scalar field.
+  void copy(const double* values, int nPoints) {
+    resize(nPoints, 1);
+    std::copy(values, values + nPoints, components_[0].begin());
   }
   void zero(int nPoints, int dimension) {
     resize(nPoints, dimension);

@@ -1,0 +1,66 @@
+#include "bond_family.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace pd {
+
+void BondFamily::declareParameters(ParameterDeclarations& declare) {
+  declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  declare.flag("Plane Stress", "Thin plate in the x-y plane, free of stress across its thickness.").defaultTo(false);
+  declare.flag("Plane Strain", "Slice of a thick body, without strain along z.").defaultTo(false);
+  declare.flag("One Dimensional", "Bar along x.").defaultTo(false);
+  declare.real("Thickness", "m", "Thickness of a plane problem (volumes of the mesh are area x thickness).")
+      .positive()
+      .defaultTo(1.0);
+  declare.real("Cross Section Area", "m2", "Cross-section of a bar (volumes of the mesh are length x area).")
+      .positive()
+      .defaultTo(1.0);
+  declare
+      .text("Volume Correction",
+            "Which share of a neighbour's cell counts near the horizon: linear between horizon -/+ half a spacing "
+            "(Ramp Beyond Horizon; needs neighbours up to there), the same but nothing beyond the horizon (Ramp To "
+            "Horizon), or all of it up to the horizon (None).")
+      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+      .defaultTo("Ramp Beyond Horizon")
+      .from("Hu, Ha & Bobaru, CMAME 217-220 (2012) 247; Madenci & Oterkus, Peridynamic Theory (2014)");
+  declare
+      .flag("Lattice Rescaling",
+            "Constants from the sums over the actual square or cubic lattice in place of integrals, so that bulk "
+            "Young's modulus, Poisson's ratio and diffusivity are exact.")
+      .defaultTo(false);
+  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
+}
+
+BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& owner) {
+  if (!params.isParameter("Horizon"))
+    throw std::invalid_argument(owner + ": \"Horizon\" is missing (the block gives it to its material)");
+  horizon = params.get<double>("Horizon");
+  if (params.get<bool>("Plane Stress"))
+    section = {kernels::Geometry::PlaneStress, params.get<double>("Thickness")};
+  else if (params.get<bool>("Plane Strain"))
+    section = {kernels::Geometry::PlaneStrain, params.get<double>("Thickness")};
+  else if (params.get<bool>("One Dimensional"))
+    section = {kernels::Geometry::Bar, params.get<double>("Cross Section Area")};
+  const std::string rule = params.get<std::string>("Volume Correction");
+  if (rule == "None") volumeCorrection = kernels::VolumeCorrection::None;
+  if (rule == "Ramp To Horizon") volumeCorrection = kernels::VolumeCorrection::RampToHorizon;
+  rescalesToLattice = params.get<bool>("Lattice Rescaling");
+}
+
+double BondFamily::latticeSpacing(const Call& call, const double* volume, const std::string& owner) const {
+  if (call.nOwned == 0) return horizon / 3.0;
+  double low = volume[call.ownedIds[0]], high = low;
+  for (int p = 0; p < call.nOwned; ++p) {
+    low = std::min(low, volume[call.ownedIds[p]]);
+    high = std::max(high, volume[call.ownedIds[p]]);
+  }
+  if (spacing(high) > 1.01 * spacing(low))
+    throw std::invalid_argument(
+        owner + ": \"Lattice Rescaling\" needs a uniform lattice, but the spacings of this mesh differ (" +
+        std::to_string(spacing(low) / spacing(high)) +
+        " smallest/largest); use \"Surface Correction: Energy Method\" on such meshes");
+  return spacing(low);
+}
+
+}  // namespace pd

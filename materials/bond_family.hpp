@@ -1,0 +1,65 @@
+// Geometry of bonds as every bond-based material of this library sees it: section, horizon, share of volume.
+#ifndef PD_BOND_FAMILY_HPP
+#define PD_BOND_FAMILY_HPP
+
+#include <Teuchos_ParameterList.hpp>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bond_constants.hpp"
+#include "neighborhood_cache.hpp"
+#include "parameters.hpp"
+
+namespace pd {
+
+/// Parameters that describe the section and the quadrature, and what follows from them for one bond.
+struct BondFamily {
+  kernels::Section section;
+  kernels::VolumeCorrection volumeCorrection = kernels::VolumeCorrection::RampBeyondHorizon;
+  double horizon = 0.0;
+  bool rescalesToLattice = false;
+
+  static void declareParameters(ParameterDeclarations& declare);
+  /// From a completed list. Throws std::invalid_argument, naming `owner`.
+  BondFamily(const Teuchos::ParameterList& params, const std::string& owner);
+
+  int dimension() const { return kernels::dimensionOf(section.geometry); }
+  double spacing(double volume) const { return kernels::spacingOf(volume, section); }
+  /// Share of the cell of either end that the other one sees; the same from both ends.
+  double share(double distance, double volume, double neighborVolume) const {
+    return kernels::volumeShare(volumeCorrection, distance, horizon, 0.5 * (spacing(volume) + spacing(neighborVolume)));
+  }
+  /// Spacing of a uniform lattice, for rescaled constants. Throws std::invalid_argument where spacings differ by more
+  /// than 1 %.
+  double latticeSpacing(const Call& call, const double* volume, const std::string& owner) const;
+};
+
+/// The bond from `point` to `neighbor` in the reference configuration.
+struct ReferenceBond {
+  std::array<double, 3> xi;
+  double length;
+  ReferenceBond(const double* x, int point, int neighbor) {
+    double length2 = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      xi[d] = x[3 * static_cast<std::size_t>(neighbor) + d] - x[3 * static_cast<std::size_t>(point) + d];
+      length2 += xi[d] * xi[d];
+    }
+    length = std::sqrt(length2);
+  }
+};
+
+/// Calls visit(point, neighbor, bond) for the bonds of a flat list, bond counting from 0.
+template <class Visit>
+void forEachBond(const Call& call, Visit visit) {
+  std::size_t at = 0, bond = 0;
+  for (int p = 0; p < call.nOwned; ++p) {
+    const int count = call.neighborhoodList[at++];
+    for (int k = 0; k < count; ++k) visit(call.ownedIds[p], call.neighborhoodList[at++], bond++);
+  }
+}
+
+}  // namespace pd
+
+#endif

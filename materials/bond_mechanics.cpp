@@ -1,0 +1,289 @@
+#include "bond_mechanics.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "Peridigm_InfluenceFunction.hpp"
+#include "bond_mechanics_views.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+using PeridigmNS::FieldManager;
+namespace Field = PeridigmNS::PeridigmField;
+
+namespace {
+
+/// |k_t| below this share of k_n is taken as none: nu within about 0.0005 of bond-based PD's.
+constexpr double negligibleTangentialShare = 1e-3;
+
+}  // namespace
+
+void BondMechanics::declareParameters(ParameterDeclarations& declare) {
+  declare.real("Young's Modulus", "Pa", "Young's modulus; give it to switch mechanics on.").positive();
+  declare
+      .real("Poisson's Ratio", "1",
+            "Poisson's ratio. Above 1/3 in plane stress, 1/4 otherwise, k_t is negative: allowed with a warning while "
+            "the lattice is stable.")
+      .strictlyBetween(-1.0, 0.5);
+  declare
+      .text("Tangential Force",
+            "Objective: the rotation of the neighbourhood is removed from the tangential bond force, which then "
+            "conserves angular momentum. Linear: as printed by Zhu & Ni, right for small rotations only.")
+      .oneOf({"Objective", "Linear"})
+      .defaultTo("Objective");
+  declare
+      .text("Surface Correction",
+            "Stiffness of bonds near free surfaces: None; Volume Method: 2 V0/(V_i + V_j) from family volumes; Energy "
+            "Method: from the strain energy of uniform strain along each axis.")
+      .oneOf({"None", "Volume Method", "Energy Method"})
+      .defaultTo("None")
+      .from("Le & Bobaru, Comput. Mech. 61 (2018) 499; Madenci & Oterkus (2014)");
+  declare.needs("Young's Modulus", {"Poisson's Ratio"});
+  declare.needs("Poisson's Ratio", {"Young's Modulus"});
+}
+
+BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner)
+    : owner_(owner), family_(family) {
+  youngsModulus_ = params.get<double>("Young's Modulus");
+  poissonsRatio_ = params.get<double>("Poisson's Ratio");
+  if (params.get<std::string>("Tangential Force") == "Linear") form_ = kernels::TangentialForm::Linear;
+  const std::string correction = params.get<std::string>("Surface Correction");
+  if (correction == "Volume Method") surfaceCorrection_ = SurfaceCorrection::VolumeMethod;
+  if (correction == "Energy Method") surfaceCorrection_ = SurfaceCorrection::EnergyMethod;
+  constants_ = kernels::elasticConstants(family_.section, youngsModulus_, poissonsRatio_, family_.horizon,
+                                         PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
+  if (std::abs(constants_.tangential) < negligibleTangentialShare * constants_.normal) constants_.tangential = 0.0;
+
+  FieldManager& fields = FieldManager::self();
+  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
+  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
+  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
+  forceDensityId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Force_Density");
+  // Not asked for: a damage model of the block brings them.
+  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
+  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
+  energyId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Stored_Elastic_Energy_Density");
+  if (surfaceCorrection_ == SurfaceCorrection::VolumeMethod)
+    surfaceVolumeId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Family_Volume");
+  if (surfaceCorrection_ == SurfaceCorrection::EnergyMethod)
+    surfaceFactorId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Surface_Correction_Factor");
+}
+
+std::vector<int> BondMechanics::fieldIds() const {
+  std::vector<int> ids{modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_};
+  for (const int id : fieldIdsForSynchronizationAfterInitialize()) ids.push_back(id);
+  return ids;
+}
+
+std::vector<int> BondMechanics::fieldIdsForSynchronizationAfterInitialize() const {
+  if (surfaceVolumeId_ >= 0) return {surfaceVolumeId_};
+  if (surfaceFactorId_ >= 0) return {surfaceFactorId_};
+  return {};
+}
+
+BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager) {
+  const auto view = [&](int id, Field::Step step) {
+    double* values = nullptr;
+    dataManager.getData(id, step)->ExtractView(&values);
+    return values;
+  };
+  ownsFirstPoint = dataManager.getOwnedScalarPointMap()->LID(0) != -1;
+  nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
+  x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
+  y = view(owner.coordinatesId_, Field::STEP_NP1);
+  volume = view(owner.volumeId_, Field::STEP_NONE);
+  force = view(owner.forceDensityId_, Field::STEP_NP1);
+  if (owner.surfaceVolumeId_ >= 0) familyVolume = view(owner.surfaceVolumeId_, Field::STEP_NONE);
+  if (owner.surfaceFactorId_ >= 0) surfaceFactor = view(owner.surfaceFactorId_, Field::STEP_NONE);
+  if (dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1) &&
+      dataManager.hasData(owner.damageId_, Field::STEP_NP1)) {
+    bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
+    damage = view(owner.damageId_, Field::STEP_NP1);
+  }
+}
+
+void BondMechanics::initialize(const Call& call, DataManager& dataManager) {
+  const Views views(*this, dataManager);
+  caches_.clear();
+  if (family_.rescalesToLattice) {
+    const double spacing = family_.latticeSpacing(call, views.volume, owner_);
+    const bool isBondBased = constants_.tangential == 0.0;
+    constants_ = kernels::latticeElasticConstants(
+        family_.section, youngsModulus_, poissonsRatio_, family_.horizon, spacing, family_.volumeCorrection,
+        PeridigmNS::InfluenceFunction::self().getInfluenceFunction(), isBondBased);
+  }
+  computeSurfaceData(call, views);
+  if (constants_.tangential < 0.0) checkStability(call, views);
+}
+
+void BondMechanics::computeSurfaceData(const Call& call, const Views& views) const {
+  if (surfaceCorrection_ == SurfaceCorrection::None) return;
+  const auto influence = PeridigmNS::InfluenceFunction::self().getInfluenceFunction();
+  const double c11 = kernels::stiffness(family_.section.geometry, youngsModulus_, poissonsRatio_).c11;
+  const bool usesVolume = surfaceCorrection_ == SurfaceCorrection::VolumeMethod;
+  for (int p = 0; p < call.nOwned; ++p) {
+    const auto i = static_cast<std::size_t>(call.ownedIds[p]);
+    if (usesVolume) views.familyVolume[i] = 0.0;
+    for (std::size_t d = 0; !usesVolume && d < 3; ++d) views.surfaceFactor[3 * i + d] = 0.0;
+  }
+  forEachBond(call, [&](int i, int j, std::size_t) {
+    const ReferenceBond bond(views.x, i, j);
+    const double volume = family_.share(bond.length, views.volume[i], views.volume[j]) * views.volume[j];
+    if (usesVolume) {
+      views.familyVolume[i] += volume;
+      return;
+    }
+    // Strain energy of unit strain along d, in units of C11/2 (kernels/bond_constants.cpp).
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double n2 = bond.xi[d] * bond.xi[d] / (bond.length * bond.length);
+      views.surfaceFactor[3 * static_cast<std::size_t>(i) + d] +=
+          0.5 * influence(bond.length, family_.horizon) * bond.length * volume *
+          (constants_.normal * n2 * n2 + constants_.tangential * (n2 - n2 * n2)) / c11;
+    }
+  });
+  for (int p = 0; !usesVolume && p < call.nOwned; ++p)
+    for (std::size_t d = 0; d < 3; ++d) {
+      double& factor = views.surfaceFactor[3 * static_cast<std::size_t>(call.ownedIds[p]) + d];
+      factor = factor > 0.0 ? 1.0 / factor : 1.0;
+    }
+}
+
+double BondMechanics::wholeFamilyVolume(double spacing) const {
+  const long key = std::lround(1e4 * std::log(spacing / family_.horizon));
+  const auto known = wholeFamilyVolumes_.find(key);
+  if (known != wholeFamilyVolumes_.end()) return known->second;
+  return wholeFamilyVolumes_[key] =
+             kernels::latticeFamilyVolume(family_.section, family_.horizon, spacing, family_.volumeCorrection);
+}
+
+double BondMechanics::surfaceFactor(const Views& views, const ReferenceBond& bond, int i, int j) const {
+  if (surfaceCorrection_ == SurfaceCorrection::VolumeMethod) {
+    const double spacing = 0.5 * (family_.spacing(views.volume[i]) + family_.spacing(views.volume[j]));
+    return kernels::surfaceFactor(wholeFamilyVolume(spacing), views.familyVolume[i], views.familyVolume[j]);
+  }
+  if (surfaceCorrection_ == SurfaceCorrection::EnergyMethod) {
+    // Radius, along the bond, of the ellipsoid whose half-axes are the mean factors of both ends.
+    double sum = 0.0;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(family_.dimension()); ++d) {
+      const double axis = 0.5 * (views.surfaceFactor[3 * static_cast<std::size_t>(i) + d] +
+                                 views.surfaceFactor[3 * static_cast<std::size_t>(j) + d]);
+      sum += bond.xi[d] * bond.xi[d] / (bond.length * bond.length * axis * axis);
+    }
+    return 1.0 / std::sqrt(sum);
+  }
+  return 1.0;
+}
+
+double BondMechanics::strength(const Views& views, const ReferenceBond& bond, int i, int j) const {
+  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, family_.horizon) *
+         family_.share(bond.length, views.volume[i], views.volume[j]) * surfaceFactor(views, bond, i, j);
+}
+
+std::vector<kernels::WeightedBond> BondMechanics::familyOf(int i, const int* neighbors, int count,
+                                                           const Views& views) const {
+  const auto influence = PeridigmNS::InfluenceFunction::self().getInfluenceFunction();
+  std::vector<kernels::WeightedBond> bonds;
+  for (int k = 0; k < count; ++k) {
+    const int j = neighbors[k];
+    const ReferenceBond bond(views.x, i, j);
+    const double share = family_.share(bond.length, views.volume[i], views.volume[j]);
+    if (share > 0.0) bonds.push_back({bond.xi, share * views.volume[j] * influence(bond.length, family_.horizon)});
+  }
+  return bonds;
+}
+
+void BondMechanics::checkStability(const Call& call, const Views& views) const {
+  // Whole neighbourhoods only: those of free surfaces carry no plane waves.
+  std::vector<std::size_t> starts;
+  std::size_t at = 0;
+  int most = 0;
+  for (int p = 0; p < call.nOwned; ++p) {
+    starts.push_back(at);
+    most = std::max(most, call.neighborhoodList[at]);
+    at += static_cast<std::size_t>(call.neighborhoodList[at]) + 1;
+  }
+  std::vector<int> whole;
+  for (int p = 0; p < call.nOwned; ++p)
+    if (call.neighborhoodList[starts[static_cast<std::size_t>(p)]] >= 0.98 * most) whole.push_back(p);
+  constexpr std::size_t samples = 8;
+  double smallest = 1.0;
+  for (std::size_t s = 0; s < std::min(samples, whole.size()); ++s) {
+    const auto p = static_cast<std::size_t>(whole[s * whole.size() / std::min(samples, whole.size())]);
+    const auto bonds =
+        familyOf(call.ownedIds[p], call.neighborhoodList + starts[p] + 1, call.neighborhoodList[starts[p]], views);
+    smallest = std::min(smallest, kernels::smallestRelativeStiffness(bonds, family_.dimension(), constants_, form_));
+  }
+  const std::string ratio = "Poisson's ratio " + std::to_string(poissonsRatio_) +
+                            " makes the tangential bond stiffness negative (k_t/k_n = " +
+                            std::to_string(constants_.tangential / constants_.normal) + ")";
+  if (smallest <= 0.0)
+    throw std::invalid_argument(owner_ + ": " + ratio +
+                                " and this lattice unstable (its acoustic tensor is not positive definite); use a "
+                                "smaller Poisson's ratio, or a larger ratio of horizon to spacing");
+  if (views.ownsFirstPoint)
+    std::clog << owner_ << ": warning: " << ratio << "; the lattice is stable (smallest relative stiffness " << smallest
+              << ")\n";
+}
+
+BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& views, bool foldsDamage) const {
+  Cache cache;
+  cache.neighborhood = kernels::ChunkedNeighborhood(call.nOwned, call.ownedIds, call.neighborhoodList);
+  cache.alive = kernels::AliveBonds(cache.neighborhood);
+  cache.data.dimension = family_.dimension();
+  cache.data.form = form_;
+  cache.data.constants = constants_;
+  cache.data.strength =
+      kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
+        values[0] = strength(views, ReferenceBond(views.x, i, j), i, j);
+        if (foldsDamage) values[0] *= 1.0 - views.bondDamage[bond];
+      });
+  const int dimension = family_.dimension();
+  cache.data.geometry = kernels::BondConstants(
+      cache.neighborhood, dimension + 2,
+      [&](int i, int j, std::size_t, double* values) {
+        const ReferenceBond bond(views.x, i, j);
+        for (int d = 0; d < dimension; ++d) values[d] = bond.xi[static_cast<std::size_t>(d)];
+        values[dimension] = 1.0 / bond.length;
+        values[dimension + 1] = views.volume[j];
+      },
+      kernels::BondConstants::Keep::OnlyUniform);
+  cache.reference.separate(views.x, views.nPoints, dimension);
+  cache.volume.copy(views.volume, views.nPoints);
+  return cache;
+}
+
+void BondMechanics::addForce(Cache& cache, const Views& views) const {
+  const int dimension = family_.dimension();
+  cache.displacement.separateDifference(views.y, views.x, views.nPoints, dimension);
+  cache.force.zero(views.nPoints, dimension);
+  kernels::addTwoParameterForce(cache.neighborhood, cache.data, cache.alive, cache.reference, cache.displacement,
+                                cache.volume[0], cache.force);
+  cache.force.addTo(views.force, views.nPoints, dimension);
+}
+
+void BondMechanics::computeForce(const Call& call, DataManager& dataManager) const {
+  const Views views(*this, dataManager);
+  std::fill(views.force, views.force + 3 * static_cast<std::size_t>(views.nPoints), 0.0);
+  Cache& cache = caches_.of(call, views.x, [&](const Call& c) { return makeCache(c, views, false); });
+  if (views.damage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
+    // Bonds that are damaged in part: rare, and then their strength changes from call to call.
+    caches_.clear();
+    Cache partial = makeCache(call, views, true);
+    addForce(partial, views);
+    return;
+  }
+  addForce(cache, views);
+}
+
+std::size_t BondMechanics::cacheBytes() const {
+  std::size_t bytes = 0;
+  caches_.forEach([&](const Cache& cache) {
+    bytes +=
+        cache.neighborhood.bytes() + cache.data.strength.bytes() + cache.data.geometry.bytes() + cache.alive.bytes();
+  });
+  return bytes;
+}
+
+}  // namespace pd

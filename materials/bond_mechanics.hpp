@@ -1,0 +1,78 @@
+// The mechanics of PDHE: the two-parameter bond model of kernels/two_parameter_bond.hpp as a part of a material.
+#ifndef PD_BOND_MECHANICS_HPP
+#define PD_BOND_MECHANICS_HPP
+
+#include <map>
+#include <vector>
+
+#include "Peridigm_DataManager.hpp"
+#include "Peridigm_SerialMatrix.hpp"
+#include "alive_bonds.hpp"
+#include "bond_family.hpp"
+#include "lattice_stability.hpp"
+#include "point_arrays.hpp"
+#include "two_parameter_bond.hpp"
+
+namespace pd {
+
+enum class SurfaceCorrection { None, VolumeMethod, EnergyMethod };
+
+class BondMechanics {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  /// `params`: completed. Throws std::invalid_argument.
+  BondMechanics(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner);
+
+  double youngsModulus() const { return youngsModulus_; }
+  double poissonsRatio() const { return poissonsRatio_; }
+  std::vector<int> fieldIds() const;
+  std::vector<int> fieldIdsForSynchronizationAfterInitialize() const;
+
+  /// Computes the surface correction of points; checks stability where k_t < 0.
+  void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
+  void computeForce(const Call& call, PeridigmNS::DataManager& dataManager) const;
+  void computeStoredElasticEnergyDensity(const Call& call, PeridigmNS::DataManager& dataManager) const;
+  /// Adds d(force)/d(displacement), each row times the volume of its point.
+  void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
+                       PeridigmNS::SerialMatrix& jacobian) const;
+
+  /// Bytes of the data derived from neighbourhoods.
+  std::size_t cacheBytes() const;
+
+ private:
+  struct Cache {
+    kernels::ChunkedNeighborhood neighborhood;
+    kernels::BondForceData data;
+    kernels::AliveBonds alive;
+    kernels::PointArrays reference, volume, displacement, force;
+  };
+  struct Views;
+
+  Cache makeCache(const Call& call, const Views& views, bool foldsDamage) const;
+  void addForce(Cache& cache, const Views& views) const;
+  /// g of a bond: influence x share of volume x surface factor.
+  double strength(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
+  double surfaceFactor(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
+  double wholeFamilyVolume(double spacing) const;
+  void computeSurfaceData(const Call& call, const Views& views) const;
+  /// Calls visit(point, its unbroken bonds in the current state).
+  template <class Visit>
+  void forEachFamily(const Call& call, const Views& views, Visit visit) const;
+  void checkStability(const Call& call, const Views& views) const;
+  std::vector<kernels::WeightedBond> familyOf(int point, const int* neighbors, int count, const Views& views) const;
+
+  std::string owner_;
+  BondFamily family_;
+  double youngsModulus_ = 0.0, poissonsRatio_ = 0.0;
+  kernels::ElasticConstants constants_;
+  kernels::TangentialForm form_ = kernels::TangentialForm::Objective;
+  SurfaceCorrection surfaceCorrection_ = SurfaceCorrection::None;
+  int modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_, bondDamageId_, damageId_, energyId_;
+  int surfaceVolumeId_ = -1, surfaceFactorId_ = -1;
+  mutable std::map<long, double> wholeFamilyVolumes_;  ///< by spacing, to 0.01 %
+  mutable NeighborhoodCache<Cache> caches_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,26 @@
+// Arrays that BondMechanics works on (its sources only).
+#ifndef PD_BOND_MECHANICS_VIEWS_HPP
+#define PD_BOND_MECHANICS_VIEWS_HPP
+
+#include "bond_mechanics.hpp"
+
+namespace pd {
+
+/// Overlap arrays of the block; null where the field is not in the run.
+struct BondMechanics::Views {
+  Views(const BondMechanics& owner, PeridigmNS::DataManager& dataManager);
+  int nPoints = 0;
+  bool ownsFirstPoint = false;  ///< this rank speaks for the block
+  const double* x = nullptr;
+  const double* y = nullptr;
+  const double* volume = nullptr;
+  double* force = nullptr;
+  double* familyVolume = nullptr;
+  double* surfaceFactor = nullptr;
+  const double* bondDamage = nullptr;
+  const double* damage = nullptr;
+};
+
+}  // namespace pd
+
+#endif

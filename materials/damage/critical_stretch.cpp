@@ -1,0 +1,169 @@
+#include "critical_stretch.hpp"
+
+#include <algorithm>
+
+#include "Peridigm_InfluenceFunction.hpp"
+#include "bond_constants.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+using PeridigmNS::FieldManager;
+namespace Field = PeridigmNS::PeridigmField;
+
+namespace {
+
+Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
+  ParameterDeclarations declarations;
+  CriticalStretch::declareParameters(declarations);
+  return declarations.complete(params, "damage model Critical Stretch");
+}
+
+double stretchFrom(const Teuchos::ParameterList& params) {
+  if (params.isParameter("Critical Stretch")) return params.get<double>("Critical Stretch");
+  kernels::Section section;
+  if (params.get<bool>("Plane Stress")) section.geometry = kernels::Geometry::PlaneStress;
+  if (params.get<bool>("Plane Strain")) section.geometry = kernels::Geometry::PlaneStrain;
+  if (params.get<bool>("One Dimensional")) section.geometry = kernels::Geometry::Bar;
+  return kernels::criticalStretch(section, params.get<double>("Young's Modulus"), params.get<double>("Poisson's Ratio"),
+                                  params.get<double>("Fracture Energy"), params.get<double>("Horizon"),
+                                  PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
+}
+
+double* view(DataManager& dataManager, int id, Field::Step step) {
+  double* values = nullptr;
+  dataManager.getData(id, step)->ExtractView(&values);
+  return values;
+}
+
+double brokenShare(const double* bondDamage, int count) {
+  double broken = 0.0;
+  for (int k = 0; k < count; ++k) broken += bondDamage[k];
+  return count > 0 ? broken / count : 0.0;
+}
+
+void countBrokenBonds(const Call& call, const double* bondDamage, double* damage) {
+  const int* entry = call.neighborhoodList;
+  for (int p = 0; p < call.nOwned; ++p) {
+    damage[call.ownedIds[p]] = brokenShare(bondDamage, *entry);
+    bondDamage += *entry;
+    entry += *entry + 1;
+  }
+}
+
+/// Do all points lie in one plane of constant z?
+bool isPlane(const double* coordinates, int nPoints) {
+  for (int i = 1; i < nPoints; ++i)
+    if (coordinates[3 * static_cast<std::size_t>(i) + 2] != coordinates[2]) return false;
+  return true;
+}
+
+}  // namespace
+
+void CriticalStretch::declareCommonParameters(ParameterDeclarations& declare) {
+  declare.text("Damage Model", "Name of this model.");
+  declare.real("Critical Stretch", "1", "Stretch (change of length / length) at which a bond breaks.").positive();
+  declare
+      .real("Fracture Energy", "J/m2",
+            "Energy to open a unit area of crack, in place of the critical stretch; needs the constants below.")
+      .positive();
+  declare.real("Young's Modulus", "Pa", "Young's modulus, for Fracture Energy.").positive();
+  declare.real("Poisson's Ratio", "1", "Poisson's ratio, for Fracture Energy.").strictlyBetween(-1.0, 0.5);
+  declare.real("Horizon", "m", "Horizon of the block, for Fracture Energy.").positive();
+  declare.flag("Plane Stress", "As in the material, for Fracture Energy.").defaultTo(false);
+  declare.flag("Plane Strain", "As in the material, for Fracture Energy.").defaultTo(false);
+  declare.flag("One Dimensional", "As in the material, for Fracture Energy.").defaultTo(false);
+  declare
+      .real("Critical Compressive Stretch", "1",
+            "Bonds that become shorter than (1 - this) of their length break too; without it they never do.")
+      .strictlyBetween(0.0, 1.0);
+  declare.exactlyOneOf({"Critical Stretch", "Fracture Energy"});
+  declare.needs("Fracture Energy", {"Young's Modulus", "Poisson's Ratio", "Horizon"});
+  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
+}
+
+void CriticalStretch::declareParameters(ParameterDeclarations& declare) { declareCommonParameters(declare); }
+
+CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params)
+    : CriticalStretch(completed(params), "damage model Critical Stretch") {}
+
+CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params, const std::string&) : DamageModel(params) {
+  law_.stretch = stretchFrom(params);
+  if (params.isParameter("Critical Compressive Stretch"))
+    law_.compressiveStretch = params.get<double>("Critical Compressive Stretch");
+  FieldManager& fields = FieldManager::self();
+  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
+  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
+  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
+  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
+  noFailureId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "No_Failure");
+}
+
+std::vector<int> CriticalStretch::FieldIds() const {
+  return {modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_};
+}
+
+void CriticalStretch::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
+                                 const int* neighborhoodList, DataManager& dataManager) const {
+  caches_.clear();
+  // Damage of bonds that were cut before the run.
+  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
+  const double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
+  countBrokenBonds({numOwnedPoints, ownedIDs, neighborhoodList}, bondDamage, damage);
+}
+
+void CriticalStretch::computeDamage(const double, const int numOwnedPoints, const int* ownedIDs,
+                                    const int* neighborhoodList, DataManager& dataManager) const {
+  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
+  const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
+  const double* y = view(dataManager, coordinatesId_, Field::STEP_NP1);
+  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
+  const auto newBonds = dataManager.getData(bondDamageId_, Field::STEP_NP1);
+  const auto oldBonds = dataManager.getData(bondDamageId_, Field::STEP_N);
+  double *bondDamage = nullptr, *oldBondDamage = nullptr;
+  newBonds->ExtractView(&bondDamage);
+  oldBonds->ExtractView(&oldBondDamage);
+  // A host may keep N and NP1 apart and swap them: then nothing at NP1 is of the last call.
+  const bool isSwapped = bondDamage != oldBondDamage;
+  if (isSwapped) std::copy(oldBondDamage, oldBondDamage + oldBonds->MyLength(), bondDamage);
+  const double* noFailure =
+      dataManager.hasData(noFailureId_, Field::STEP_NONE) ? view(dataManager, noFailureId_, Field::STEP_NONE) : nullptr;
+
+  const int nPoints = dataManager.getData(damageId_, Field::STEP_NP1)->MyLength();
+  Cache& cache = caches_.of(call, x, [&](const Call& c) {
+    Cache made;
+    made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
+    made.alive = kernels::AliveBonds(made.neighborhood);
+    made.reference.separate(x, nPoints, 3);
+    made.isPlane = isPlane(x, nPoints);
+    return made;
+  });
+  const kernels::ChunkedNeighborhood& neighborhood = cache.neighborhood;
+  cache.alive.refresh(neighborhood, bondDamage, isSwapped ? nullptr : damage);
+  const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
+  cache.current.separate(y, nPoints, dimension);
+  const bool hasCoverage = coverage(dataManager, cache.coverage);
+
+  std::vector<std::pair<const kernels::Chunk*, int>> changed;
+  kernels::findOverstretchedBonds(
+      neighborhood, cache.alive, dimension, cache.reference, cache.current,
+      hasCoverage ? cache.coverage.data() : nullptr, law_, [&](const kernels::Chunk& chunk, int k, int lane) {
+        const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
+        if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) return;
+        bondDamage[neighborhood.firstBond(chunk, lane) + static_cast<std::size_t>(k)] = 1.0;
+        changed.emplace_back(&chunk, lane);
+      });
+  if (isSwapped) {
+    countBrokenBonds(call, bondDamage, damage);
+    return;
+  }
+  for (const auto& [chunk, lane] : changed) {
+    const double* bonds = bondDamage + neighborhood.firstBond(*chunk, lane);
+    damage[neighborhood.pointIds(*chunk)[lane]] = brokenShare(bonds, neighborhood.nNeighbors(*chunk, lane));
+  }
+}
+
+PD_REGISTER_DAMAGE_MODEL(CriticalStretch, "Critical Stretch", "Bonds break at a critical stretch or fracture energy.")
+
+}  // namespace pd

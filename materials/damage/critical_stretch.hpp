@@ -1,0 +1,55 @@
+// Breakage of bonds by stretch: the plain critical stretch, and the one that falls with the coverage by hydrogen.
+#ifndef PD_CRITICAL_STRETCH_HPP
+#define PD_CRITICAL_STRETCH_HPP
+
+#include <string>
+#include <vector>
+
+#include "Peridigm_DamageModel.hpp"
+#include "alive_bonds.hpp"
+#include "neighborhood_cache.hpp"
+#include "parameters.hpp"
+#include "point_arrays.hpp"
+#include "stretch_kernel.hpp"
+
+namespace pd {
+
+/// A bond breaks for good when its stretch exceeds the critical one; bonds of points in No_Failure never do.
+/// Damage of a point = broken bonds / bonds (as Peridigm counts).
+class CriticalStretch : public PeridigmNS::DamageModel {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit CriticalStretch(const Teuchos::ParameterList& params);
+
+  std::string Name() const override { return "Critical Stretch"; }
+  std::vector<int> FieldIds() const override;
+  void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                  PeridigmNS::DataManager& dataManager) const override;
+  void computeDamage(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                     PeridigmNS::DataManager& dataManager) const override;
+
+ protected:
+  /// For derived models: `params` completed with their own declarations.
+  CriticalStretch(const Teuchos::ParameterList& params, const std::string& owner);
+  /// Parameters that give the critical stretch without hydrogen and the bounds.
+  static void declareCommonParameters(ParameterDeclarations& declare);
+  /// psi in [0, 1] of all local points, or false where the model has none.
+  virtual bool coverage(PeridigmNS::DataManager&, std::vector<double>&) const { return false; }
+
+  kernels::CriticalStretchLaw law_;
+
+ private:
+  struct Cache {
+    kernels::ChunkedNeighborhood neighborhood;
+    kernels::AliveBonds alive;
+    kernels::PointArrays reference, current;
+    std::vector<double> coverage;
+    bool isPlane = false;
+  };
+  int modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_, noFailureId_;
+  mutable NeighborhoodCache<Cache> caches_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,97 @@
+// Critical stretch that falls with the coverage psi by hydrogen.
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "critical_stretch.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+namespace Field = PeridigmNS::PeridigmField;
+
+namespace {
+
+/// f(psi) = 1 - 1.0467 psi + 0.1687 psi^2: Serebrinsky, Carter & Ortiz, JMPS 52 (2004) 2403, after the first-principles
+/// results of Jiang & Carter, Acta Mater. 52 (2004) 4801.
+constexpr std::array<double, 4> decohesion = {1.0, -1.0467, 0.1687, 0.0};
+
+}  // namespace
+
+class HydrogenCriticalStretch : public CriticalStretch {
+ public:
+  static void declareParameters(ParameterDeclarations& declare) {
+    declareCommonParameters(declare);
+    declare.real("Saturation Concentration", "unit of the concentration field", "Concentration at coverage 1.")
+        .positive()
+        .required();
+    declare.text("Concentration Field", "Label of the concentration field.").defaultTo("Concentration");
+    declare
+        .text(
+            "Degradation Law",
+            "What f(psi) = 1 - 1.0467 psi + 0.1687 psi^2 scales: the critical stretch (then the fracture energy falls "
+            "with f^2), the fracture energy (then the stretch falls with its root), or the stretch by the user's "
+            "Polynomial. psi is the mean coverage of both ends, within [0, 1].")
+        .oneOf({"Critical Stretch", "Fracture Energy", "Polynomial"})
+        .defaultTo("Critical Stretch")
+        .from("Serebrinsky, Carter & Ortiz, JMPS 52 (2004) 2403");
+    declare.reals("Polynomial", "1", "Coefficients of 1, psi, psi^2, psi^3 (up to four) of the law Polynomial.");
+  }
+
+  explicit HydrogenCriticalStretch(const Teuchos::ParameterList& given)
+      : CriticalStretch(completed(given), "damage model Hydrogen Critical Stretch") {
+    const Teuchos::ParameterList params = completed(given);
+    saturation_ = params.get<double>("Saturation Concentration");
+    const std::string law = params.get<std::string>("Degradation Law");
+    law_.polynomial = decohesion;
+    law_.scalesEnergy = law == "Fracture Energy";
+    const bool isPolynomial = law == "Polynomial";
+    if (isPolynomial != params.isParameter("Polynomial"))
+      throw std::invalid_argument(
+          "damage model Hydrogen Critical Stretch: \"Polynomial\" and \"Degradation Law: "
+          "Polynomial\" go together");
+    if (isPolynomial) setPolynomial(params.get<Teuchos::Array<double>>("Polynomial"));
+    concentrationId_ = PeridigmNS::FieldManager::self().getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP,
+                                                                   params.get<std::string>("Concentration Field"));
+  }
+
+  std::string Name() const override { return "Hydrogen Critical Stretch"; }
+  std::vector<int> FieldIds() const override {
+    std::vector<int> ids = CriticalStretch::FieldIds();
+    ids.push_back(concentrationId_);
+    return ids;
+  }
+
+ protected:
+  bool coverage(DataManager& dataManager, std::vector<double>& psi) const override {
+    const auto field = dataManager.getData(concentrationId_, Field::STEP_NP1);
+    double* concentration = nullptr;
+    field->ExtractView(&concentration);
+    const auto nPoints = static_cast<std::size_t>(field->MyLength());
+    psi.resize(nPoints + kernels::lanes, 0.0);
+    for (std::size_t i = 0; i < nPoints; ++i) psi[i] = std::clamp(concentration[i] / saturation_, 0.0, 1.0);
+    return true;
+  }
+
+ private:
+  static Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
+    ParameterDeclarations declarations;
+    declareParameters(declarations);
+    return declarations.complete(params, "damage model Hydrogen Critical Stretch");
+  }
+  void setPolynomial(const Teuchos::Array<double>& coefficients) {
+    if (coefficients.size() == 0 || coefficients.size() > 4)
+      throw std::invalid_argument("damage model Hydrogen Critical Stretch: \"Polynomial\" takes 1 to 4 coefficients");
+    law_.polynomial.fill(0.0);
+    std::copy(coefficients.begin(), coefficients.end(), law_.polynomial.begin());
+  }
+
+  double saturation_ = 1.0;
+  int concentrationId_ = -1;
+};
+
+PD_REGISTER_DAMAGE_MODEL(HydrogenCriticalStretch, "Hydrogen Critical Stretch",
+                         "Critical stretch that falls with the coverage by hydrogen.")
+
+}  // namespace pd

@@ -1,0 +1,56 @@
+// Nonlocal diffusion of a scalar field as a part of a material.
+#ifndef PD_NONLOCAL_DIFFUSION_HPP
+#define PD_NONLOCAL_DIFFUSION_HPP
+
+#include <string>
+#include <vector>
+
+#include "Peridigm_DataManager.hpp"
+#include "Peridigm_SerialMatrix.hpp"
+#include "alive_bonds.hpp"
+#include "bond_family.hpp"
+#include "diffusion_kernel.hpp"
+#include "point_arrays.hpp"
+
+namespace pd {
+
+/// dC/dt = sum_j d kernel(|xi|) (C_j - C_i) (share of) V_j, constants in kernels/bond_constants.hpp. Fluxes are
+/// pairwise antisymmetric: the integral of C over the body changes through prescribed values alone.
+class NonlocalDiffusion {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner);
+
+  std::vector<int> fieldIds() const;
+  void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
+  void computeFluxDivergence(const Call& call, PeridigmNS::DataManager& dataManager) const;
+  /// Adds d(rate)/d(C), each row times the volume of its point.
+  void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
+                       PeridigmNS::SerialMatrix& jacobian) const;
+  std::size_t cacheBytes() const;
+
+ private:
+  struct Cache {
+    kernels::ChunkedNeighborhood neighborhood;
+    kernels::BondConstants weights;
+    kernels::AliveBonds alive;
+    kernels::PointArrays concentration;
+  };
+
+  /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
+  double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  /// Bond_Damage and Damage where broken bonds carry no flux; null otherwise.
+  const double* damageView(int id, PeridigmNS::DataManager& dataManager) const;
+
+  std::string owner_;
+  BondFamily family_;
+  kernels::DiffusionKernel kernel_ = kernels::DiffusionKernel::InverseSquare;
+  double diffusivity_ = 0.0, microDiffusivity_ = 0.0;
+  bool stopsAtBrokenBonds_ = false;
+  int modelCoordinatesId_, volumeId_, fieldId_, fluxId_, bondDamageId_, damageId_;
+  mutable NeighborhoodCache<Cache> caches_;
+};
+
+}  // namespace pd
+
+#endif
