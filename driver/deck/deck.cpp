@@ -4,9 +4,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "deck_data.hpp"
@@ -192,6 +195,18 @@ void Mistakes::report() const {
   std::string all;
   for (const std::string& line : lines_) all += (all.empty() ? "" : "\n") + line;
   throw DeckError(all);
+}
+
+void Mistakes::sort(const std::string& fileName) {
+  const auto lineOf = [&](const std::string& text) {
+    int line = std::numeric_limits<int>::max(), column = line;
+    if (text.compare(0, fileName.size() + 1, fileName + ":") == 0)
+      if (std::sscanf(text.c_str() + fileName.size() + 1, "%d:%d", &line, &column) != 2)
+        line = column = std::numeric_limits<int>::max();
+    return std::make_pair(line, column);
+  };
+  std::stable_sort(lines_.begin(), lines_.end(),
+                   [&](const std::string& a, const std::string& b) { return lineOf(a) < lineOf(b); });
 }
 
 // ---- deck ----

@@ -74,6 +74,8 @@ class Mistakes {
   const std::vector<std::string>& lines() const { return lines_; }
   /// Throws DeckError with all lines, if there are any.
   void report() const;
+  /// Puts the lines that name a place in `fileName` in the order of the file, before all others.
+  void sort(const std::string& fileName);
 
  private:
   std::vector<std::string> lines_;
@@ -94,12 +96,15 @@ class Deck {
   /// Whether the deck had the root key `Peridigm`: then Peridigm's defaults hold (driver/deck/sections.hpp).
   bool isPeridigmDeck() const { return isPeridigmDeck_; }
   Mistakes& mistakes() const { return *mistakes_; }
+  /// What a run puts up with but its user should know.
+  Mistakes& warnings() const { return *warnings_; }
 
  private:
   DeckNode root_;
   std::string fileName_;
   bool isPeridigmDeck_ = false;
   std::shared_ptr<Mistakes> mistakes_ = std::make_shared<Mistakes>();
+  std::shared_ptr<Mistakes> warnings_ = std::make_shared<Mistakes>();
 };
 
 }  // namespace pd

@@ -15,14 +15,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The items of a list; one value stands for a list of one.
-std::vector<DeckNode> itemsOrSelf(const DeckNode& value) {
-  if (value.isSequence()) return value.items();
-  std::vector<DeckNode> result;
-  result.push_back(value);
-  return result;
-}
-
 /// Reads the entries of one section that are declared.
 class SectionReader {
  public:
@@ -108,40 +100,40 @@ class SectionReader {
     if (value.isScalar()) list_.set(parameter.name, value.text());
   }
 
+  /// Whether the value is a list; else a mistake.
+  bool isList(const DeckNode& value, const Parameter& parameter) {
+    return value.isSequence() || isWritten(value, parameter, [](const std::string&) { return false; });
+  }
+
   void reals(const DeckNode& value, const Parameter& parameter) {
+    if (!isList(value, parameter)) return;
     Parameter one = parameter;
     one.type = ParameterType::Real;
     Teuchos::Array<double> numbers;
-    bool isGood = true;
-    for (const DeckNode& item : itemsOrSelf(value)) {
+    const auto items = value.items();
+    for (const DeckNode& item : items) {
       const auto isReal = [](const std::string& text) { return parseReal(text).has_value(); };
-      if (isWritten(item, value.isSequence() ? one : parameter, isReal) && isAllowed(item, one, item.real()))
-        numbers.push_back(item.real());
-      else
-        isGood = false;
+      if (isWritten(item, one, isReal) && isAllowed(item, one, item.real())) numbers.push_back(item.real());
     }
-    if (isGood) list_.set(parameter.name, numbers);
+    if (static_cast<std::size_t>(numbers.size()) == items.size()) list_.set(parameter.name, numbers);
   }
 
-  /// A list of names, one name, or Peridigm's map {name: true}.
+  /// A list of names, or Peridigm's map {name: true}.
   void texts(const DeckNode& value, const Parameter& parameter) {
     Parameter one = parameter;
     one.type = ParameterType::Text;
     Teuchos::Array<std::string> names;
-    bool isGood = true;
     if (value.isMap() && !value.entries().empty()) {
       for (const auto& [name, isWanted] : value.entries())
         if (isWanted.flag() && isAllowed(isWanted, one, name)) names.push_back(name);
-    } else {
+    } else if (isList(value, parameter)) {
       const auto isName = [](const std::string& text) { return !text.empty(); };
-      for (const DeckNode& item : itemsOrSelf(value)) {
-        if (isWritten(item, value.isSequence() ? one : parameter, isName, true) && isAllowed(item, one, item.text()))
-          names.push_back(item.text());
-        else
-          isGood = false;
-      }
+      for (const DeckNode& item : value.items())
+        if (isWritten(item, one, isName, true) && isAllowed(item, one, item.text())) names.push_back(item.text());
+    } else {
+      return;
     }
-    if (isGood) list_.set(parameter.name, names);
+    list_.set(parameter.name, names);
   }
 
   Mistakes& mistakes_;

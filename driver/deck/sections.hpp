@@ -17,11 +17,13 @@ const ParameterDeclarations& boundaryConditionDeclarations(const std::string& ty
 std::vector<std::string> boundaryConditionTypes();
 std::vector<std::string> bondFilterTypes();
 const ParameterDeclarations& outputDeclarations();
-const ParameterDeclarations& solverDeclarations();  ///< what all solvers share: times, verbosity
+const ParameterDeclarations& exactSolutionDeclarations();  ///< an entry of "Exact Solution"
+const ParameterDeclarations& solverDeclarations();         ///< what all solvers share: times, verbosity
 
 /// Checks the whole deck against these and the plug-ins' declarations: unknown keys, types, ranges, names that
-/// refer to something (materials of blocks, node sets of boundary conditions, fields of outputs). Adds every mistake
-/// to deck.mistakes(); reads no mesh.
+/// refer to something (materials of blocks, node sets of boundary conditions, fields of outputs), and what materials,
+/// damage models and solvers refuse when they are made. Adds every mistake to deck.mistakes() in the order of the
+/// file, and what is only odd to deck.warnings(); reads no mesh.
 void checkDeck(const Deck& deck);
 
 /// The deck with all defaults filled in, as YAML.

@@ -1,0 +1,190 @@
+// Values of a deck that are good alone and must fit each other.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "check_deck.hpp"
+#include "deck_data.hpp"
+#include "function.hpp"
+
+namespace pd {
+
+namespace {
+
+using Kind = DeckSection::Kind;
+
+template <class Value>
+Value valueOr(const Teuchos::ParameterList& list, const std::string& name, Value fallback) {
+  return list.isParameter(name) ? list.get<Value>(name) : fallback;
+}
+
+class CombinationCheck {
+ public:
+  explicit CombinationCheck(const DeckUnderCheck& check)
+      : check_(check), deck_(check.deck), mistakes_(deck_.mistakes()) {}
+
+  void run() {
+    influence();
+    thickness();
+    for (const CheckedSection* block : check_.ofKind(Kind::Block)) isTimeless(block->section.node["Horizon"]);
+    for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) directions(*filter);
+    for (const CheckedSection* set : check_.ofKind(Kind::NodeSet)) {
+      if (set->section.node["Box"]) box(set->section.node["Box"]);
+      isTimeless(set->section.node["Expression"]);
+    }
+    for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) needsDamage(*condition);
+    times();
+    outputs();
+  }
+
+ private:
+  void influence() {
+    const DeckNode node = deck_["Discretization"]["Influence Function"];
+    if (!node.isScalar()) return;
+    for (const char* name : {"One", "Parabolic Decay", "Gaussian"})
+      if (node.text() == name) return;
+    try {
+      influenceFunction(node.text(), node.place());
+    } catch (const DeckError& error) {
+      mistakes_.add("", std::string(error.what()) + "; names known here: One, Parabolic Decay, Gaussian");
+    }
+  }
+
+  /// The volumes of a plane mesh hold its thickness, which materials and neighbourhoods must take alike.
+  void thickness() {
+    const DeckNode mine = deck_["Discretization"]["Thickness"];
+    for (const CheckedSection* material : check_.ofKind(Kind::Material)) {
+      const DeckNode theirs = material->section.node["Thickness"];
+      if (!theirs || !theirs.isScalar() || (mine && !mine.isScalar())) continue;
+      const auto a = mine ? parseReal(mine.text()) : std::nullopt, b = parseReal(theirs.text());
+      if (!mine)
+        mistakes_.add(theirs.keyPlace(),
+                      fmt::format("{} is given, but Discretization has no Thickness; add \"Thickness: "
+                                  "{}\" there too, since it turns volumes into areas",
+                                  theirs.path(), theirs.text()));
+      else if (a && b && *a != *b)
+        mistakes_.add(theirs.place(), fmt::format("{} is {} m, but Discretization/Thickness is {} m; they must agree",
+                                                  theirs.path(), *b, *a));
+    }
+  }
+
+  void isTimeless(const DeckNode& node) {
+    if (!node) return;
+    try {
+      if (Function::fromDeck(node).dependsOnTime())
+        mistakes_.add(node.place(), node.path() + " depends on the time, but it is evaluated once; use x, y, z alone");
+    } catch (const DeckError&) {
+      // Reported where the section was read.
+    }
+  }
+
+  std::array<double, 3> vectorOf(const Teuchos::ParameterList& list, const std::string& name) {
+    return {list.get<double>(name + "_X"), list.get<double>(name + "_Y"), list.get<double>(name + "_Z")};
+  }
+  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  void directions(const CheckedSection& filter) {
+    if (!filter.isGood || filter.section.plugin == "Node Set Pair") return;
+    const DeckNode& node = filter.section.node;
+    const auto normal = vectorOf(filter.list, "Normal");
+    const double normalLength = std::sqrt(dot(normal, normal));
+    if (normalLength == 0.0) mistakes_.add(node["Normal_X"].place(), node.path() + ": the normal has no length");
+    if (filter.section.plugin != "Rectangular_Plane") return;
+    const auto bottom = vectorOf(filter.list, "Bottom_Unit_Vector");
+    const double bottomLength = std::sqrt(dot(bottom, bottom));
+    const DeckNode place = node["Bottom_Unit_Vector_X"];
+    if (bottomLength == 0.0)
+      mistakes_.add(place.place(), node.path() + ": the bottom vector has no length");
+    else if (std::abs(dot(normal, bottom)) > 1.0e-6 * normalLength * bottomLength)
+      mistakes_.add(place.place(), node.path() + ": the bottom vector must be perpendicular to the normal");
+  }
+
+  void box(const DeckNode& node) {
+    std::vector<std::array<double, 3>> corners;
+    const auto items = node.items();
+    for (const DeckNode& corner : items) {
+      const auto numbers = corner.items();
+      std::array<double, 3> values{};
+      bool isGood = numbers.size() == 3;
+      for (std::size_t i = 0; isGood && i < 3; ++i) {
+        const auto value =
+            numbers[i].isScalar() && !numbers[i].isQuoted() ? parseReal(numbers[i].text()) : std::nullopt;
+        isGood = value.has_value();
+        if (isGood) values[i] = *value;
+      }
+      if (isGood) corners.push_back(values);
+    }
+    if (items.size() != 2 || corners.size() != 2) {
+      mistakes_.add(node.place(), node.path() + " must be two corners, lowest first: [[x, y, z], [x, y, z]]");
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (corners[0][i] > corners[1][i])
+        mistakes_.add(items[0].items()[i].place(),
+                      fmt::format("{}: the first corner has {} = {}, above {} of the second; the lowest comes first",
+                                  node.path(), "xyz"[i], corners[0][i], corners[1][i]));
+  }
+
+  void needsDamage(const CheckedSection& condition) {
+    const std::string& type = condition.section.plugin;
+    if ((type != "No Failure" && type != "Saturated Crack Faces") || check_.hasDamageModel()) return;
+    mistakes_.add(condition.section.node.keyPlace(),
+                  condition.section.node.path() + ": " + type + " does nothing, since no block has a Damage Model");
+  }
+
+  void times() {
+    const CheckedSection* previous = nullptr;
+    for (const CheckedSection* solver : check_.ofKind(Kind::SolverTimes)) {
+      const DeckNode& node = solver->section.node;
+      const double start = valueOr(solver->list, "Initial Time", 0.0);
+      const double end = valueOr(solver->list, "Final Time", 1.0);
+      if (solver->isGood && end <= start)
+        mistakes_.add(node[node["Final Time"] ? "Final Time" : "Initial Time"].place(),
+                      fmt::format("{}: Final Time {} s must be after Initial Time {} s", node.path(), end, start));
+      if (previous != nullptr && previous->isGood && solver->isGood) {
+        const double before = valueOr(previous->list, "Final Time", 1.0);
+        if (std::abs(start - before) > 1.0e-9 * std::abs(before))
+          mistakes_.add(node["Initial Time"] ? node["Initial Time"].place() : node.keyPlace(),
+                        fmt::format("{}: Initial Time {} s must be {} s, the Final Time of {}", node.path(), start,
+                                    before, previous->section.node.path()));
+      }
+      previous = solver;
+    }
+  }
+
+  void outputs() {
+    std::map<std::string, std::string> files;
+    for (const CheckedSection* output : check_.ofKind(Kind::Output)) {
+      const DeckNode& node = output->section.node;
+      for (const DeckNode& step : node["Output Steps"].items())
+        if (step.isScalar() && parseReal(step.text()) && !parseInteger(step.text()))
+          mistakes_.add(step.place(), step.path() + " must be an integer, not \"" + step.text() + "\"");
+      if (!output->isGood) continue;
+      const std::string file = output->list.get<std::string>("Output Filename");
+      const auto [it, isNew] = files.emplace(file, node.path());
+      if (!isNew)
+        mistakes_.add(node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace(),
+                      node.path() + ": \"" + file + "\" is the Output Filename of " + it->second +
+                          " already; each writes a file of its own");
+      const int first = valueOr(output->list, "Initial Output Step", 0);
+      if (output->list.isParameter("Final Output Step") && output->list.get<int>("Final Output Step") < first)
+        mistakes_.add(node["Final Output Step"].place(),
+                      fmt::format("{}: Final Output Step {} is before Initial Output Step {}", node.path(),
+                                  output->list.get<int>("Final Output Step"), first));
+    }
+  }
+
+  const DeckUnderCheck& check_;
+  const Deck& deck_;
+  Mistakes& mistakes_;
+};
+
+}  // namespace
+
+void checkCombinations(const DeckUnderCheck& check) { CombinationCheck(check).run(); }
+
+}  // namespace pd

@@ -1,0 +1,163 @@
+// Plug-ins refuse some values only when they are made, and only they know the fields of a run: make them all.
+#include <algorithm>
+#include <set>
+
+#include "../../materials/registry/plugins.hpp"
+#include "../solvers/solver.hpp"
+#include "Peridigm_Field.hpp"
+#include "check_deck.hpp"
+#include "deck_data.hpp"
+
+namespace pd {
+
+namespace {
+
+using Kind = DeckSection::Kind;
+using PeridigmNS::FieldManager;
+
+/// What computes are made with before there is a run: one rank, whose sums are its own values.
+class OneRank : public PeridigmNS::Communicator {
+ public:
+  int MyPID() const override { return 0; }
+  int NumProc() const override { return 1; }
+  int SumAll(double* from, double* to, int n) const override { return copy(from, to, n); }
+  int SumAll(int* from, int* to, int n) const override { return copy(from, to, n); }
+  int MaxAll(double* from, double* to, int n) const override { return copy(from, to, n); }
+  int MaxAll(int* from, int* to, int n) const override { return copy(from, to, n); }
+  int MinAll(double* from, double* to, int n) const override { return copy(from, to, n); }
+  int MinAll(int* from, int* to, int n) const override { return copy(from, to, n); }
+
+ private:
+  template <class Value>
+  static int copy(const Value* from, Value* to, int n) {
+    std::copy(from, from + n, to);
+    return 0;
+  }
+};
+
+class PluginCheck {
+ public:
+  explicit PluginCheck(const DeckUnderCheck& check) : check_(check), deck_(check.deck), mistakes_(deck_.mistakes()) {
+    // The driver fills or makes these itself.
+    labels_ = {"Model_Coordinates", "Coordinates", "Displacement", "Volume", "Block_Id", "Element_Id", "Horizon"};
+  }
+
+  void run() {
+    for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
+    for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
+      make(*solver, [&] { return SolverRegistry::self().create(solver->section.plugin, solver->list)->fieldIds(); });
+    for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) conditionField(*condition);
+    computes();
+    // With a plug-in missing, unknown fields would only repeat its mistake.
+    if (!isComplete_) return;
+    for (const CheckedSection* output : check_.ofKind(Kind::Output)) outputVariables(output->section.node);
+    for (const CheckedSection* entry : check_.ofKind(Kind::ExactSolution)) isKnown(entry->section.node["Field"]);
+  }
+
+ private:
+  /// Calls `create`, which makes the plug-in of the section and returns its fields.
+  template <class Create>
+  void make(const CheckedSection& checked, const Create& create) {
+    if (!checked.isGood) {
+      isComplete_ = false;
+      return;
+    }
+    try {
+      for (const int id : create()) labels_.insert(FieldManager::self().getFieldSpec(id).getLabel());
+    } catch (const std::exception& error) {
+      isComplete_ = false;
+      mistakes_.add(checked.section.node.keyPlace(), checked.section.node.path() + ": " + error.what());
+    }
+  }
+
+  const CheckedSection* named(Kind kind, const DeckNode& name) const {
+    for (const CheckedSection* checked : check_.ofKind(kind))
+      if (name.isScalar() && checked->section.name == name.text()) return checked;
+    return nullptr;
+  }
+
+  void blockPlugins(const CheckedSection& block) {
+    const DeckNode& node = block.section.node;
+    const CheckedSection* material = named(Kind::Material, node["Material"]);
+    if (material == nullptr || !block.isGood)
+      isComplete_ = false;
+    else
+      make(*material, [&] {
+        Teuchos::ParameterList list(material->list);
+        const DeckNode horizon = node["Horizon"];
+        if (material->section.declarations.find("Horizon") != nullptr && horizon.isScalar() &&
+            parseReal(horizon.text()))
+          list.set("Horizon", horizon.real());
+        return MaterialRegistry::self().create(material->section.plugin, list)->FieldIds();
+      });
+    const DeckNode damage = node["Damage Model"];
+    if (!damage.isScalar() || damage.text() == "None") return;
+    if (const CheckedSection* model = named(Kind::DamageModel, damage))
+      make(*model, [&] { return DamageModelRegistry::self().create(model->section.plugin, model->list)->FieldIds(); });
+    else
+      isComplete_ = false;
+  }
+
+  void conditionField(const CheckedSection& condition) {
+    const DeckNode field = condition.section.node["Field"];
+    if (condition.section.plugin == "No Failure") labels_.insert("No_Failure");
+    if (!isComplete_ || !field.isScalar()) return;
+    if (!isKnown(field)) return;
+    if (condition.section.plugin == "Saturated Crack Faces") labels_.insert(field.text() + "_Source");
+    if (!FieldManager::self().hasField(field.text())) return;
+    if (FieldManager::self().getFieldSpec(field.text()).getLength() != PeridigmNS::PeridigmField::SCALAR)
+      mistakes_.add(field.place(), field.path() + ": \"" + field.text() + "\" is no scalar field");
+  }
+
+  void computes() {
+    const auto oneRank = Teuchos::rcp<const Epetra_Comm>(new OneRank);
+    const Teuchos::RCP<const Teuchos::ParameterList> noGlobalData;
+    for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
+      labels_.insert(compute->section.name);
+      labels_.insert(compute->section.plugin);
+      if (!isComplete_) return;
+      make(*compute, [&] {
+        const auto list = Teuchos::rcp<const Teuchos::ParameterList>(new Teuchos::ParameterList(compute->list));
+        return ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData)->FieldIds();
+      });
+    }
+    // Those that need no parameters may be named among the output variables alone.
+    for (const std::string& name : ComputeRegistry::self().names()) {
+      const ParameterDeclarations declarations = ComputeRegistry::self().find(name)->declare();
+      const auto& parameters = declarations.parameters();
+      if (std::none_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.isRequired; }))
+        labels_.insert(name);
+    }
+  }
+
+  void outputVariables(const DeckNode& output) {
+    const DeckNode variables = output["Output Variables"];
+    for (const auto& [name, isWanted] : variables.entries()) isKnownLabel(name, isWanted.keyPlace(), variables.path());
+    for (const DeckNode& item : variables.items())
+      if (item.isScalar()) isKnownLabel(item.text(), item.place(), variables.path());
+  }
+
+  bool isKnown(const DeckNode& field) {
+    return field.isScalar() && isKnownLabel(field.text(), field.place(), field.path());
+  }
+
+  bool isKnownLabel(const std::string& label, const std::string& place, const std::string& path) {
+    if (labels_.count(label) != 0) return true;
+    const std::vector<std::string> known(labels_.begin(), labels_.end());
+    mistakes_.add(place, path + ": nothing in this deck provides \"" + label + "\"" + didYouMean(label, known) +
+                             "; there are: " + quotedList(known));
+    return false;
+  }
+
+  const DeckUnderCheck& check_;
+  const Deck& deck_;
+  Mistakes& mistakes_;
+  std::set<std::string> labels_;
+  bool isComplete_ = true;  ///< all plug-ins could be made
+};
+
+}  // namespace
+
+void checkPluginsAndFields(const DeckUnderCheck& check) { PluginCheck(check).run(); }
+
+}  // namespace pd

@@ -1,0 +1,178 @@
+// What the sections of a deck may hold, as far as no plug-in decides it.
+#include <map>
+#include <stdexcept>
+
+#include "sections.hpp"
+
+namespace pd {
+
+namespace {
+
+using Declarations = ParameterDeclarations;
+
+Declarations declareDiscretization() {
+  Declarations declare;
+  declare.text("Type", "Form of the mesh: one point a line, \"x y z block volume\".").oneOf({"Text File"}).required();
+  declare.text("Input Mesh File", "Name of the mesh file, seen from the folder of the deck.").required();
+  declare
+      .text("Influence Function",
+            "Weight of a bond over its length: One, Parabolic Decay, Gaussian, or a function of zeta and horizon.")
+      .defaultTo("One");
+  declare.text("Omit Bonds Between Blocks", "All: no bond joins points of different blocks.")
+      .oneOf({"None", "All"})
+      .defaultTo("None");
+  declare.flag("Include Partial Neighbors",
+               "Keep pairs up to half a point spacing beyond the horizon, whose volumes lie partly within it (default: "
+               "true; false in decks with the root key Peridigm).");
+  declare.real("Thickness", "m", "Of a plane scene: turns volumes into areas.").positive();
+  declare.real("Cross Section Area", "m2", "Of a scene along one line: turns volumes into lengths.").positive();
+  declare.sublist("Bond Filters", "Surfaces that cut bonds (pre-cracks), by names of your choice.");
+  declare.atMostOneOf({"Thickness", "Cross Section Area"});
+  return declare;
+}
+
+void declareFilterType(Declarations& declare) {
+  declare.text("Type", "Form of the surface.").oneOf(bondFilterTypes()).required();
+  declare
+      .flag("Count In Damage",
+            "true: the cut bonds count as broken in Damage; false: as if they had never been (Peridigm's way).")
+      .defaultTo(false);
+}
+
+void declareVector(Declarations& declare, const std::string& name, const std::string& unit,
+                   const std::string& meaning) {
+  for (const char* axis : {"_X", "_Y", "_Z"}) declare.real(name + axis, unit, meaning).required();
+}
+
+std::map<std::string, Declarations> declareBondFilters() {
+  std::map<std::string, Declarations> filters;
+  Declarations& plane = filters["Rectangular_Plane"];
+  declareFilterType(plane);
+  declareVector(plane, "Normal", "1", "Normal of the plane.");
+  declareVector(plane, "Lower_Left_Corner", "m", "A corner of the rectangle.");
+  declareVector(plane, "Bottom_Unit_Vector", "1", "Direction of the bottom side, within the plane.");
+  plane.real("Bottom_Length", "m", "Length of the bottom side.").positive().required();
+  plane.real("Side_Length", "m", "Length of the other side.").positive().required();
+
+  Declarations& disk = filters["Disk"];
+  declareFilterType(disk);
+  declareVector(disk, "Center", "m", "Centre of the disk.");
+  declareVector(disk, "Normal", "1", "Normal of the disk.");
+  disk.real("Radius", "m", "Radius of the disk.").positive().required();
+
+  Declarations& pair = filters["Node Set Pair"];
+  declareFilterType(pair);
+  pair.text("First Node Set", "Points of one crack lip.").required();
+  pair.text("Second Node Set", "Points of the other; every bond between the two sets is cut.").required();
+  return filters;
+}
+
+const std::map<std::string, Declarations>& bondFilters() {
+  static const std::map<std::string, Declarations> filters = declareBondFilters();
+  return filters;
+}
+
+Declarations declareNodeSet() {
+  Declarations declare;
+  declare.reals("Box", "m", "Two corners, lowest first: [[x, y, z], [x, y, z]]; points within or on the box.");
+  declare.function("Expression", "1", "A condition on x, y, z, such as \"x < 0.005 && y > 0\".");
+  declare.exactlyOneOf({"Box", "Expression"});
+  return declare;
+}
+
+Declarations declareBlock() {
+  Declarations declare;
+  declare.text("Block Names", "Blocks of the mesh, as in \"block_1 block_2\", or \"default\" for all others.")
+      .required();
+  declare.text("Material", "Name of an entry of Materials.").required();
+  declare.text("Damage Model", "Name of an entry of Damage Models, or None.").defaultTo("None");
+  declare.function("Horizon", "m", "Radius of the neighbourhood of a point; may depend on x, y, z.")
+      .positive()
+      .required();
+  return declare;
+}
+
+Declarations declareOutput() {
+  Declarations declare;
+  declare.text("Output Filename", "Name of the result files, without extension.").defaultTo("dump");
+  declare.texts("Output Variables", "Fields and computes to write: a list, or Peridigm's {name: true, ...}.")
+      .required();
+  declare.integer("Output Frequency", "Increments from one output of fields to the next; -1: none but Output Steps.")
+      .atLeast(-1)
+      .defaultTo(-1);
+  declare.reals("Output Steps", "1", "Numbers of further increments whose fields are written.").atLeast(0.0);
+  declare
+      .integer("Initial Output Step",
+               "Increment before which nothing is written (default: 0, the initial state; in decks with the root "
+               "key Peridigm that is output 1).")
+      .atLeast(0);
+  declare.integer("Final Output Step", "Increment after which nothing is written (default: none).").atLeast(0);
+  declare
+      .integer("History Frequency",
+               "Increments from one line of the time history to the next; -1: none (default: 1; in decks with the "
+               "root key Peridigm the Output Frequency).")
+      .atLeast(-1);
+  declare.integer("Checkpoint Frequency", "Increments from one checkpoint to the next; -1: none.")
+      .atLeast(-1)
+      .defaultTo(-1);
+  return declare;
+}
+
+Declarations declareExactSolution() {
+  Declarations declare;
+  declare.text("Field", "Point field that is compared.").required();
+  declare.text("Coordinate", "Component of a vector field.").oneOf({"x", "y", "z"});
+  declare.function("Value", "unit of the field", "Exact value.").required();
+  declare.text("Node Set", "Points that are compared (default: all).");
+  return declare;
+}
+
+Declarations declareSolver() {
+  Declarations declare;
+  declare.real("Initial Time", "s", "Time at which this solver starts.").defaultTo(0.0);
+  declare.real("Final Time", "s", "Time at which this solver ends.").required();
+  declare.flag("Verbose", "Log every increment.").defaultTo(false);
+  return declare;
+}
+
+}  // namespace
+
+const Declarations& discretizationDeclarations() {
+  static const Declarations declarations = declareDiscretization();
+  return declarations;
+}
+
+std::vector<std::string> bondFilterTypes() { return {"Rectangular_Plane", "Disk", "Node Set Pair"}; }
+
+const Declarations& bondFilterDeclarations(const std::string& type) {
+  const auto it = bondFilters().find(type);
+  if (it == bondFilters().end()) throw std::invalid_argument("unknown type of bond filter \"" + type + "\"");
+  return it->second;
+}
+
+const Declarations& nodeSetDeclarations() {
+  static const Declarations declarations = declareNodeSet();
+  return declarations;
+}
+
+const Declarations& blockDeclarations() {
+  static const Declarations declarations = declareBlock();
+  return declarations;
+}
+
+const Declarations& outputDeclarations() {
+  static const Declarations declarations = declareOutput();
+  return declarations;
+}
+
+const Declarations& exactSolutionDeclarations() {
+  static const Declarations declarations = declareExactSolution();
+  return declarations;
+}
+
+const Declarations& solverDeclarations() {
+  static const Declarations declarations = declareSolver();
+  return declarations;
+}
+
+}  // namespace pd

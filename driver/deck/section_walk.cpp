@@ -1,0 +1,255 @@
+#include "section_walk.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "../../materials/registry/plugins.hpp"
+#include "../solvers/solver.hpp"
+#include "sections.hpp"
+
+namespace pd {
+
+namespace {
+
+using Kind = DeckSection::Kind;
+
+/// Keys that Peridigm reads and that have no meaning here.
+const std::vector<std::string>& peridigmRootKeys() {
+  static const std::vector<std::string> keys{"Verbose", "Multiphysics"};
+  return keys;
+}
+const std::vector<std::string>& peridigmKeys(Kind kind) {
+  static const std::vector<std::string> output{"Output File Type", "Output Format", "Parallel Write"};
+  static const std::vector<std::string> solver{"Jacobian Diagnostics", "Disable Heuristics", "Peridigm Preconditioner",
+                                               "Initialize Predictor From Previous Solver"};
+  static const std::vector<std::string> none;
+  return kind == Kind::Output ? output : kind == Kind::SolverTimes ? solver : none;
+}
+const char* const rankDeficientKey = "Create Node Set For Rank Deficient Nodes";
+
+class SectionFinder {
+ public:
+  explicit SectionFinder(const Deck& deck) : deck_(deck), mistakes_(deck.mistakes()) {}
+
+  std::vector<DeckSection> find() {
+    for (const auto& [key, node] : deck_.root().entries()) root(key, node);
+    for (const char* key : {"Discretization", "Materials", "Blocks"})
+      if (!deck_[key]) mistakes_.add(deck_.fileName(), std::string("the deck has no section \"") + key + "\"");
+    if (!hasSolver_)
+      mistakes_.add(deck_.fileName(),
+                    "the deck has no section \"Solver\"; it holds the times and a solver, one of " + solverNames());
+    return std::move(sections_);
+  }
+
+ private:
+  static std::string solverNames() { return quotedList(SolverRegistry::self().names()); }
+
+  void root(const std::string& key, const DeckNode& node) {
+    const bool isSolver = key.find("Solver") != std::string::npos, isOutput = key.find("Output") != std::string::npos;
+    static const std::vector<std::string> known{
+        "Discretization",           "Materials", "Damage Models", "Blocks", "Boundary Conditions", "Solver",
+        "Compute Class Parameters", "Output",    "Exact Solution"};
+    const bool isKnown = isSolver || isOutput || std::find(known.begin(), known.end(), key) != known.end();
+    if (!isKnown) {
+      if (ignoredInPeridigmDecks(node, key, peridigmRootKeys())) return;
+      mistakes_.add(node.keyPlace(), "unknown key \"" + key + "\" at the top level" + didYouMean(key, known) +
+                                         "; known here: " + quotedList(known));
+    } else if (key == "Exact Solution") {
+      exactSolution(node);
+    } else if (!node.isMap()) {
+      mistakes_.add(node.place(), key + " must be a section with keys of its own");
+    } else if (isSolver) {
+      solver(key, node);
+    } else if (isOutput) {
+      add(Kind::Output, key, node, outputDeclarations());
+    } else if (key == "Discretization") {
+      discretization(node);
+    } else if (key == "Blocks") {
+      blocks(node);
+    } else if (key == "Boundary Conditions") {
+      conditions(node);
+    } else if (key == "Materials") {
+      plugins(Kind::Material, node, "Material Model", MaterialRegistry::self());
+    } else if (key == "Damage Models") {
+      plugins(Kind::DamageModel, node, "Damage Model", DamageModelRegistry::self());
+    } else {
+      plugins(Kind::Compute, node, "Compute Class", ComputeRegistry::self());
+    }
+  }
+
+  DeckSection& add(Kind kind, const std::string& name, const DeckNode& node,
+                   const ParameterDeclarations& declarations) {
+    DeckSection section{kind, name, "", node, declarations, {}};
+    for (const std::string& key : peridigmKeys(kind))
+      if (node[key] && ignoredInPeridigmDecks(node[key], key, peridigmKeys(kind)))
+        section.hostKeys.known.push_back(key);
+    sections_.push_back(std::move(section));
+    return sections_.back();
+  }
+
+  bool ignoredInPeridigmDecks(const DeckNode& node, const std::string& key, const std::vector<std::string>& keys) {
+    if (!deck_.isPeridigmDeck() || std::find(keys.begin(), keys.end(), key) == keys.end()) return false;
+    deck_.warnings().add(node.keyPlace(), "\"" + key + "\" has no effect here");
+    return true;
+  }
+
+  bool isSection(const DeckNode& node) {
+    if (!node.isMap()) mistakes_.add(node.place(), node.path() + " must be a section with keys of its own");
+    return node.isMap();
+  }
+
+  /// The text of a key that chooses the declarations, or empty after a mistake.
+  std::string choice(const DeckNode& node, const std::string& key, const std::vector<std::string>& known) {
+    const DeckNode value = node[key];
+    if (!value) {
+      mistakes_.add(node.keyPlace(), node.path() + " lacks \"" + key + "\", one of " + quotedList(known));
+    } else if (!value.isScalar()) {
+      mistakes_.add(value.place(), value.path() + " must be one of " + quotedList(known));
+    } else if (std::find(known.begin(), known.end(), value.text()) == known.end()) {
+      mistakes_.add(value.place(), "unknown " + key + " \"" + value.text() + "\"" + inSection(node) +
+                                       didYouMean(value.text(), known) + "; known here: " + quotedList(known));
+    } else {
+      return value.text();
+    }
+    return "";
+  }
+
+  /// Computes may be named with blanks in place of underscores.
+  static std::string withUnderscores(std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  }
+
+  template <class Registry>
+  void plugins(Kind kind, const DeckNode& list, const std::string& kindKey, const Registry& registry) {
+    for (const auto& [name, node] : list.entries()) {
+      if (!isSection(node)) continue;
+      std::string plugin =
+          kind == Kind::Compute ? withUnderscores(node[kindKey].isScalar() ? node[kindKey].text() : "") : "";
+      if (registry.find(plugin) == nullptr) plugin = choice(node, kindKey, registry.names());
+      if (plugin.empty()) continue;
+      DeckSection& section = add(kind, name, node, registry.find(plugin)->declare());
+      section.plugin = plugin;
+      if (section.declarations.find(kindKey) == nullptr) section.hostKeys.known.push_back(kindKey);
+      if (kind != Kind::Material) continue;
+      section.hostKeys.injected.emplace_back("Horizon");
+      if (!node["Horizon"]) continue;
+      mistakes_.add(node["Horizon"].keyPlace(),
+                    node.path() + " gives a Horizon, which belongs to the block alone; remove it here");
+      if (section.declarations.find("Horizon") == nullptr) section.hostKeys.known.emplace_back("Horizon");
+    }
+  }
+
+  void discretization(const DeckNode& node) {
+    DeckSection& section = add(Kind::Discretization, "Discretization", node, discretizationDeclarations());
+    // The filters have names of the user's choice.
+    section.declarations = withoutSublists(section.declarations);
+    section.hostKeys.known.emplace_back("Bond Filters");
+    const DeckNode filters = node["Bond Filters"];
+    if (!filters || !isSection(filters)) return;
+    for (const auto& [name, filter] : filters.entries()) {
+      if (!isSection(filter)) continue;
+      const std::string type = choice(filter, "Type", bondFilterTypes());
+      if (!type.empty()) add(Kind::BondFilter, name, filter, bondFilterDeclarations(type)).plugin = type;
+    }
+  }
+
+  static ParameterDeclarations withoutSublists(const ParameterDeclarations& declarations) {
+    ParameterDeclarations result;
+    for (const Parameter& parameter : declarations.parameters()) result.real(parameter.name, "", "") = parameter;
+    for (const auto& rule : declarations.rules())
+      if (rule.kind == ParameterDeclarations::Rule::AtMostOne) result.atMostOneOf(rule.names);
+    return result;
+  }
+
+  void blocks(const DeckNode& list) {
+    for (const auto& [name, node] : list.entries())
+      if (isSection(node)) add(Kind::Block, name, node, blockDeclarations());
+    if (list.entries().empty())
+      mistakes_.add(list.keyPlace(), "Blocks is empty; give each block of the mesh a material and a horizon");
+  }
+
+  void conditions(const DeckNode& list) {
+    for (const auto& [name, node] : list.entries()) {
+      if (isNodeSetName(name)) {
+        nodeSet(name, node);
+      } else if (!node.isMap()) {
+        if (ignoredInPeridigmDecks(node, name, {rankDeficientKey})) continue;
+        mistakes_.add(node.keyPlace(), node.path() +
+                                           " must be a condition (a section with a Type); the names of node "
+                                           "sets contain \"Node Set\"");
+      } else {
+        const std::string type = choice(node, "Type", boundaryConditionTypes());
+        if (!type.empty()) add(Kind::Condition, name, node, boundaryConditionDeclarations(type)).plugin = type;
+      }
+    }
+  }
+
+  void nodeSet(const std::string& name, const DeckNode& node) {
+    if (node["Type"]) {
+      mistakes_.add(node.keyPlace(),
+                    node.path() + " is a condition, but names that contain \"Node Set\" are node sets; rename it");
+    } else if (node.isMap()) {
+      // A box is a list of lists, which the checks look at.
+      DeckSection& section = add(Kind::NodeSet, name, node, ParameterDeclarations());
+      section.declarations.function("Expression", "1", nodeSetDeclarations().find("Expression")->meaning);
+      section.declarations.exactlyOneOf({"Box", "Expression"});
+      section.hostKeys.known.emplace_back("Box");
+    }
+  }
+
+  void solver(const std::string& key, const DeckNode& node) {
+    hasSolver_ = true;
+    // A reference into sections_ would not outlive the next section.
+    const std::size_t times = sections_.size();
+    add(Kind::SolverTimes, key, node, solverDeclarations());
+    HostKeys& hostKeys = sections_[times].hostKeys;
+    if (deck_.isPeridigmDeck()) hostKeys.injected.emplace_back("Final Time");
+    const std::vector<std::string> names = SolverRegistry::self().names();
+    hostKeys.known.insert(hostKeys.known.end(), names.begin(), names.end());
+    std::vector<std::string> chosen;
+    bool hasUnknownSection = false;
+    for (const auto& [name, entry] : node.entries()) {
+      const auto* plugin = SolverRegistry::self().find(name);
+      hasUnknownSection = hasUnknownSection || (plugin == nullptr && entry.isMap());
+      if (plugin == nullptr || !isSection(entry)) continue;
+      chosen.push_back(name);
+      add(Kind::Solver, name, entry, plugin->declare()).plugin = name;
+    }
+    if (chosen.size() > 1)
+      mistakes_.add(node.keyPlace(), key + " has several solvers: " + quotedList(chosen) +
+                                         "; give each a section of its own (Solver1, Solver2, ...)");
+    if (chosen.empty() && !hasUnknownSection)
+      mistakes_.add(node.keyPlace(), key + " names no solver; add one of " + solverNames());
+  }
+
+  void exactSolution(const DeckNode& list) {
+    if (!list.isMap() && !list.isSequence()) {
+      mistakes_.add(list.place(), "Exact Solution must be a list of entries");
+      return;
+    }
+    for (const auto& [name, node] : list.entries())
+      if (isSection(node)) add(Kind::ExactSolution, name, node, exactSolutionDeclarations());
+    for (const DeckNode& node : list.items())
+      if (isSection(node)) add(Kind::ExactSolution, "", node, exactSolutionDeclarations());
+  }
+
+  const Deck& deck_;
+  Mistakes& mistakes_;
+  std::vector<DeckSection> sections_;
+  bool hasSolver_ = false;
+};
+
+}  // namespace
+
+std::string plainName(const std::string& name) {
+  std::string result;
+  for (const char c : name) result += c == ' ' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool isNodeSetName(const std::string& name) { return plainName(name).find("NODE_SET") != std::string::npos; }
+
+std::vector<DeckSection> findSections(const Deck& deck) { return SectionFinder(deck).find(); }
+
+}  // namespace pd
