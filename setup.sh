@@ -57,14 +57,10 @@ build() {
 }
 
 run_main_job() {
-  local scene="$source_folder/decks/hydrogen_plate" results="$source_folder/results/hydrogen_plate"
-  mkdir -p "$results"
-  "$scene/make_mesh.sh"
-  (cd "$results" && "$build_folder/pdrun" "$scene/hydrogen_plate.yaml")
-  "$scene/plot.sh" "$results"
+  "$source_folder/decks/hydrogen_plate/run.sh"
   echo
-  echo "Pictures, the crack first:"
-  ls "$results"/*.png
+  echo "Open results/hydrogen_plate/damage.png: the crack at four times. Beside it:"
+  ls "$source_folder"/results/hydrogen_plate/*.png
 }
 
 run_tests() {
