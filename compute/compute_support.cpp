@@ -57,6 +57,7 @@ int coordinatesField() { return steppedVectorField("Coordinates"); }
 int displacementField() { return steppedVectorField("Displacement"); }
 int velocityField() { return steppedVectorField("Velocity"); }
 int forceDensityField() { return steppedVectorField("Force_Density"); }
+int externalForceDensityField() { return steppedVectorField("External_Force_Density"); }
 
 int globalField(const std::string& label, PeridigmField::Length length) {
   return FieldManager::self().getFieldId(PeridigmField::GLOBAL, length, PeridigmField::CONSTANT, label);

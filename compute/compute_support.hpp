@@ -48,6 +48,7 @@ int coordinatesField();
 int displacementField();
 int velocityField();
 int forceDensityField();
+int externalForceDensityField();
 int globalField(const std::string& label, PeridigmNS::PeridigmField::Length length);
 int elementScalarField(const std::string& label);  ///< not stepped
 

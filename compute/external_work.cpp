@@ -1,10 +1,10 @@
 // External_Work: work of the loads since the start, J.
 //
 // At points whose displacement is prescribed the load is the reaction, minus the internal force density; elsewhere it
-// is the host's External_Force_Density, where it has one. The work between two evaluations is the mean of the loads at
-// both, times the displacement in between (trapezoidal rule), so evaluate it in every increment if the load bends
-// sharply. Evaluating it twice in one state adds nothing. The state of the last evaluation is kept in fields, so that
-// it survives a restart.
+// is External_Force_Density, which a host with body forces fills. The work between two evaluations is the mean of the
+// loads at both, times the displacement in between (trapezoidal rule), so evaluate it in every increment if the load
+// bends sharply. Evaluating it twice in one state adds nothing. The state of the last evaluation is kept in fields, so
+// that it survives a restart.
 #include "plugins.hpp"
 #include "point_selection.hpp"
 
@@ -24,9 +24,10 @@ class ExternalWork : public PeridigmNS::Compute {
       : ExternalWork(completeParameters<ExternalWork>(params, "External_Work"), params, comm, globalData) {}
 
   std::vector<int> FieldIds() const override {
-    return {volumeField_, displacementField_, forceField_, lastDisplacementField_, lastLoadField_, outputField_};
+    return {volumeField_,           displacementField_, forceField_, externalForceField_,
+            lastDisplacementField_, lastLoadField_,     outputField_};
   }
-  void initialize(Blocks blocks) override;
+  void initialize(Blocks blocks) override { held_.initialize(blocks, computeClassGlobalData); }
   int compute(Blocks blocks) const override;
 
  private:
@@ -45,19 +46,10 @@ class ExternalWork : public PeridigmNS::Compute {
   }
 
   PointSelection held_;
-  int volumeField_ = pd::volumeField(), displacementField_ = pd::displacementField(), forceField_ = forceDensityField();
+  int volumeField_ = pd::volumeField(), displacementField_ = pd::displacementField(), forceField_ = forceDensityField(),
+      externalForceField_ = externalForceDensityField();
   int lastDisplacementField_, lastLoadField_, outputField_;
-  int externalForceField_ = -1;
 };
-
-void ExternalWork::initialize(Blocks blocks) {
-  held_.initialize(blocks, computeClassGlobalData);
-  PeridigmNS::FieldManager& fields = PeridigmNS::FieldManager::self();
-  externalForceField_ = -1;
-  if (!fields.hasField("External_Force_Density")) return;
-  const int id = fields.getFieldId("External_Force_Density");
-  if (blocks->front().hasData(id, PeridigmField::STEP_NP1)) externalForceField_ = id;
-}
 
 int ExternalWork::compute(Blocks blocks) const {
   double work = 0.0;
@@ -66,8 +58,7 @@ int ExternalWork::compute(Blocks blocks) const {
     const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
     const double* displacement = view(block, displacementField_, PeridigmField::STEP_NP1);
     const double* force = view(block, forceField_, PeridigmField::STEP_NP1);
-    const double* external =
-        externalForceField_ < 0 ? nullptr : view(block, externalForceField_, PeridigmField::STEP_NP1);
+    const double* external = view(block, externalForceField_, PeridigmField::STEP_NP1);
     double* lastDisplacement = view(block, lastDisplacementField_, PeridigmField::STEP_NONE);
     double* lastLoad = view(block, lastLoadField_, PeridigmField::STEP_NONE);
     const auto neighborhood = block.getNeighborhoodData();
@@ -75,7 +66,7 @@ int ExternalWork::compute(Blocks blocks) const {
       const int id = neighborhood->OwnedIDs()[i];
       const bool isHeld = !held_.isAll() && held_.includes(b, i);
       for (int k = 3 * id; k < 3 * id + 3; ++k) {
-        const double load = isHeld ? -force[k] : external == nullptr ? 0.0 : external[k];
+        const double load = isHeld ? -force[k] : external[k];
         work += 0.5 * (load + lastLoad[k]) * (displacement[k] - lastDisplacement[k]) * volume[id];
         lastDisplacement[k] = displacement[k];
         lastLoad[k] = load;

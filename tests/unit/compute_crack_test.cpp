@@ -1,0 +1,179 @@
+// Crack tip, length and area on bodies whose damage is set by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../support/small_body.hpp"
+
+using namespace pdtest;
+using PeridigmNS::FieldManager;
+namespace PeridigmField = PeridigmNS::PeridigmField;
+
+namespace {
+
+int damageField() {
+  return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::TWO_STEP,
+                                         "Damage");
+}
+
+/// 6 x 4 points, spacing 1, from (0, -1.5): a crack along y = 0 lies between the two middle rows. Two blocks, one
+/// above the other.
+class Crack : public ::testing::Test {
+ protected:
+  Crack() : body(lattice(6, 4, 1, 1.0, {0.0, -1.5, 0.0}), options()) { body.allocate({damageField()}); }
+  static BodyOptions options() {
+    BodyOptions result;
+    result.horizon = 1.5;
+    result.blockOf = [](int id) { return id < 12 ? 1 : 2; };
+    return result;
+  }
+  void setDamage(int column, double value) {
+    for (const int row : {1, 2}) body.field("Damage")[6 * row + column] = value;
+  }
+  Point tip(const Teuchos::ParameterList& parameters = Teuchos::ParameterList()) {
+    makeCompute(body, "Crack_Tip", parameters)->compute(body.blocks());
+    const double* x = body.field("Crack_Tip");
+    return {x[0], x[1], x[2]};
+  }
+  double length(const Teuchos::ParameterList& parameters = Teuchos::ParameterList()) {
+    makeCompute(body, "Crack_Length", parameters)->compute(body.blocks());
+    return body.value("Crack_Length");
+  }
+  SmallBody body;
+};
+
+TEST_F(Crack, TipLiesWhereDamageFallsThroughTheThresholdOnThePlaneBetweenTheLips) {
+  setDamage(0, 0.5);
+  setDamage(1, 0.5);
+  setDamage(2, 0.46);
+  setDamage(3, 0.06);
+  const Point x = tip();
+  EXPECT_NEAR(x[0], 2.0 + (0.46 - 0.36) / (0.46 - 0.06), 1e-12);
+  EXPECT_NEAR(x[1], 0.0, 1e-12);
+  EXPECT_EQ(x[2], 0.0);
+  EXPECT_NEAR(length(), 2.25, 1e-12);
+}
+
+TEST_F(Crack, WithoutInterpolationTheTipIsThePoint) {
+  setDamage(2, 0.46);
+  Teuchos::ParameterList parameters;
+  parameters.set("Interpolate", false);
+  EXPECT_EQ(tip(parameters)[0], 2.0);
+}
+
+TEST_F(Crack, AnIntactBodyHasItsTipAtTheStart) {
+  setDamage(2, 0.35);
+  Teuchos::ParameterList parameters;
+  parameters.set("Start X", -0.5);
+  EXPECT_EQ(tip(parameters)[0], -0.5);
+  EXPECT_EQ(length(parameters), 0.0);
+}
+
+TEST_F(Crack, LooksAlongItsDirectionAndInItsRegionOnly) {
+  setDamage(2, 0.46);
+  setDamage(4, 0.46);
+  Teuchos::ParameterList parameters;
+  parameters.set("Interpolate", false);
+  parameters.set("Direction X", -2.0);
+  EXPECT_EQ(tip(parameters)[0], 2.0);
+
+  body.addNodeSet("Left Half", {0, 1, 2, 6, 7, 8, 12, 13, 14, 18, 19, 20});
+  parameters.set("Direction X", 1.0);
+  EXPECT_EQ(tip(parameters)[0], 4.0);
+  parameters.set<std::string>("Node Set", "Left Half");
+  EXPECT_EQ(tip(parameters)[0], 2.0);
+
+  Teuchos::ParameterList ofBlock;
+  ofBlock.set("Interpolate", false);
+  ofBlock.set<std::string>("Block", "block_2");
+  EXPECT_EQ(tip(ofBlock)[1], 0.5);
+}
+
+TEST_F(Crack, StraightDistanceOfAKinkedCrack) {
+  body.field("Damage")[18 + 4] = 1.0;  // at (4, 1.5)
+  Teuchos::ParameterList parameters;
+  parameters.set("Interpolate", false);
+  parameters.set("Start X", 1.0);
+  parameters.set("Start Y", -2.5);
+  EXPECT_DOUBLE_EQ(length(parameters), 3.0);
+  parameters.set<std::string>("Measure", "Distance");
+  EXPECT_DOUBLE_EQ(length(parameters), 5.0);
+}
+
+TEST_F(Crack, ZeroDirectionIsRefused) {
+  Teuchos::ParameterList parameters;
+  parameters.set("Direction Y", 0.0);
+  EXPECT_THROW(tip(parameters), std::invalid_argument);
+}
+
+TEST(BrokenBonds, CountsEachBondOnceOverAllBlocks) {
+  BodyOptions options;
+  options.blockOf = [](int id) { return id < 3 ? 1 : 2; };
+  SmallBody body(lattice(3, 2, 1, 1.0), options);
+  const auto compute = makeCompute(body, "Broken_Bonds");
+  compute->compute(body.blocks());
+  EXPECT_EQ(body.value("Broken_Bonds"), 0.0);
+  body.breakBonds([](const Point& a, const Point& b) { return a[1] != b[1]; });
+  compute->compute(body.blocks());
+  EXPECT_EQ(body.value("Broken_Bonds"), 3.0);
+}
+
+/// Breaks the bonds of a lattice with spacing 1 that pass the plane `axis` = 0.5 within a window of `width`.
+void cut(SmallBody& body, std::size_t axis, double start, double width) {
+  body.breakBonds([=](const Point& a, const Point& b) {
+    if ((a[axis] - 0.5) * (b[axis] - 0.5) >= 0.0) return false;
+    const double share = (0.5 - a[axis]) / (b[axis] - a[axis]);
+    for (std::size_t k = 0; k < axis; ++k) {
+      const double crossing = a[k] + share * (b[k] - a[k]);
+      if (crossing < start || crossing >= start + width) return false;
+    }
+    return true;
+  });
+}
+
+// Area of a cut along a row of a square lattice, over its length: G/G0 along the grid at m = 3.015 for full neighbour
+// areas (1.006) and for neighbour areas that ramp to the horizon plus half a spacing (1.030).
+class PlaneCrackArea : public ::testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(PlaneCrackArea, PerLengthIsTheFractureEnergyRatioOfTheLattice) {
+  const auto [longestBond, expected] = GetParam();
+  const double thickness = 0.25;
+  BodyOptions options;
+  options.horizon = longestBond;
+  options.volumes.assign(16 * 8, thickness);
+  SmallBody body(lattice(16, 8, 1, 1.0, {0.0, -3.0, 0.0}), options);
+  Teuchos::ParameterList parameters;
+  parameters.set("Horizon", 3.015);
+  parameters.set("Thickness", thickness);
+  const auto compute = makeCompute(body, "Crack_Area", parameters);
+  compute->compute(body.blocks());
+  EXPECT_EQ(body.value("Crack_Area"), 0.0);
+  cut(body, 1, 4.87, 5.0);
+  compute->compute(body.blocks());
+  EXPECT_NEAR(body.value("Crack_Area") / (5.0 * thickness), expected, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(VolumeAlgorithms, PlaneCrackArea,
+                         ::testing::Values(std::make_pair(3.015, 1.006), std::make_pair(3.515, 1.030)));
+
+TEST(CrackArea, OfASolidIsTheSumOverCrossingBonds) {
+  const double horizon = 2.01;
+  BodyOptions options;
+  options.horizon = horizon;
+  SmallBody body(lattice(9, 9, 6, 1.0, {0.0, 0.0, -2.0}), options);
+  Teuchos::ParameterList parameters;
+  parameters.set("Horizon", horizon);
+  const auto compute = makeCompute(body, "Crack_Area", parameters);
+  cut(body, 2, 2.9, 3.0);
+  compute->compute(body.blocks());
+  // A bond that rises by r crosses r planes of a column: independent sum over the stencil.
+  double perArea = 0.0;
+  for (int p = -2; p <= 2; ++p)
+    for (int q = -2; q <= 2; ++q)
+      for (int r = 1; r <= 2; ++r)
+        if (std::hypot(p, q, r) <= horizon) perArea += r * std::hypot(p, q, r);
+  const double pi = 3.14159265358979323846;
+  EXPECT_NEAR(body.value("Crack_Area"), 9.0 * perArea / (pi * std::pow(horizon, 5) / 5.0), 1e-12);
+}
+
+}  // namespace
