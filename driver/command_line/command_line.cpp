@@ -1,0 +1,149 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "../deck/sections.hpp"
+#include "explain.hpp"
+
+namespace pd {
+
+namespace {
+
+constexpr int userMistake = 2, failedRun = 3, unexpected = 4;
+
+const char* const sampleRuns =
+    "Sample runs:\n"
+    "  pdrun plate.yaml                                   run a deck\n"
+    "  mpirun -np 4 pdrun plate.yaml                      the same on 4 processes\n"
+    "  pdrun plate.yaml --set \"Solver/Final Time=1.0\"     with another value\n"
+    "  pdrun plate.yaml --restart plate.checkpoint.h5     go on from a checkpoint\n"
+    "  pdrun --check plate.yaml                           look for mistakes only\n"
+    "  pdrun --list                                       materials, solvers, conditions ...\n"
+    "  pdrun --explain \"Critical Stretch\"                 parameters of one of them\n"
+    "\n"
+    "Exit codes: 0 done; 2 a mistake in deck, mesh or arguments; 3 the run could not go on; 4 a fault of pdrun.";
+
+void print(const Communicator& comm, std::FILE* stream, const std::string& text) {
+  if (!comm.isRoot()) return;
+  std::fprintf(stream, "%s%s", text.c_str(), text.empty() || text.back() == '\n' ? "" : "\n");
+  std::fflush(stream);
+}
+
+std::string withPrefix(const std::string& prefix, const Mistakes& lines) {
+  std::string result;
+  for (const std::string& line : lines.lines()) result += prefix + line + "\n";
+  return result;
+}
+
+/// Everything that a run checks before it allocates anything.
+void check(const RunOptions& options, const Communicator& comm) {
+  const Deck deck = Deck::read(options.deckFile, options.overrides);
+  checkDeck(deck);
+  print(comm, stderr, withPrefix("warning: ", deck.warnings()));
+  deck.mistakes().report();
+  const Discretization discretization = readDiscretization(deck, comm);
+  print(comm, stdout, options.deckFile + ": no mistakes found");
+}
+
+int perform(int argc, const char* const* argv, const Communicator& comm) {
+  try {
+    const CommandLine commandLine = parseCommandLine(argc, argv);
+    switch (commandLine.action) {
+      case CommandLine::Action::Print:
+        print(comm, stdout, commandLine.text);
+        break;
+      case CommandLine::Action::Check:
+        check(commandLine.options, comm);
+        break;
+      case CommandLine::Action::Run:
+        runDeck(commandLine.options, comm);
+        break;
+    }
+    return 0;
+  } catch (const DeckError& error) {
+    print(comm, stderr, error.what());
+    return userMistake;
+  } catch (const RunError& error) {
+    print(comm, stderr, std::string("the run cannot go on: ") + error.what());
+    return failedRun;
+  } catch (const std::exception& error) {
+    // Perhaps on one rank alone: each says so itself.
+    std::fprintf(stderr, "pdrun, rank %d: unexpected error, a fault of pdrun rather than of your deck: %s\n",
+                 comm.rank(), error.what());
+    return unexpected;
+  }
+}
+
+/// Waits for the other ranks and returns the highest code. A rank that has failed does not wait for ever: the others
+/// may be waiting for it elsewhere.
+int leaveTogether(int code, MPI_Comm ranks) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds patience(20);
+  int highest = code, hasArrived = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&code, &highest, 1, MPI_INT, MPI_MAX, ranks, &request);
+  const auto start = Clock::now();
+  for (;;) {
+    MPI_Test(&request, &hasArrived, MPI_STATUS_IGNORE);
+    if (hasArrived != 0) return highest;
+    if (code != 0 && Clock::now() - start > patience) MPI_Abort(ranks, code);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+}  // namespace
+
+CommandLine parseCommandLine(int argc, const char* const* argv) {
+  CommandLine result;
+  RunOptions& options = result.options;
+  bool isCheck = false, isList = false;
+  std::string topic;
+  CLI::App app{"Peridynamic degradation of materials: runs a YAML deck.", "pdrun"};
+  app.footer(sampleRuns);
+  app.add_option("deck", options.deckFile, "The deck to run (YAML).");
+  app.add_option("--set", options.overrides, "Override a value of the deck: path=value. May be given several times.")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--restart", options.restartFile, "Go on from a checkpoint of the same deck.")->type_name("FILE");
+  app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
+  app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");
+  app.add_option("--explain", topic, "Tell the parameters of one of these.")->type_name("NAME");
+  app.add_flag("--quiet", options.isQuiet, "Print nothing on the terminal but errors.");
+  app.set_version_flag("--version", std::string("pdrun ") + PD_VERSION);
+
+  const auto printing = [&](const std::string& text) {
+    result.action = CommandLine::Action::Print;
+    result.text = text;
+    return result;
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return printing(app.help());
+  } catch (const CLI::CallForVersion& version) {
+    return printing(version.what());
+  } catch (const CLI::ParseError& error) {
+    throw DeckError(std::string("pdrun: ") + error.what() + "\nTry pdrun --help.");
+  }
+  if (isList) return printing(listEverything());
+  if (!topic.empty()) return printing(explain(topic));
+  if (options.deckFile.empty()) throw DeckError("pdrun: no deck is given.\nTry pdrun --help.");
+  if (isCheck && !options.restartFile.empty()) throw DeckError("pdrun: --check runs nothing; leave out --restart");
+  result.action = isCheck ? CommandLine::Action::Check : CommandLine::Action::Run;
+  return result;
+}
+
+int runCommandLine(int argc, const char* const* argv, const Communicator& comm) {
+  // Of its own, so that these messages cannot meet those of an unfinished run.
+  MPI_Comm ranks = MPI_COMM_NULL;
+  MPI_Comm_dup(comm.mpi(), &ranks);
+  const int code = leaveTogether(perform(argc, argv, comm), ranks);
+  MPI_Comm_free(&ranks);
+  return code;
+}
+
+}  // namespace pd
