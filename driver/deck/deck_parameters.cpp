@@ -140,15 +140,21 @@ class SectionReader {
   Teuchos::ParameterList& list_;
 };
 
-void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations, Mistakes& mistakes,
-                       const HostKeys& hostKeys) {
+void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations,
+                       const Teuchos::ParameterList& list, Mistakes& mistakes, const HostKeys& hostKeys) {
   for (const Parameter& parameter : declarations.parameters()) {
     if (!parameter.isRequired || section[parameter.name] || contains(hostKeys.injected, parameter.name)) continue;
     mistakes.add(section.keyPlace(), section.path() + " lacks \"" + parameter.name + "\" (" + parameter.expectation() +
                                          "): " + parameter.meaning);
   }
+  // A flag that is false says no more than one left out.
+  const auto isFalse = [&](const std::string& name) {
+    const Parameter* parameter = declarations.find(name);
+    return parameter != nullptr && parameter->type == ParameterType::Flag && section[name].isScalar() &&
+           parseFlag(section[name].text()) == false;
+  };
   const auto isGiven = [&](const std::string& name) {
-    return section[name].exists() || contains(hostKeys.injected, name);
+    return (section[name].exists() && !isFalse(name)) || contains(hostKeys.injected, name);
   };
   for (const std::string& message : declarations.brokenRules(isGiven))
     mistakes.add(section.keyPlace(), section.path() + ": " + message);
@@ -192,7 +198,7 @@ Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDe
                                          (known.empty() ? "; it takes no keys" : "; known here: " + quotedList(known)));
     }
   }
-  checkCompleteness(section, declarations, mistakes, hostKeys);
+  checkCompleteness(section, declarations, list, mistakes, hostKeys);
   for (const Parameter& parameter : declarations.parameters())
     if (!section[parameter.name]) parameter.setDefault(list);
   return list;

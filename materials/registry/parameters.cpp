@@ -309,7 +309,11 @@ std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes
   for (const Parameter& parameter : parameters_)
     if (parameter.isRequired && !given.isParameter(parameter.name))
       result.emplace_back(parameter.name, "is required: " + parameter.meaning);
-  const auto isGiven = [&](const std::string& name) { return given.isParameter(name) || given.isSublist(name); };
+  // A flag that is false says no more than one left out; hosts fill it in.
+  const auto isGiven = [&](const std::string& name) {
+    const bool isFalse = given.isType<bool>(name) && !given.get<bool>(name);
+    return given.isSublist(name) || (given.isParameter(name) && !isFalse);
+  };
   for (const std::string& message : brokenRules(isGiven)) result.emplace_back("", message);
   return result;
 }
