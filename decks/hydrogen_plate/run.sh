@@ -5,9 +5,7 @@
 #   run.sh compare    also without hydrogen, and with the law that scales the fracture energy
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-root="$here/../.."
-pdrun="${PDRUN:-$root/build/pdrun}" results="${RESULTS:-$root/results/hydrogen_plate}"
-mkdir -p "$results"
+source "$here/../scene.sh"
 "$here/make_mesh.sh"
 cd "$results"
 "$pdrun" "$here/hydrogen_plate.yaml"

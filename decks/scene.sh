@@ -1,0 +1,8 @@
+# Sourced by the run.sh of every scene, which sets `here`: where things are. PDRUN and RESULTS may be set beforehand.
+root="$here/../.."
+pdrun="${PDRUN:-$root/build/pdrun}"
+pdmesh="$root/meshes/pdmesh"
+pdplot="$root/meshes/pdplot"
+results="${RESULTS:-$root/results}/$(basename "$here")"
+[[ -x "$pdrun" ]] || { echo "$pdrun: not built; run ./setup.sh build, or set PDRUN" >&2; exit 1; }
+mkdir -p "$results"
