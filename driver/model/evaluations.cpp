@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "model.hpp"
@@ -144,7 +145,10 @@ void Model::evaluateStoredEnergy(double dt) {
 }
 
 void Model::assembleJacobian(double dt, SerialMatrix& matrix) {
+  const auto& unknowns = DegreesOfFreedomManager::self();
   for (Block& block : *blocks_) {
+    // A material without forces has no tangent of them, nor the means to probe for one.
+    if (!unknowns.temperatureTreatedAsUnknown() && !declares(block, "Force_Density")) continue;
     const Timers::Scope timer(timers_, "tangent", bondsOf(block));
     const auto material = block.getMaterialModel();
     callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {

@@ -126,8 +126,9 @@ class Run {
  private:
   void advance(Stage& stage, int done, int nSteps, bool isLastStage) {
     Model& model = simulation_.model;
-    const double length = stage.endTime - stage.startTime;
-    const auto timeOf = [&](int increment) { return stage.startTime + length * increment / nSteps; };
+    const auto timeOf = [&](int increment) {
+      return stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
+    };
     for (int increment = done + 1; increment <= nSteps; ++increment) {
       const int step = firstStep_ + increment;
       const double start = timeOf(increment - 1), end = timeOf(increment);

@@ -22,6 +22,11 @@ class Solver {
   virtual void initialize(Simulation&) {}
   /// Number of increments from t0 to t1 (a load step, a time step: what output frequencies count).
   virtual int numberOfIncrements(Simulation&, double t0, double t1) = 0;
+  /// End of increment 1 ... nIncrements between t0 and t1; of increment 0, the start. Equal lengths unless a solver
+  /// says otherwise.
+  virtual double incrementEnd(int increment, int nIncrements, double t0, double t1) const {
+    return t0 + (t1 - t0) * increment / nIncrements;
+  }
   /// Advances all fields from t to t + dt. Throws RunError where it cannot.
   virtual void advance(Simulation&, double t, double dt) = 0;
   /// Lines for the log at the end of the run ("critical time step 1.2e-8 s, used 0.85 of it").

@@ -1,0 +1,86 @@
+// Newton's method for static equilibrium at constant damage.
+#ifndef PD_NEWTON_HPP
+#define PD_NEWTON_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../linear/linear_system.hpp"
+#include "../model/simulation.hpp"
+
+namespace pd {
+
+struct NewtonSettings {
+  int maximumIterations = 50;
+  double relativeTolerance = 1e-6;  ///< 0: not a criterion
+  double absoluteTolerance = 0.0;   ///< N; 0: not a criterion
+  std::string linearSolver = "CG", preconditioner = "Multigrid";
+  double linearTolerance = 0.0;  ///< 0: as tight as the step needs
+  int maximumLinearIterations = 2000;
+  bool logsLinearSolves = false;
+  double diagonalScale = 1.0, diagonalShift = 0.0;  ///< damped Newton: diagonal * scale + largest diagonal * shift
+};
+
+/// How one search for equilibrium went.
+struct NewtonOutcome {
+  bool hasConverged = false;
+  std::vector<double> residuals;  ///< |unbalanced force|, N: at the start and after each iteration
+  double scale = 0.0;             ///< what the relative tolerance refers to, N
+  std::string trouble;            ///< why it stopped where it has not converged
+};
+
+/// Finds the displacements at which internal and external forces balance at all degrees of freedom that are not held.
+/// The tangent is kept as long as it makes good progress, over load steps too.
+class Newton {
+ public:
+  explicit Newton(NewtonSettings settings) : settings_(std::move(settings)) {}
+
+  /// Registers the fields that Newton needs beyond those of mechanics.
+  static std::vector<int> fieldIds();
+
+  /// `isHeld` [3 nOwned]. A tangent of other held degrees of freedom is dropped.
+  void hold(const std::vector<char>& isHeld);
+  /// For when bonds have broken.
+  void dropTangent() { hasTangent_ = false; }
+  /// Makes the tangent at the present displacements, if there is none.
+  void prepareTangent(Simulation& simulation, double dt);
+
+  /// From the present displacements. `externalForce` [3 nOwned], N/m3. `largestScale`: of all load steps so far, so
+  /// that a body that has broken apart and carries nothing can be in equilibrium too.
+  NewtonOutcome solve(Simulation& simulation, double dt, const std::vector<double>& externalForce, double largestScale);
+
+  bool hasTangent() const { return hasTangent_; }
+  /// Makes the tangent again that a run before a restart had, from the field that remembers where it was made.
+  void restoreTangent(Simulation& simulation, double dt);
+
+  // Counted over the run.
+  long long nIterations = 0, nTangents = 0, nLinearIterations = 0, nGmresFallbacks = 0;
+  double largestLinearResidual = 0.0;
+  int nStiffenedPoints = 0;  ///< of the last tangent, on this rank: points free to move along some direction
+  bool stoppedAtRoundOff = false;
+  bool couplesFamilies() const { return couplesFamilies_; }
+
+ private:
+  struct Balance {
+    double free = 0.0, scale = 0.0;  ///< N
+  };
+  Balance evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce);
+  void assemble(Simulation& simulation, double dt);
+  void assembleOnce(Simulation& simulation, double dt);
+  void stiffenLoosePoints(Model& model);
+  void damp(Model& model);
+  bool solveLinear(Simulation& simulation, double target, double residual, NewtonOutcome& outcome);
+  double search(Simulation& simulation, double dt, const std::vector<double>& externalForce, Balance& balance);
+
+  NewtonSettings settings_;
+  std::unique_ptr<LinearSystem> system_;
+  std::vector<char> isHeld_;             ///< [3 nOwned]
+  std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
+  bool hasTangent_ = false, couplesFamilies_ = false;
+  double roundOff_ = 0.0;  ///< N: what rounding of coordinates alone makes of the residual
+};
+
+}  // namespace pd
+
+#endif

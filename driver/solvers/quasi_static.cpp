@@ -1,0 +1,299 @@
+#include "quasi_static.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+#include "Peridigm_Field.hpp"
+#include "mechanics.hpp"
+
+namespace pd {
+
+namespace {
+
+/// Displacement increment of the load step before, from which the next one is predicted.
+constexpr const char* incrementField = "Displacement_Increment";
+
+/// Two names of one key: ours and Peridigm's.
+template <class T>
+T either(const Teuchos::ParameterList& parameters, const char* name, const char* peridigmName, T fallback) {
+  if (parameters.isParameter(name)) return parameters.get<T>(name);
+  if (parameters.isParameter(peridigmName)) return parameters.get<T>(peridigmName);
+  return fallback;
+}
+
+NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
+  NewtonSettings settings;
+  settings.maximumIterations = parameters.get<int>("Maximum Solver Iterations");
+  const bool hasAbsolute = parameters.isParameter("Absolute Tolerance");
+  if (hasAbsolute) settings.absoluteTolerance = parameters.get<double>("Absolute Tolerance");
+  if (parameters.isParameter("Relative Tolerance"))
+    settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
+  else if (hasAbsolute)
+    settings.relativeTolerance = 0.0;
+  settings.linearSolver = either<std::string>(parameters, "Linear Solver", "Belos Linear Solver", "CG");
+  if (settings.linearSolver == "BlockCG") settings.linearSolver = "CG";
+  if (settings.linearSolver == "BlockGMRES") settings.linearSolver = "GMRES";
+  settings.preconditioner = parameters.get<std::string>("Preconditioner");
+  settings.linearTolerance = either(parameters, "Linear Tolerance", "Belos Relative Tolerance", 0.0);
+  settings.maximumLinearIterations = either(parameters, "Maximum Linear Iterations", "Belos Maximum Iterations", 2000);
+  settings.logsLinearSolves = parameters.get<bool>("Belos Print Status");
+  settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
+  settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
+  return settings;
+}
+
+Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
+  ParameterDeclarations declarations;
+  QuasiStatic::declareParameters(declarations);
+  return declarations.complete(given, "QuasiStatic");
+}
+
+std::vector<double> timesOf(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<double> times;
+  for (double time = 0.0; stream >> time;) times.push_back(time);
+  const bool isRising = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end();
+  if (!stream.eof() || times.size() < 2 || !isRising)
+    throw std::invalid_argument("QuasiStatic: \"Time Steps\" must be two or more rising numbers separated by blanks");
+  return times;
+}
+
+void declareLinearSolver(ParameterDeclarations& declare) {
+  declare
+      .text("Linear Solver",
+            "CG (goes on with GMRES where the tangent is not positive definite), GMRES, or Direct (sparse LU, gathered "
+            "on one rank). CG where nothing is given.")
+      .oneOf({"CG", "GMRES", "Direct"});
+  declare.text("Belos Linear Solver", "Peridigm's name of Linear Solver.").oneOf({"BlockCG", "BlockGMRES"});
+  declare.text("Preconditioner", "Of CG and GMRES.")
+      .defaultTo("Multigrid")
+      .oneOf({"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
+  declare
+      .real("Linear Tolerance", "1",
+            "Relative residual of the linear solves. As tight as the load step's tolerance needs where none is given.")
+      .strictlyBetween(0.0, 1.0);
+  declare.real("Belos Relative Tolerance", "1", "Peridigm's name of Linear Tolerance.").strictlyBetween(0.0, 1.0);
+  declare.integer("Maximum Linear Iterations", "Of a linear solve; 2000 where none is given.").atLeast(1);
+  declare.integer("Belos Maximum Iterations", "Peridigm's name of Maximum Linear Iterations.").atLeast(1);
+  declare.flag("Belos Print Status", "Log every linear solve.").defaultTo(false);
+  declare.atMostOneOf({"Linear Solver", "Belos Linear Solver"});
+  declare.atMostOneOf({"Linear Tolerance", "Belos Relative Tolerance"});
+  declare.atMostOneOf({"Maximum Linear Iterations", "Belos Maximum Iterations"});
+}
+
+}  // namespace
+
+void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
+  declare.integer("Load Steps", "Increments of the run, of equal length; 1 where nothing is given.").atLeast(1);
+  declare.integer("Number of Load Steps", "Peridigm's name of Load Steps.").atLeast(1);
+  declare.text("Time Steps", "Times (s) at which the load steps end, the initial time first, separated by blanks.");
+  declare.atMostOneOf({"Load Steps", "Number of Load Steps", "Time Steps"});
+  declare.integer("Maximum Solver Iterations", "Newton iterations for one equilibrium.").defaultTo(50).atLeast(1);
+  declare
+      .real("Relative Tolerance", "1",
+            "Norm of the unbalanced force over that of reactions or external forces, the largest so far. 1e-6 where no "
+            "tolerance is given. What rounding of coordinates makes of the forces is always enough.")
+      .strictlyBetween(0.0, 1.0);
+  declare.real("Absolute Tolerance", "N", "Norm of the unbalanced force that is enough.").positive();
+  declareLinearSolver(declare);
+  declare
+      .real("Damped Newton Diagonal Scale Factor", "1",
+            "The diagonal of the tangent is multiplied by this: shorter, safer Newton steps.")
+      .defaultTo(1.0)
+      .positive();
+  declare
+      .real("Damped Newton Diagonal Shift Factor", "1",
+            "This part of its largest entry is added to the diagonal of the tangent.")
+      .defaultTo(0.0)
+      .atLeast(0.0);
+  declare
+      .integer("Maximum Load Step Reductions",
+               "How often a load step without equilibrium is halved, as long as no bond has broken in it.")
+      .defaultTo(5)
+      .atLeast(0);
+  declare
+      .integer("Maximum Breakage Passes",
+               "Equilibria in one load step after bonds broke: a crack that runs needs many. All bonds that exceed "
+               "their limit in an equilibrium break together.")
+      .defaultTo(1000)
+      .atLeast(1);
+}
+
+QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given) : newton_(newtonSettings(completed(given))) {
+  const auto parameters = completed(given);
+  nLoadSteps_ = either(parameters, "Load Steps", "Number of Load Steps", 1);
+  if (parameters.isParameter("Time Steps")) times_ = timesOf(parameters.get<std::string>("Time Steps"));
+  maximumBreakagePasses_ = parameters.get<int>("Maximum Breakage Passes");
+  maximumHalvings_ = parameters.get<int>("Maximum Load Step Reductions");
+}
+
+std::vector<int> QuasiStatic::fieldIds() const {
+  using namespace PeridigmNS::PeridigmField;
+  std::vector<int> ids = mechanicsFieldIds(false);
+  for (const int id : Newton::fieldIds()) ids.push_back(id);
+  ids.push_back(PeridigmNS::FieldManager::self().getFieldId(NODE, VECTOR, CONSTANT, incrementField));
+  return ids;
+}
+
+void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
+
+int QuasiStatic::numberOfIncrements(Simulation&, double t0, double t1) {
+  if (times_.empty()) return nLoadSteps_;
+  const double margin = 1e-9 * (t1 - t0);
+  if (std::abs(times_.front() - t0) > margin || std::abs(times_.back() - t1) > margin)
+    throw RunError(fmt::format(
+        "QuasiStatic: \"Time Steps\" go from {:g} to {:g} s, the run from {:g} to {:g} s; make Initial Time and Final "
+        "Time the same as the first and the last of them",
+        times_.front(), times_.back(), t0, t1));
+  return static_cast<int>(times_.size()) - 1;
+}
+
+double QuasiStatic::incrementEnd(int increment, int nIncrements, double t0, double t1) const {
+  if (times_.empty()) return Solver::incrementEnd(increment, nIncrements, t0, t1);
+  return times_[static_cast<std::size_t>(increment)];
+}
+
+void QuasiStatic::findSupports(Simulation& simulation) {
+  const HeldInPlace before = std::move(held_);
+  held_ = supports_->find(simulation.model, heldDisplacements(simulation));
+  newton_.hold(held_.isHeld);
+  if (held_.sameCounts(before)) return;
+  simulation.output.log(fmt::format(
+      "QuasiStatic: load step {}: {} part(s) of {} points in all that no prescribed displacement keeps from moving as "
+      "rigid bodies, and {} point(s) without bonds: held in place",
+      loadStep_, held_.nLooseParts, held_.nPointsOfLooseParts, held_.nPointsWithoutBonds));
+}
+
+void QuasiStatic::predict(Simulation& simulation, double dt) {
+  double* displacement = simulation.model.field("Displacement");
+  const double* increment = simulation.model.field(incrementField);
+  for (std::size_t i = 0; i < held_.isHeld.size(); ++i)
+    if (!held_.isHeld[i]) displacement[i] += increment[i] * (dt / lastLength_);
+}
+
+bool QuasiStatic::reachEquilibrium(Simulation& simulation, double t, double dt) {
+  simulation.conditions.applyPrescribed(t + dt);
+  externalForce(simulation, t + dt, externalForce_);
+  outcome_ = newton_.solve(simulation, dt, externalForce_, largestScale_);
+  if (outcome_.hasConverged) largestScale_ = std::max(largestScale_, outcome_.scale);
+  return outcome_.hasConverged;
+}
+
+void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
+  Model& model = simulation.model;
+  if (!model.hasDamage()) return;
+  double before = totalBondDamage(model);
+  for (int pass = 0;; ++pass) {
+    model.evaluateDamage(dt);
+    const double after = totalBondDamage(model);
+    if (!(after > before * (1.0 + 1e-12))) {
+      mostPasses_ = std::max<long long>(mostPasses_, pass);
+      return;
+    }
+    if (pass == maximumBreakagePasses_)
+      throw RunError(fmt::format(
+          "QuasiStatic: load step {} (t = {:.6g} s): bonds still break after {} equilibria. Take smaller load steps, "
+          "allow more (Maximum Breakage Passes), or use Verlet: a crack that runs by itself is not quasi-static",
+          loadStep_, t + dt, pass));
+    before = after;
+    lastLength_ = 0.0;
+    ++nPasses_;
+    findSupports(simulation);
+    newton_.dropTangent();
+    if (!reachEquilibrium(simulation, t, dt)) fail(t + dt, " after bonds broke");
+  }
+}
+
+void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, int nHalvings) {
+  double* displacement = simulation.model.field("Displacement");
+  const std::vector<double> start(displacement, displacement + held_.isHeld.size());
+  const auto goBack = [&] {
+    std::copy(start.begin(), start.end(), displacement);
+    newton_.dropTangent();
+    newton_.prepareTangent(simulation, dt);
+    lastLength_ = 0.0;
+  };
+  bool isThere = false;
+  if (lastLength_ > 0.0) {
+    predict(simulation, dt);
+    isThere = reachEquilibrium(simulation, t, dt);
+    if (!isThere) goBack();
+  }
+  if (!isThere && !reachEquilibrium(simulation, t, dt)) {
+    if (nHalvings == maximumHalvings_) fail(t + dt, nHalvings > 0 ? ", however short the load step" : "");
+    goBack();
+    ++nHalvings_;
+    advanceInParts(simulation, t, 0.5 * dt, nHalvings + 1);
+    advanceInParts(simulation, t + 0.5 * dt, 0.5 * dt, nHalvings + 1);
+    return;
+  }
+  double* increment = simulation.model.field(incrementField);
+  for (std::size_t i = 0; i < start.size(); ++i) increment[i] = displacement[i] - start[i];
+  lastLength_ = dt;
+  breakBonds(simulation, t, dt);
+}
+
+void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
+  ++loadStep_;
+  if (!supports_) {
+    supports_ = std::make_unique<Supports>(simulation.model);
+    findSupports(simulation);
+  }
+  if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
+  mustRestoreTangent_ = false;
+  // Before the boundary moves: a jump of its displacement distorts the points next to it.
+  newton_.prepareTangent(simulation, dt);
+  advanceInParts(simulation, t, dt, 0);
+  simulation.model.requireFinite("Displacement", loadStep_);
+}
+
+void QuasiStatic::fail(double t, const std::string& when) const {
+  std::string residuals;
+  for (const double residual : outcome_.residuals)
+    residuals += fmt::format("{}{:.2g}", residuals.empty() ? "" : ", ",
+                             outcome_.scale > 0.0 ? residual / outcome_.scale : residual);
+  throw RunError(fmt::format(
+      "QuasiStatic: load step {} (t = {:.6g} s): no equilibrium{}: {}. Unbalanced force, relative to {:.4g} "
+      "N of reactions or loads: {}. Take smaller load steps (Load Steps), allow more iterations (Maximum "
+      "Solver Iterations), or try another Linear Solver or Preconditioner",
+      loadStep_, t, when, outcome_.trouble, outcome_.scale, residuals));
+}
+
+std::vector<double> QuasiStatic::restartState() const {
+  return {static_cast<double>(loadStep_), largestScale_, lastLength_, newton_.hasTangent() ? 1.0 : 0.0};
+}
+
+void QuasiStatic::setRestartState(const std::vector<double>& state) {
+  loadStep_ = static_cast<int>(state.at(0));
+  largestScale_ = state.at(1);
+  lastLength_ = state.at(2);
+  mustRestoreTangent_ = state.at(3) != 0.0;
+}
+
+std::vector<std::string> QuasiStatic::summary() const {
+  std::vector<std::string> lines = {fmt::format(
+      "QuasiStatic: {} load steps, {} Newton iterations, {} tangents{}, {} linear iterations (largest true relative "
+      "residual of a linear solve {:.3g})",
+      loadStep_, newton_.nIterations, newton_.nTangents, newton_.couplesFamilies() ? " (coupling whole families)" : "",
+      newton_.nLinearIterations, newton_.largestLinearResidual)};
+  lines.push_back(
+      fmt::format("QuasiStatic: {} further equilibria after bonds broke (at most {} in a load step), {} "
+                  "load steps halved",
+                  nPasses_, mostPasses_, nHalvings_));
+  if (newton_.nGmresFallbacks > 0)
+    lines.push_back(
+        fmt::format("QuasiStatic: {} linear solves went on with GMRES: the tangent was not positive definite",
+                    newton_.nGmresFallbacks));
+  if (newton_.stoppedAtRoundOff)
+    lines.push_back("QuasiStatic: the tolerance was below what rounding of coordinates leaves; the latter was reached");
+  return lines;
+}
+
+PD_REGISTER_SOLVER(QuasiStatic, "QuasiStatic", "Static equilibrium by Newton's method, bonds breaking in between")
+
+}  // namespace pd

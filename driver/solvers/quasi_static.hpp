@@ -1,0 +1,60 @@
+// Static equilibrium, load step by load step, by Newton's method; bonds break between equilibria.
+#ifndef PD_QUASI_STATIC_HPP
+#define PD_QUASI_STATIC_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "newton.hpp"
+#include "solver.hpp"
+#include "supports.hpp"
+
+namespace pd {
+
+/// A load step: equilibrium at constant damage, then all bonds break that exceed their limit in it, then equilibrium
+/// again, until no bond breaks any more. A load step without equilibrium is halved.
+///
+/// Points without bonds and parts that nothing holds (loose fragments, supports that are too few) stay where they are
+/// as far as they could move as rigid bodies; the log says which.
+class QuasiStatic : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit QuasiStatic(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
+  double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+  std::vector<double> restartState() const override;
+  void setRestartState(const std::vector<double>& state) override;
+
+ private:
+  void findSupports(Simulation& simulation);
+  void predict(Simulation& simulation, double dt);
+  /// Equilibrium at t + dt at constant damage, from the present displacements. False where there is none.
+  bool reachEquilibrium(Simulation& simulation, double t, double dt);
+  void advanceInParts(Simulation& simulation, double t, double dt, int nHalvings);
+  void breakBonds(Simulation& simulation, double t, double dt);
+  [[noreturn]] void fail(double t, const std::string& when) const;
+
+  int nLoadSteps_ = 1, maximumBreakagePasses_, maximumHalvings_;
+  std::vector<double> times_;  ///< of the increments' ends, the start first; empty: equal steps
+  Newton newton_;
+  std::unique_ptr<Supports> supports_;
+  HeldInPlace held_;
+  NewtonOutcome outcome_;
+  std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
+
+  int loadStep_ = 0;
+  double largestScale_ = 0.0;  ///< N
+  double lastLength_ = 0.0;    ///< of the increment that the next one is predicted from, s; 0: none
+  bool mustRestoreTangent_ = false;
+  long long nPasses_ = 0, nHalvings_ = 0, mostPasses_ = 0;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,269 @@
+#include "supports.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "connected_parts.hpp"
+#include "symmetric_eigen.hpp"
+
+namespace pd {
+
+namespace {
+
+using Point = std::array<double, 3>;
+using Mode = std::array<double, 6>;  ///< coefficients of the rigid-body motions; unused ones are zero
+
+int numberOfModes(int dimension) { return dimension == 1 ? 1 : (dimension == 2 ? 3 : 6); }
+
+/// Displacement component `axis` at `place` of each rigid-body motion: translations, then rotations about `centre`
+/// scaled by `radius`, so that all are of one size.
+Mode motionsAt(const Point& place, int axis, const Point& centre, double radius, int dimension) {
+  Mode row{};
+  row[static_cast<std::size_t>(axis)] = 1.0;
+  std::size_t mode = static_cast<std::size_t>(dimension);
+  for (int a = 0; a < dimension; ++a)
+    for (int b = a + 1; b < dimension; ++b, ++mode) {
+      if (axis == a) row[mode] = -(place[static_cast<std::size_t>(b)] - centre[static_cast<std::size_t>(b)]) / radius;
+      if (axis == b) row[mode] = (place[static_cast<std::size_t>(a)] - centre[static_cast<std::size_t>(a)]) / radius;
+    }
+  return row;
+}
+
+/// One connected part of two points or more.
+struct Part {
+  Point centre{}, first{};                                  ///< first: its point of smallest global id
+  double radius = 0.0;                                      ///< root mean square distance from the centre
+  std::vector<double> held = std::vector<double>(36, 0.0);  ///< sum of the outer products of held degrees' motions
+};
+
+/// Square of the part of `row` that the motions already held do not contain.
+double freeShare(const Part& part, const Mode& row, int nModes) {
+  const auto n = static_cast<std::size_t>(nModes);
+  std::vector<double> matrix;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) matrix.push_back(part.held[6 * i + j]);
+  const SymmetricEigen eigen = symmetricEigen(matrix, nModes);
+  // 1e-8: two supports nearer than 1e-4 of the part's size do not stop it from turning.
+  double share = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (eigen.values[k] > 1e-8) continue;
+    double product = 0.0;
+    for (std::size_t i = 0; i < n; ++i) product += eigen.vectors[k * n + i] * row[i];
+    share += product * product;
+  }
+  return share;
+}
+
+bool canMove(const Part& part, int nModes) {
+  const auto n = static_cast<std::size_t>(nModes);
+  for (std::size_t mode = 0; mode < n; ++mode) {
+    Mode row{};
+    row[mode] = 1.0;
+    if (freeShare(part, row, nModes) > 1e-12) return true;
+  }
+  return false;
+}
+
+void hold(Part& part, const Mode& row) {
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) part.held[6 * i + j] += row[i] * row[j];
+}
+
+/// Everything about the parts of a body, and the search for the degrees of freedom to hold.
+class Holder {
+ public:
+  Holder(Model& model, const ConnectedParts& connected, std::vector<char>& isHeld)
+      : model_(model),
+        mesh_(model.discretization()),
+        connected_(connected),
+        isHeld_(isHeld),
+        nModes_(numberOfModes(mesh_.dimension)),
+        partOfName_(connected.names.size(), -1) {
+    for (std::size_t k = 0; k < connected.names.size(); ++k)
+      if (connected.sizes[k] > 1) {
+        partOfName_[k] = static_cast<int>(parts_.size());
+        parts_.emplace_back();
+        nameOfPart_.push_back(k);
+      }
+    measure();
+    addPrescribed();
+  }
+
+  void holdLooseParts(HeldInPlace& result) {
+    std::vector<std::size_t> loose;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      if (canMove(parts_[k], nModes_)) loose.push_back(k);
+    result.nLooseParts = static_cast<long long>(loose.size());
+    for (const std::size_t k : loose) result.nPointsOfLooseParts += connected_.sizes[nameOfPart_[k]];
+    if (loose.empty()) return;
+
+    // Three points span the part: its first one, the farthest from it, and the farthest from the line of these two.
+    std::vector<std::vector<Candidate>> corners = {firstPoints()};
+    corners.push_back(farthest([&](std::size_t k, const Point& x) { return distance(x, parts_[k].first); }));
+    if (mesh_.dimension == 3)
+      corners.push_back(farthest(
+          [&](std::size_t k, const Point& x) { return distanceFromLine(x, parts_[k].first, corners[1][k].place); }));
+    for (const std::size_t k : loose)
+      for (const double share : {0.3, 0.03, 1e-3, 1e-6})  // first the degrees of freedom that hold a free motion well
+        for (const std::vector<Candidate>& corner : corners) holdAt(parts_[k], corner[k], share);
+  }
+
+ private:
+  struct Candidate {
+    double measure = -1.0;
+    long long globalId = -1;
+    Point place{};
+  };
+
+  Point place(int point) const {
+    const double* x = &mesh_.x[static_cast<std::size_t>(3 * point)];
+    return {x[0], x[1], x[2]};
+  }
+  static double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+  static double distanceFromLine(const Point& x, const Point& a, const Point& b) {
+    const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {x[0] - a[0], x[1] - a[1], x[2] - a[2]};
+    return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / distance(a, b);
+  }
+  int partOf(int point) const {
+    return partOfName_[static_cast<std::size_t>(connected_.partOfPoint[static_cast<std::size_t>(point)])];
+  }
+  void sumOverRanks(std::vector<double>& values) const {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
+                  model_.comm().mpi());
+  }
+
+  /// Centres, radii and first points.
+  void measure() {
+    std::vector<double> sums(6 * parts_.size(), 0.0), squares(parts_.size(), 0.0);
+    for (int point = 0; point < mesh_.nOwned; ++point) {
+      const int k = partOf(point);
+      if (k < 0) continue;
+      const Point x = place(point);
+      const bool isFirst = mesh_.globalIds[static_cast<std::size_t>(point)] ==
+                           connected_.names[nameOfPart_[static_cast<std::size_t>(k)]];
+      for (std::size_t c = 0; c < 3; ++c) {
+        sums[6 * static_cast<std::size_t>(k) + c] += x[c];
+        if (isFirst) sums[6 * static_cast<std::size_t>(k) + 3 + c] = x[c];
+      }
+    }
+    sumOverRanks(sums);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      for (std::size_t c = 0; c < 3; ++c) {
+        parts_[k].centre[c] = sums[6 * k + c] / static_cast<double>(connected_.sizes[nameOfPart_[k]]);
+        parts_[k].first[c] = sums[6 * k + 3 + c];
+      }
+    for (int point = 0; point < mesh_.nOwned; ++point)
+      if (const int k = partOf(point); k >= 0)
+        squares[static_cast<std::size_t>(k)] +=
+            std::pow(distance(place(point), parts_[static_cast<std::size_t>(k)].centre), 2);
+    sumOverRanks(squares);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      parts_[k].radius = std::sqrt(squares[k] / static_cast<double>(connected_.sizes[nameOfPart_[k]]));
+  }
+
+  Mode motions(const Part& part, const Point& x, int axis) const {
+    return motionsAt(x, axis, part.centre, part.radius, mesh_.dimension);
+  }
+
+  void addPrescribed() {
+    std::vector<double> all(36 * parts_.size(), 0.0);
+    for (int point = 0; point < mesh_.nOwned; ++point) {
+      const int k = partOf(point);
+      if (k < 0) continue;
+      for (int axis = 0; axis < mesh_.dimension; ++axis) {
+        if (!isHeld_[static_cast<std::size_t>(3 * point + axis)]) continue;
+        const Mode row = motions(parts_[static_cast<std::size_t>(k)], place(point), axis);
+        for (std::size_t i = 0; i < 6; ++i)
+          for (std::size_t j = 0; j < 6; ++j) all[36 * static_cast<std::size_t>(k) + 6 * i + j] += row[i] * row[j];
+      }
+    }
+    sumOverRanks(all);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      parts_[k].held.assign(all.begin() + static_cast<std::ptrdiff_t>(36 * k),
+                            all.begin() + static_cast<std::ptrdiff_t>(36 * (k + 1)));
+  }
+
+  std::vector<Candidate> firstPoints() const {
+    std::vector<Candidate> result;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      result.push_back({0.0, connected_.names[nameOfPart_[k]], parts_[k].first});
+    return result;
+  }
+
+  /// In each part the point of largest measure(part, place); of equals the one of smallest global id.
+  std::vector<Candidate> farthest(const std::function<double(std::size_t, const Point&)>& measureOf) const {
+    const auto isBetter = [](const Candidate& a, const Candidate& b) {
+      return a.measure > b.measure || (a.measure == b.measure && a.globalId < b.globalId);
+    };
+    std::vector<Candidate> best(parts_.size());
+    for (int point = 0; point < mesh_.nOwned; ++point) {
+      const int k = partOf(point);
+      if (k < 0) continue;
+      const Point x = place(point);
+      const Candidate candidate{measureOf(static_cast<std::size_t>(k), x),
+                                mesh_.globalIds[static_cast<std::size_t>(point)], x};
+      if (isBetter(candidate, best[static_cast<std::size_t>(k)])) best[static_cast<std::size_t>(k)] = candidate;
+    }
+    std::vector<double> mine, all(5 * best.size() * static_cast<std::size_t>(model_.comm().size()));
+    for (const Candidate& c : best)
+      mine.insert(mine.end(), {c.measure, static_cast<double>(c.globalId), c.place[0], c.place[1], c.place[2]});
+    MPI_Allgather(mine.data(), static_cast<int>(mine.size()), MPI_DOUBLE, all.data(), static_cast<int>(mine.size()),
+                  MPI_DOUBLE, model_.comm().mpi());
+    for (std::size_t k = 0; k < all.size() / 5; ++k) {
+      const double* c = &all[5 * k];
+      const Candidate candidate{c[0], static_cast<long long>(c[1]), {c[2], c[3], c[4]}};
+      if (isBetter(candidate, best[k % best.size()])) best[k % best.size()] = candidate;
+    }
+    return best;
+  }
+
+  void holdAt(Part& part, const Candidate& candidate, double leastShare) {
+    for (int axis = 0; axis < mesh_.dimension; ++axis) {
+      const Mode row = motions(part, candidate.place, axis);
+      if (freeShare(part, row, nModes_) < leastShare) continue;
+      hold(part, row);
+      for (int point = 0; point < mesh_.nOwned; ++point)
+        if (mesh_.globalIds[static_cast<std::size_t>(point)] == candidate.globalId)
+          isHeld_[static_cast<std::size_t>(3 * point + axis)] = 1;
+    }
+  }
+
+  Model& model_;
+  const Discretization& mesh_;
+  const ConnectedParts& connected_;
+  std::vector<char>& isHeld_;
+  int nModes_;
+  std::vector<Part> parts_;
+  std::vector<int> partOfName_;  ///< index into parts_; -1 for a single point
+  std::vector<std::size_t> nameOfPart_;
+};
+
+}  // namespace
+
+Supports::Supports(const Model& model)
+    : ghosts_(model.comm(), model.discretization().globalIds, model.discretization().nOwned) {}
+
+HeldInPlace Supports::find(Model& model, const std::vector<char>& isPrescribed) const {
+  HeldInPlace result;
+  result.isHeld = isPrescribed;
+  const ConnectedParts connected = findConnectedParts(model, ghosts_);
+  for (std::size_t i = 0; i < connected.partOfPoint.size(); ++i) {
+    if (connected.sizes[static_cast<std::size_t>(connected.partOfPoint[i])] > 1) continue;
+    const auto begin = result.isHeld.begin() + static_cast<std::ptrdiff_t>(3 * i);
+    if (std::any_of(begin, begin + 3, [](char held) { return held == 0; })) ++result.nPointsWithoutBonds;
+    std::fill(begin, begin + 3, char{1});
+  }
+  result.nPointsWithoutBonds = model.comm().sum(result.nPointsWithoutBonds);
+  Holder(model, connected, result.isHeld).holdLooseParts(result);
+  return result;
+}
+
+double totalBondDamage(Model& model) {
+  double sum = 0.0;
+  forEachBond(model, [&](int, int, double damage) { sum += damage; });
+  return model.comm().sum(sum);
+}
+
+}  // namespace pd

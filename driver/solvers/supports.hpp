@@ -1,0 +1,45 @@
+// What holds a body in place: its connected parts, their prescribed displacements, and what is missing.
+#ifndef PD_SUPPORTS_HPP
+#define PD_SUPPORTS_HPP
+
+#include <vector>
+
+#include "../model/model.hpp"
+#include "../parallel/ghost_exchange.hpp"
+
+namespace pd {
+
+/// Degrees of freedom that a static solution does not move, so that it is unique.
+struct HeldInPlace {
+  std::vector<char> isHeld;           ///< [3 nOwned] prescribed, outside the dimension, or held by what follows
+  long long nPointsWithoutBonds = 0;  ///< and not fully prescribed: held where they are (all ranks)
+  long long nLooseParts = 0;          ///< parts of two points or more that could move as a rigid body (all ranks)
+  long long nPointsOfLooseParts = 0;
+
+  bool sameCounts(const HeldInPlace& other) const {
+    return nPointsWithoutBonds == other.nPointsWithoutBonds && nLooseParts == other.nLooseParts &&
+           nPointsOfLooseParts == other.nPointsOfLooseParts;
+  }
+};
+
+/// Parts whose prescribed displacements leave a rigid-body motion free get as many further degrees of freedom held as
+/// there are free motions: they are then statically determinate, so that holding them adds no stress. The choice
+/// depends on geometry and global ids alone, not on ranks.
+class Supports {
+ public:
+  explicit Supports(const Model& model);
+
+  /// `isPrescribed` [3 nOwned], with the components outside the dimension of the mesh set. Reads Bond_Damage: a bond
+  /// below 1 carries force. Collective.
+  HeldInPlace find(Model& model, const std::vector<char>& isPrescribed) const;
+
+ private:
+  GhostExchange ghosts_;
+};
+
+/// Sum of Bond_Damage over the directed bonds of all ranks: it grows whenever a bond breaks. Collective.
+double totalBondDamage(Model& model);
+
+}  // namespace pd
+
+#endif
