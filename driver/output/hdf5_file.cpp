@@ -174,6 +174,7 @@ void Hdf5File::write(const std::string& name, const std::vector<T>& values, cons
   const Hdf5Id dataset(H5Dcreate2(file_, name.c_str(), fileType(T()), fileSpace, H5P_DEFAULT, properties, H5P_DEFAULT),
                        H5Dclose);
   require(dataset.isValid(), "make table " + name + " in");
+  if (rows.total == 0) return;  // parallel HDF5 refuses to write to a table without rows
   const Hdf5Id memorySpace = selectRows(fileSpace, rows, extent);
   const herr_t status = H5Dwrite(dataset, memoryType(T()), memorySpace, fileSpace, collectiveTransfer(), values.data());
   require(status >= 0, "write table " + name + " to");
@@ -203,6 +204,7 @@ std::vector<T> Hdf5File::read(const std::string& name, const RowRange& rows) con
       throw RunError("table " + name + " of \"" + path_ + "\" has " + std::to_string(size[0]) + " rows, not " +
                      std::to_string(rows.total));
   });
+  if (rows.total == 0) return {};
   const Hdf5Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   const Hdf5Id fileSpace(H5Dget_space(dataset), H5Sclose);
   const Hdf5Id memorySpace = selectRows(fileSpace, rows, size);
