@@ -72,7 +72,7 @@ def _draw(options):
         panels = [(run, step, (f"{run.label}, " if len(runs) > 1 else "") + figures.step_title(run, step))
                   for run in runs for step in steps]
         figure = figures.map_panels(panels, view)
-    return [_save(figure, options, runs[0], f"{runs[0].label}_{view.field}")]
+    return [_save(figures, figure, options, runs[0], f"{runs[0].label}_{view.field}")]
 
 
 def _draw_history(options, figures):
@@ -82,15 +82,17 @@ def _draw_history(options, figures):
     figure = figures.history_panels(histories, columns, options.against)
     output = options.output or f"{histories[0][0]}_history.png"
     figure.savefig(output, dpi=150)
+    figures.plt.close(figure)
     return output
 
 
-def _save(figure, options, results, name):
+def _save(figures, figure, options, results, name):
     output = options.output or str(results.path.with_name(name + ".png"))
     try:
         figure.savefig(output, dpi=150)
     except (OSError, ValueError) as error:
         raise PlotError(f"{output}: cannot be written: {error}") from None
+    figures.plt.close(figure)
     return output
 
 

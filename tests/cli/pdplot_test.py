@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""Tests of meshes/pdplot on files laid out as driver/output/field_writer.hpp says."""
+import contextlib
+import io
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+from PIL import Image
+
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(MESHES))
+
+from pdplot_lib.command_line import main  # noqa: E402
+from pdplot_lib.raster import Raster  # noqa: E402
+from pdplot_lib.results import PlotError, Results, find_results, read_history  # noqa: E402
+from pdplot_lib.units import scaled, time_text  # noqa: E402
+
+
+def write_run(folder, name, x, steps, fields):
+    """`fields(step)`: name -> values."""
+    (folder / f"{name}.steps").mkdir()
+    with h5py.File(folder / f"{name}.steps" / "mesh.h5", "w") as mesh:
+        mesh["coordinates"], mesh["volume"], mesh["block_id"] = x, np.ones(len(x)), np.ones(len(x), int)
+    with h5py.File(folder / f"{name}.h5", "w") as index:
+        index["mesh"] = h5py.ExternalLink(f"{name}.steps/mesh.h5", "/")
+        index.create_group("steps")
+        for step in steps:
+            with h5py.File(folder / f"{name}.steps" / f"{step:06d}.h5", "w") as file:
+                file.attrs["time"], file.attrs["step"] = 0.5 * step, step
+                for field, values in fields(step).items():
+                    file[field] = values
+            index[f"steps/{step:06d}"] = h5py.ExternalLink(f"{name}.steps/{step:06d}.h5", "/")
+
+
+def lattice(nx, ny, spacing):
+    x, y = np.meshgrid((np.arange(nx) + 0.5) * spacing, (np.arange(ny) + 0.5) * spacing)
+    return np.c_[x.ravel(), y.ravel(), 0 * x.ravel()]
+
+
+class PdplotTest(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = Path(self.scratch.name)
+        self.x = lattice(20, 10, 0.01)
+
+        def fields(step):
+            crack = ((np.abs(self.x[:, 1] - 0.05) < 0.011) & (self.x[:, 0] < 0.01 * step)).astype(float)
+            return {"Damage": 0.5 * crack, "Concentration": self.x[:, 0], "Displacement": self.x * 0.01 * step}
+        write_run(self.folder, "plate", self.x, [0, 5, 10], fields)
+        (self.folder / "plate.csv").write_text("step,time,Crack_Length\n0,0,0.0\n5,2.5,0.05\n10,5.0,0.1\n")
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def pdplot(self, *arguments, expect=0):
+        output, errors, before = io.StringIO(), io.StringIO(), os.getcwd()
+        os.chdir(self.folder)
+        try:
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+                code = main([str(argument) for argument in arguments])
+        finally:
+            os.chdir(before)
+        self.assertEqual(code, expect, output.getvalue() + errors.getvalue())
+        return output.getvalue().split(), errors.getvalue()
+
+    def picture(self, name):
+        with Image.open(self.folder / name) as image:
+            return np.asarray(image.convert("RGB")).astype(int)
+
+    def test_results_are_read_as_written(self):
+        results = Results(self.folder / "plate")
+        self.assertEqual(results.steps, [0, 5, 10])
+        self.assertEqual(results.time(5), 2.5)
+        self.assertEqual(results.dimension, 2)
+        self.assertEqual(results.fields(), ["Concentration", "Damage", "Displacement"])
+        np.testing.assert_array_equal(results.field("Displacement", 10), self.x * 0.01 * 10)
+        self.assertAlmostEqual(results.spacing(), 0.01, delta=2e-4)
+        self.assertEqual(find_results(self.folder), self.folder / "plate.h5")
+        with self.assertRaisesRegex(PlotError, "no step 7"):
+            results.time(7)
+
+    def test_pixels_take_the_nearest_point_and_stay_empty_far_away(self):
+        x = lattice(10, 10, 1.0)[:, :2]
+        hole = np.hypot(x[:, 0] - 5, x[:, 1] - 5) > 2.5
+        raster = Raster(x[hole], 0.9, pixels=200)
+        image = raster.image(np.arange(hole.sum()))
+        for row, column in ((3, 3), (100, 20), (190, 100)):
+            place = np.array([raster.columns[column], raster.rows[row]])
+            nearest = np.argmin(np.linalg.norm(x[hole] - place, axis=1))
+            self.assertEqual(image[row, column], nearest)
+        self.assertTrue(image.mask[100, 100])
+        np.testing.assert_allclose(raster.extent, [0, 10, 0, 10], atol=1e-12)
+
+    def test_without_options_the_damage_of_the_newest_run_is_drawn(self):
+        self.assertEqual(self.pdplot()[0], ["plate_Damage.png"])
+        picture = self.picture("plate_Damage.png")
+        # Damage 0.5 of 1 in inferno is (188, 55, 84): a band of 4 of 10 rows, half the length.
+        crack = np.abs(picture - [188, 55, 84]).sum(axis=2) < 12
+        intact = picture.sum(axis=2) < 15
+        share = crack.sum() / (crack.sum() + intact.sum())
+        self.assertAlmostEqual(share, 0.5 * 0.2, delta=0.02)
+
+    def test_every_kind_of_picture_is_written(self):
+        write_run(self.folder, "other", self.x, [10], lambda step: {"Damage": self.x[:, 0]})
+        solid = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), -1).reshape(-1, 3)
+        write_run(self.folder, "solid", solid, [0], lambda step: {"Damage": solid[:, 0] / 6})
+        bar = np.c_[np.arange(10.0), np.zeros((10, 2))]
+        write_run(self.folder, "bar", bar, [0], lambda step: {"Temperature": bar[:, 0]})
+        for arguments in (["plate", "--step", "all", "--crack"], ["plate", "--field", "Displacement", "--component", "y"],
+                          ["plate", "--deformed"], ["plate", "--deformed", "3"], ["plate", "other"], ["bar"],
+                          ["solid", "--slice", "x=2"], ["plate", "--history"],
+                          ["plate.h5", "--history", "Crack_Length", "--against", "step"],
+                          ["plate", "--range", "0", "2", "--map", "cividis", "--unit", "m", "--factor", "2"]):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.pdplot(*arguments, "-o", "a.png")[0], ["a.png"])
+                self.assertGreater(min(self.picture("a.png").shape[:2]), 200)
+                (self.folder / "a.png").unlink()
+        self.pdplot("plate", "--animate", "a.gif")
+        with Image.open(self.folder / "a.gif") as image:
+            self.assertEqual(image.n_frames, 3)
+
+    def test_mistakes_are_told_without_a_traceback(self):
+        for arguments, message in ((["none"], "no such results"), (["plate", "--field", "Dmage"], "no field Dmage"),
+                                   (["plate", "--step", "7"], "no step 7"), (["plate", "--step", "a"], "--step a"),
+                                   (["plate", "--slice", "q=1"], "--slice"), (["plate", "--deformed", "x"], "`x`"),
+                                   (["plate", "--history", "Nothing"], "no column Nothing"),
+                                   (["plate", "-o", "a.nonsense"], "cannot be written")):
+            with self.subTest(arguments=arguments):
+                self.assertIn(message, self.pdplot(*arguments, expect=2)[1])
+
+    def test_the_program_starts(self):
+        run = subprocess.run([str(MESHES / "pdplot"), "none"], cwd=self.folder, text=True, stderr=subprocess.PIPE)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("pdplot: none: no such results", run.stderr)
+
+    def test_history_and_units(self):
+        np.testing.assert_array_equal(read_history(self.folder / "plate")["Crack_Length"], [0, 0.05, 0.1])
+        self.assertEqual(scaled(2e-5, "m"), (1 / 1e-6, "µm"))
+        self.assertEqual(scaled(2e-5, ""), (1.0, ""))
+        self.assertEqual(time_text(18480000.0), "213.9 d")
+        self.assertEqual(time_text(2e-6), "2 µs")
+
+
+if __name__ == "__main__":
+    unittest.main()
