@@ -14,6 +14,8 @@ namespace pd {
 
 namespace {
 
+constexpr double largestHorizon = 1e100;  ///< m; squares of distances stay far from overflow
+
 /// The number in "block_7"; 0 where the name is not of this form.
 int blockNumber(const std::string& name) {
   const std::string prefix = "block_";
@@ -118,7 +120,7 @@ std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, 
     const double* x = points.at(i);
     const double value = function->second(x[0], x[1], x[2], 0.0);
     horizon[i] = value;
-    if ((value > 0.0 && std::isfinite(value)) || !refused.insert(block).second) continue;
+    if ((value > 0.0 && value < largestHorizon) || !refused.insert(block).second) continue;
     mistakes.add(entries.at(block)["Horizon"].place(),
                  fmt::format("the horizon must be greater than 0 and finite; it is {:g} m at the point of {}", value,
                              points.place(i)));

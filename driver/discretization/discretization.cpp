@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "block_horizons.hpp"
@@ -23,6 +24,9 @@ namespace pd {
 namespace {
 
 constexpr int maximumListed = 10;  ///< points in one message
+/// Points closer than this fraction of the horizon must be meant to be one: rounding of a mesh generator is far below,
+/// any spacing far above.
+constexpr double closest = 1e-6;
 
 MeshPoints readMesh(const Deck& deck, const Communicator& comm) {
   const DeckNode section = deck["Discretization"];
@@ -85,6 +89,25 @@ std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, c
   return lines;
 }
 
+/// Pairs of points that are nearly at the same place, a line each.
+std::string coincidingPoints(const MeshPoints& points, const Discretization& d) {
+  std::string lines;
+  int count = 0;
+  for (int i = 0; i < d.nOwned && count < maximumListed; ++i) {
+    const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
+    for (int k = 1; k <= *entry; ++k) {
+      const int j = entry[k];
+      const double length =
+          std::hypot(d.x[3 * i] - d.x[3 * j], d.x[3 * i + 1] - d.x[3 * j + 1], d.x[3 * i + 2] - d.x[3 * j + 2]);
+      if (length > closest * d.horizon[i] || d.globalIds[i] > d.globalIds[j]) continue;
+      ++count;
+      lines += fmt::format("{}: the point of line {} is only {:g} m away; remove one of them\n",
+                           points.place(d.globalIds[i]), points.line[d.globalIds[j]], length);
+    }
+  }
+  return lines;
+}
+
 void reportLines(const std::string& lines, Mistakes& mistakes) {
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = lines.find('\n', begin);
@@ -92,6 +115,20 @@ void reportLines(const std::string& lines, Mistakes& mistakes) {
     begin = end + 1;
   }
   mistakes.report();
+}
+
+/// Mistakes that show only in the neighbourhoods. The same on all ranks.
+void checkNeighborhoods(const MeshPoints& points, const BondFilters& filters, const Communicator& comm,
+                        const Discretization& d, Mistakes& mistakes) {
+  std::string lines = lonelyPoints(points, filters, d);
+  const bool hasPoints = !d.horizon.empty();
+  if (hasPoints && d.shortestBond <= closest * *std::max_element(d.horizon.begin(), d.horizon.end()))
+    lines += coincidingPoints(points, d);
+  if (d.neighborhoodList.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    lines +=
+        fmt::format("{}: rank {} has {} bonds, more than the 2.1e9 that fit; use more ranks or a smaller Horizon\n",
+                    points.fileName, comm.rank(), d.nBonds());
+  reportLines(comm.gather(lines), mistakes);
 }
 
 }  // namespace
@@ -126,7 +163,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   fillPoints(points, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);
-  reportLines(comm.gather(lonelyPoints(points, filters, d)), mistakes);
+  checkNeighborhoods(points, filters, comm, d, mistakes);
   return d;
 }
 

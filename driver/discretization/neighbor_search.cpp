@@ -37,7 +37,8 @@ void NeighborSearch::chooseCells(const std::vector<double>& x, const NeighborRul
     }
   }
   const auto n = static_cast<double>(candidates.size());
-  double cellSize = n > 0.0 ? 0.5 * sumOfReaches / n : 1.0;
+  const double extent = std::max({high[0] - low_[0], high[1] - low_[1], high[2] - low_[2]});
+  double cellSize = n > 0.0 ? std::max(0.5 * sumOfReaches / n, 1e-9 * extent) : 1.0;
   const auto cellsAlong = [&](std::size_t k) { return std::floor((high[k] - low_[k]) / cellSize) + 1.0; };
   // A sparse cloud (fragments far apart) would have more cells than points.
   while (cellsAlong(0) * cellsAlong(1) * cellsAlong(2) > 2.0 * n + 100.0) cellSize *= 1.25;

@@ -45,15 +45,12 @@ std::vector<Surroundings> sample(const MeshPoints& points, const NeighborRule& r
 
 /// Spacings agree with the distances of points within this factor on any sensible mesh: the nearest point of a Gmsh
 /// mesh is 0.6 to 1 spacings away, of a lattice 1.
-constexpr double spacingFactor = 3.0;
+constexpr double usualFactor = 3.0;
+/// For the single point of largest volume: beyond it, every search would have to reach as far as that point does.
+constexpr double extremeFactor = 30.0;
 
-void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
-                  std::vector<Surroundings> sampled) {
-  const auto ratio = [&](const Surroundings& s) { return spacing[s.point] / s.nearest; };
-  std::sort(sampled.begin(), sampled.end(),
-            [&](const Surroundings& a, const Surroundings& b) { return ratio(a) < ratio(b); });
-  const Surroundings median = sampled[sampled.size() / 2];
-  if (ratio(median) < spacingFactor && ratio(median) > 1.0 / spacingFactor) return;
+void addSpacingMistake(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
+                       const Surroundings& s) {
   const char* remedies[] = {
       "set Discretization/Cross Section Area (m2)",
       "set Discretization/Thickness (m) to the thickness that the volumes of the mesh contain",
@@ -64,8 +61,22 @@ void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<
       deck["Discretization"].place(),
       fmt::format("volumes and coordinates do not fit: the volume {:g} m3 of the point {} means a spacing of {:.4g} m "
                   "({}), but the next point is {:.4g} m away; {}, or check the columns of the mesh",
-                  points.volume[median.point], points.place(median.point), spacing[median.point],
-                  formulas[dimension - 1], median.nearest, remedies[dimension - 1]));
+                  points.volume[s.point], points.place(s.point), spacing[s.point], formulas[dimension - 1], s.nearest,
+                  remedies[dimension - 1]));
+}
+
+void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
+                  const NeighborRule& rule, std::vector<Surroundings> sampled) {
+  const auto ratio = [&](const Surroundings& s) { return spacing[s.point] / s.nearest; };
+  std::sort(sampled.begin(), sampled.end(),
+            [&](const Surroundings& a, const Surroundings& b) { return ratio(a) < ratio(b); });
+  const Surroundings median = sampled[sampled.size() / 2];
+  const auto largest = static_cast<int>(std::max_element(spacing.begin(), spacing.end()) - spacing.begin());
+  const Surroundings extreme = surroundingsOf(largest, points, rule);
+  if (ratio(median) > usualFactor || ratio(median) < 1.0 / usualFactor)
+    addSpacingMistake(deck, points, spacing, dimension, median);
+  else if (ratio(extreme) > extremeFactor)
+    addSpacingMistake(deck, points, spacing, dimension, extreme);
 }
 
 void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Surroundings>& sampled, int nRanks) {
@@ -94,7 +105,7 @@ void checkResolution(const Deck& deck, const MeshPoints& points, const std::vect
                      const NeighborRule& rule, int nRanks) {
   if (points.size() < 2) return;  // a single point is reported as one without neighbours
   const std::vector<Surroundings> sampled = sample(points, rule);
-  if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, sampled);
+  if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, rule, sampled);
   checkSize(deck, points, sampled, nRanks);
 }
 

@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t nColumns = 5;
 constexpr std::array<const char*, nColumns> columnNames = {"x", "y", "z", "the block number", "the volume"};
 
+constexpr double largestValue = 1e100;  ///< squares of distances stay far from overflow
+
 using Row = std::array<double, nColumns>;
 
 /// What is wrong with the line's words; empty where they are five finite numbers.
@@ -26,10 +28,12 @@ std::string readRow(DataLines& lines, Row& row) {
   for (std::string_view word = lines.word(); !word.empty(); word = lines.word(), ++count) {
     if (count >= nColumns || !problem.empty()) continue;
     const std::optional<double> value = parseReal(std::string(word));
-    if (value)
-      row[count] = *value;
-    else
+    if (!value)
       problem = std::string(columnNames[count]) + " is " + quoted(word) + ", not a finite number";
+    else if (std::abs(*value) > largestValue)
+      problem = std::string(columnNames[count]) + " is " + quoted(word) + ", too large to be meant";
+    else
+      row[count] = *value;
   }
   if (count != nColumns) return "a point has 5 numbers (x y z block_id volume), this line has " + std::to_string(count);
   return problem;

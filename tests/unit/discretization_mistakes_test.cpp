@@ -47,7 +47,8 @@ TEST(MeshMistakes, AllBadRowsAreReportedWithTheirLines) {
       "9 0 0 1.5 1.0\n"
       "0 0 -0.0 1 1.0\n"
       "10 1e999 0 1 1.0\n"
-      "11 0 0 1 1.0\n",
+      "11 1e200 0 1 1.0\n"
+      "12 0 0 1 1.0\n",
       deckText("3.0"));
   EXPECT_THAT(text, HasSubstr("mesh.txt:3: a point has 5 numbers (x y z block_id volume), this line has 4"));
   EXPECT_THAT(text, HasSubstr("mesh.txt:4: a point has 5 numbers (x y z block_id volume), this line has 6"));
@@ -61,7 +62,8 @@ TEST(MeshMistakes, AllBadRowsAreReportedWithTheirLines) {
   EXPECT_THAT(text, HasSubstr("mesh.txt:12: this point is at the same place as the one in line 2"));
   EXPECT_THAT(text, HasSubstr("mesh.txt:13: y is \"1e999\""));
   EXPECT_THAT(text, Not(HasSubstr("mesh.txt:2:")));
-  EXPECT_THAT(text, Not(HasSubstr("mesh.txt:14")));
+  EXPECT_THAT(text, HasSubstr("mesh.txt:14: y is \"1e200\", too large to be meant"));
+  EXPECT_THAT(text, Not(HasSubstr("mesh.txt:15")));
 }
 
 TEST(MeshMistakes, VeryManyAreCut) {
@@ -83,6 +85,12 @@ TEST(MeshMistakes, EmptyOrMissingFile) {
   deck.replace(deck.find("mesh.txt"), 8, "misspelt.txt");
   EXPECT_THAT(complaints("", deck),
               AllOf(HasSubstr("deck.yaml:3:20: file \""), HasSubstr("misspelt.txt\": No such file")));
+}
+
+TEST(MeshMistakes, PointsNearlyAtTheSamePlace) {
+  // As where two parts of a mesh meet and a generator computed the shared points twice.
+  EXPECT_THAT(complaints(latticeMesh(4, 4, 1) + "2.00000000000001 1 0 1 1.0\n", deckText("2.0")),
+              HasSubstr("mesh.txt:8: the point of line 18 is only"));
 }
 
 TEST(NodeSetMistakes, AllAreReportedTogetherWithThoseOfTheMesh) {
@@ -167,6 +175,11 @@ TEST(ResolutionMistakes, VolumesThatDoNotFitTheSpacing) {
     for (int i = 0; i < 11; ++i) mesh += fmt::format("{} {} 0 1 4e-9\n", 1e-3 * i, 1e-3 * j);
   EXPECT_THAT(complaints(mesh, deckText("3.015e-3")),
               AllOf(HasSubstr("volumes and coordinates do not fit"), HasSubstr("set Discretization/Thickness (m)")));
+}
+
+TEST(ResolutionMistakes, OneVolumeFarTooLarge) {
+  EXPECT_THAT(complaints(latticeMesh(9, 9, 9) + "9 0 0 1 1e9\n", deckText("3.015")),
+              HasSubstr("the volume 1e+09 m3 of the point scene_mistakes/mesh.txt:731 means a spacing of 1000 m"));
 }
 
 TEST(ResolutionMistakes, AHorizonFarTooLargeIsSeenBeforeTheSearch) {
