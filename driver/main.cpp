@@ -3,7 +3,10 @@
 #include "parallel/session.hpp"
 
 int main(int argc, char** argv) {
-  const pd::ParallelSession session(argc, argv);
+  // Kokkos would answer --help itself, so it sees no arguments.
+  int noArguments = 1;
+  char** name = argv;
+  const pd::ParallelSession session(noArguments, name);
   const pd::Communicator world(MPI_COMM_WORLD);
   return pd::runCommandLine(argc, argv, world);
 }

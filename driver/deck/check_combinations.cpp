@@ -1,6 +1,7 @@
 // Values of a deck that are good alone and must fit each other.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -27,7 +28,8 @@ class CombinationCheck {
 
   void run() {
     influence();
-    thickness();
+    agreesWithMaterials("Thickness", {"Plane Stress", "Plane Strain"});
+    agreesWithMaterials("Cross Section Area", {"One Dimensional"});
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) isTimeless(block->section.node["Horizon"]);
     for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) directions(*filter);
     for (const CheckedSection* set : check_.ofKind(Kind::NodeSet)) {
@@ -52,21 +54,25 @@ class CombinationCheck {
     }
   }
 
-  /// The volumes of a plane mesh hold its thickness, which materials and neighbourhoods must take alike.
-  void thickness() {
-    const DeckNode mine = deck_["Discretization"]["Thickness"];
+  /// The volumes of a plane mesh hold its thickness (those of a bar its cross section), which materials and
+  /// neighbourhoods must take alike.
+  void agreesWithMaterials(const std::string& key, const std::vector<std::string>& flags) {
+    const DeckNode mine = deck_["Discretization"][key];
+    if (mine && !(mine.isScalar() && parseReal(mine.text()))) return;
     for (const CheckedSection* material : check_.ofKind(Kind::Material)) {
-      const DeckNode theirs = material->section.node["Thickness"];
-      if (!theirs || !theirs.isScalar() || (mine && !mine.isScalar())) continue;
-      const auto a = mine ? parseReal(mine.text()) : std::nullopt, b = parseReal(theirs.text());
-      if (!mine)
-        mistakes_.add(theirs.keyPlace(),
-                      fmt::format("{} is given, but Discretization has no Thickness; add \"Thickness: "
-                                  "{}\" there too, since it turns volumes into areas",
-                                  theirs.path(), theirs.text()));
-      else if (a && b && *a != *b)
-        mistakes_.add(theirs.place(), fmt::format("{} is {} m, but Discretization/Thickness is {} m; they must agree",
-                                                  theirs.path(), *b, *a));
+      const DeckNode& node = material->section.node;
+      const bool needsIt = std::any_of(flags.begin(), flags.end(),
+                                       [&](const std::string& flag) { return valueOr(material->list, flag, false); });
+      if (!material->isGood || !material->list.isParameter(key) || !(node[key] || needsIt)) continue;
+      const double theirs = material->list.get<double>(key);
+      const std::string place = node[key] ? node[key].place() : node.keyPlace();
+      if (!mine && theirs != 1.0)
+        mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization has none; add \"{}: {}\" there too, since "
+                                         "it is needed to find the distance of points from their volumes",
+                                         node.path(), key, theirs, key, theirs));
+      else if (mine && mine.real() != theirs)
+        mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization/{} is {}; they must agree", node.path(), key,
+                                         theirs, key, mine.real()));
     }
   }
 

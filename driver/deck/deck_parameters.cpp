@@ -140,8 +140,8 @@ class SectionReader {
   Teuchos::ParameterList& list_;
 };
 
-void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations,
-                       const Teuchos::ParameterList& list, Mistakes& mistakes, const HostKeys& hostKeys) {
+void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations, Mistakes& mistakes,
+                       const HostKeys& hostKeys) {
   for (const Parameter& parameter : declarations.parameters()) {
     if (!parameter.isRequired || section[parameter.name] || contains(hostKeys.injected, parameter.name)) continue;
     mistakes.add(section.keyPlace(), section.path() + " lacks \"" + parameter.name + "\" (" + parameter.expectation() +
@@ -198,7 +198,7 @@ Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDe
                                          (known.empty() ? "; it takes no keys" : "; known here: " + quotedList(known)));
     }
   }
-  checkCompleteness(section, declarations, list, mistakes, hostKeys);
+  checkCompleteness(section, declarations, mistakes, hostKeys);
   for (const Parameter& parameter : declarations.parameters())
     if (!section[parameter.name]) parameter.setDefault(list);
   return list;

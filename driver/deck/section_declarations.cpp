@@ -31,8 +31,8 @@ Declarations declareDiscretization() {
   return declare;
 }
 
-void declareFilterType(Declarations& declare) {
-  declare.text("Type", "Form of the surface.").oneOf(bondFilterTypes()).required();
+void declareFilterType(Declarations& declare, const std::string& type) {
+  declare.text("Type", "Form of the surface.").oneOf({type}).required();
   declare
       .flag("Count In Damage",
             "true: the cut bonds count as broken in Damage; false: as if they had never been (Peridigm's way).")
@@ -47,7 +47,7 @@ void declareVector(Declarations& declare, const std::string& name, const std::st
 std::map<std::string, Declarations> declareBondFilters() {
   std::map<std::string, Declarations> filters;
   Declarations& plane = filters["Rectangular_Plane"];
-  declareFilterType(plane);
+  declareFilterType(plane, "Rectangular_Plane");
   declareVector(plane, "Normal", "1", "Normal of the plane.");
   declareVector(plane, "Lower_Left_Corner", "m", "A corner of the rectangle.");
   declareVector(plane, "Bottom_Unit_Vector", "1", "Direction of the bottom side, within the plane.");
@@ -55,13 +55,13 @@ std::map<std::string, Declarations> declareBondFilters() {
   plane.real("Side_Length", "m", "Length of the other side.").positive().required();
 
   Declarations& disk = filters["Disk"];
-  declareFilterType(disk);
+  declareFilterType(disk, "Disk");
   declareVector(disk, "Center", "m", "Centre of the disk.");
   declareVector(disk, "Normal", "1", "Normal of the disk.");
   disk.real("Radius", "m", "Radius of the disk.").positive().required();
 
   Declarations& pair = filters["Node Set Pair"];
-  declareFilterType(pair);
+  declareFilterType(pair, "Node Set Pair");
   pair.text("First Node Set", "Points of one crack lip.").required();
   pair.text("Second Node Set", "Points of the other; every bond between the two sets is cut.").required();
   return filters;

@@ -311,8 +311,13 @@ std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes
       result.emplace_back(parameter.name, "is required: " + parameter.meaning);
   // A flag that is false says no more than one left out; hosts fill it in.
   const auto isGiven = [&](const std::string& name) {
-    const bool isFalse = given.isType<bool>(name) && !given.get<bool>(name);
-    return given.isSublist(name) || (given.isParameter(name) && !isFalse);
+    if (given.isSublist(name)) return true;
+    if (!given.isParameter(name) || (given.isType<bool>(name) && !given.get<bool>(name))) return false;
+    // A host may have filled in the default.
+    const Parameter* parameter = find(name);
+    Teuchos::ParameterList defaults;
+    if (parameter != nullptr) parameter->setDefault(defaults);
+    return !defaults.isParameter(name) || defaults.getEntry(name).getAny() != given.getEntry(name).getAny();
   };
   for (const std::string& message : brokenRules(isGiven)) result.emplace_back("", message);
   return result;

@@ -80,7 +80,8 @@ class ParameterDeclarations {
   /// A named sub-list with parameters of its own ("Adaptive Dynamic Relaxation" in "Staggered").
   ParameterDeclarations& sublist(const std::string& name, const std::string& meaning);
 
-  /// Of these parameters (or sub-lists) exactly / at most / at least one must be given.
+  /// Of these parameters (or sub-lists) exactly / at most / at least one must be given. A flag that is false, or a
+  /// value that is the default, counts as not given.
   void exactlyOneOf(std::vector<std::string> names);
   void atMostOneOf(std::vector<std::string> names);
   void atLeastOneOf(std::vector<std::string> names);
