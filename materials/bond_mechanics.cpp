@@ -248,7 +248,13 @@ BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& vie
         values[dimension] = 1.0 / bond.length;
         values[dimension + 1] = views.volume[j];
       },
-      kernels::BondConstants::Keep::OnlyUniform);
+      kernels::BondConstants::Keep::OnlyUniform, 1e-12,
+      // Else an undeformed bond would be strained by as much as the tolerance.
+      [&](double* values) {
+        double length2 = 0.0;
+        for (int d = 0; d < dimension; ++d) length2 += values[d] * values[d];
+        values[dimension] = 1.0 / std::sqrt(length2);
+      });
   cache.reference.separate(views.x, views.nPoints, dimension);
   cache.volume.copy(views.volume, views.nPoints);
   return cache;

@@ -133,7 +133,7 @@ std::size_t ChunkedNeighborhood::bytes() const {
 
 BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                              const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep,
-                             double tolerance) {
+                             double tolerance, const std::function<void(double*)>& derive) {
   const auto w = static_cast<std::size_t>(width);
   std::vector<double> one(w), all, shared, scale(w);
   CanonicalValues canonical(tolerance);
@@ -171,6 +171,7 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
       lastUniform = values_.size();
       lastUniformSize = count;
       for (std::size_t i = 0; i < count; ++i) values_.push_back(canonical(all[i * lanes]));
+      for (std::size_t i = 0; derive && i < count; i += w) derive(&values_[lastUniform + i]);
     }
     start_.push_back(lastUniform);
   }

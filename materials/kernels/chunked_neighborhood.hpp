@@ -76,10 +76,12 @@ class BondConstants {
   BondConstants() = default;
   /// `fill(point, neighbor, bond, values)` writes the constants of one bond; bond = position in the host's bond data.
   /// With `OnlyUniform`, chunks whose lanes differ keep nothing (of() must not be called for them).
+  /// Values of uniform chunks are replaced by representatives within `tolerance`; `derive(values)`, where given, then
+  /// sets those constants of a bond that must fit the others to round-off.
   enum class Keep { All, OnlyUniform };
   BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                 const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep = Keep::All,
-                double tolerance = 1e-12);
+                double tolerance = 1e-12, const std::function<void(double*)>& derive = {});
 
   bool isUniform(std::size_t chunk) const { return isUniform_[chunk] != 0; }
   /// Uniform: width doubles a neighbour, [k * width + component].
