@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../deck/sections.hpp"
+#include "../output/checkpoint.hpp"
 #include "../output/output_section.hpp"
 #include "../solvers/solver.hpp"
 #include "Peridigm_Field.hpp"
@@ -177,7 +178,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   std::vector<Stage> stages = createStages(deck);
   for (const Stage& stage : stages) model.allocateFields(stage.solver->fieldIds());
   BoundaryConditions conditions(deck, model);
-  Output output(deck, comm, options.isQuiet);
+  Output output(deck, comm, options.isQuiet, !options.restartFile.empty());
   model.allocateFields(output.fieldIds());
   output.initialize(model);
   const ErrorNorms errorNorms(deck, model);
@@ -198,6 +199,8 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     model.updateState();
     output.log(
         fmt::format("going on from step {} (t = {:g} s) of {}", restart->step, restart->time, options.restartFile));
+    if (restart->deckHash != textHash(resolvedDeck(deck)))
+      output.log("note: the deck is not the one that wrote this checkpoint");
   }
 
   Run(Simulation{model, conditions, output}, stages, comm).execute(restart ? &*restart : nullptr);

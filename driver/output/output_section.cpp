@@ -34,7 +34,8 @@ OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
   section.frequency = node.integer("Output Frequency", -1);
   for (const DeckNode& step : itemsOrSelf(node["Output Steps"]))
     section.steps.insert(static_cast<int>(std::lround(step.real())));
-  section.firstStep = node.integer("Initial Output Step", 1);
+  section.firstStep =
+      isPeridigmDeck ? node.integer("Initial Output Step", 1) - 1 : node.integer("Initial Output Step", 0);
   section.lastStep = node.integer("Final Output Step", std::numeric_limits<int>::max());
   section.historyFrequency = node.integer("History Frequency", isPeridigmDeck ? section.frequency : 1);
   section.checkpointFrequency = node.integer("Checkpoint Frequency", -1);
@@ -45,9 +46,7 @@ OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
 
 }  // namespace
 
-bool OutputSection::isInRange(int step) const {
-  return (step >= firstStep || (step == 0 && firstStep <= 1)) && step <= lastStep;
-}
+bool OutputSection::isInRange(int step) const { return step >= firstStep && step <= lastStep; }
 
 bool OutputSection::areFieldsDue(int step, bool isLast) const {
   if (!writesFields() || !isInRange(step)) return false;

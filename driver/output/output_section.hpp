@@ -19,7 +19,7 @@ struct OutputSection {
   std::string fileName;      ///< path of the files without their endings
   int frequency = -1;        ///< of fields, in increments; -1: none
   std::set<int> steps;       ///< further increments whose fields are written
-  int firstStep = 1;         ///< nothing is written before; the initial state counts as 1, as in Peridigm
+  int firstStep = 0;         ///< nothing is written before
   int lastStep = 0;          ///< or after
   int historyFrequency = 1;  ///< of values for the whole body; -1: none
   int checkpointFrequency = -1;
@@ -37,7 +37,8 @@ struct OutputSection {
 
 /// All sections whose name contains "Output", as in Peridigm, in the order of the deck. The deck has been checked.
 ///
-/// Peridigm writes values for the whole body as often as fields: the default for decks with the root key `Peridigm`.
+/// Peridigm counts the initial state as output 1, so its `Initial Output Step` n is our step n - 1, and it writes
+/// values for the whole body as often as fields; both hold for decks with the root key `Peridigm`.
 std::vector<OutputSection> readOutputSections(const Deck& deck);
 
 /// Path of the files of the first section without their endings; where the deck has no section, the name of the deck.

@@ -1,0 +1,106 @@
+// A run that is killed while it writes: the steps that it has listed stay readable, and a restart goes on from them.
+#include <gtest/gtest.h>
+#include <mpi.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "../test_folder.hpp"
+#include "driver/output/field_writer.hpp"
+#include "driver/output/global_order.hpp"
+
+namespace pd::test {
+namespace {
+
+constexpr int nPoints = 20000;  // a few milliseconds a step, so that kills meet every part of it
+
+/// Writes steps firstStep, firstStep + 1, ... until it is killed. read_series.py knows their values.
+void writeSteps(const std::string& name, int firstStep) {
+  MPI_Init(nullptr, nullptr);
+  const Communicator comm(MPI_COMM_WORLD);
+  std::vector<int> ids(nPoints), blocks(nPoints, 1);
+  std::vector<double> x(3 * nPoints), volumes(nPoints, 2.0), damage(nPoints), displacement(3 * nPoints);
+  for (int i = 0; i < nPoints; ++i) {
+    ids[i] = nPoints - 1 - i;
+    x[3 * i] = ids[i];
+  }
+  const GlobalOrder order(comm, ids, nPoints, nPoints);
+  FieldWriter writer(name, order, x.data(), blocks.data(), volumes.data(), firstStep);
+  for (int step = firstStep;; ++step) {
+    for (int i = 0; i < nPoints; ++i) {
+      damage[i] = step + ids[i] / 65536.0;
+      for (int k = 0; k < 3; ++k) displacement[3 * i + k] = step * ids[i] + k;
+    }
+    writer.write(step, 0.5 * step, {{"Damage", 1, damage.data()}, {"Displacement", 3, displacement.data()}});
+  }
+}
+
+int numberOf(const std::string& text, const std::string& word) {
+  int count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+/// Steps that the XDMF file lists.
+int nListed(const std::string& name) { return numberOf(contentOf(name + ".xdmf"), "<Time "); }
+
+/// Lets a child write from `firstStep` on, and kills it `delay` after it has listed at least one more step.
+void writeAndKill(const std::string& name, int firstStep, std::chrono::microseconds delay) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    try {
+      writeSteps(name, firstStep);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+    }
+    _exit(1);
+  }
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  int status = 0;
+  while (nListed(name) <= firstStep) {
+    ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << "the writer ended by itself";
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::this_thread::sleep_for(delay);
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+/// Reads all that the files list with h5py and meshio; 0 where it is right.
+int readByPython(const std::string& name, int nSteps) {
+  const std::string command = "/usr/bin/python3 " PD_SOURCE_DIR "/tests/unit/read_series.py \"" + name + "\" " +
+                              std::to_string(nPoints) + " " + std::to_string(nSteps);
+  return std::system(command.c_str());
+}
+
+TEST(KilledOutput, LeavesTheListedStepsReadableAndRestartable) {
+  const TestFolder folder("pd_killed_output_test");
+  const std::string name = folder / "plate";
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> delay(0, 12000);
+  int firstStep = 0, nUnfinished = 0;
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    writeAndKill(name, firstStep, std::chrono::microseconds(delay(random)));
+    ASSERT_FALSE(HasFatalFailure());
+    const int listed = nListed(name);
+    ASSERT_GT(listed, firstStep);
+    ASSERT_EQ(readByPython(name, listed), 0) << "after " << listed << " steps";
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "plate.steps"))
+      if (entry.path().extension() == ".unfinished") ++nUnfinished;
+    firstStep = listed;
+  }
+  EXPECT_GT(nUnfinished, 0) << "no kill met a file that was being written, so nothing was tested";
+}
+
+}  // namespace
+}  // namespace pd::test
