@@ -1,9 +1,11 @@
 #include "critical_stretch.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "Peridigm_InfluenceFunction.hpp"
 #include "bond_constants.hpp"
+#include "bond_family.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -113,20 +115,56 @@ void CriticalStretch::initialize(const double, const int numOwnedPoints, const i
   countBrokenBonds({numOwnedPoints, ownedIDs, neighborhoodList}, bondDamage, damage);
 }
 
+struct CriticalStretch::Fields {
+  int nPoints;
+  kernels::StretchFields stretch;
+};
+
+bool CriticalStretch::findChunksToTest(const Cache& cache, const Fields& fields,
+                                       std::vector<std::size_t>& chunks) const {
+  if (cache.slack.empty() || !std::isfinite(law_.steepest())) return false;
+  double moved2 = 0.0, changed = 0.0;
+  for (int i = 0; i < fields.nPoints; ++i) {
+    double distance2 = 0.0;
+    for (int d = 0; d < fields.stretch.dimension; ++d) {
+      const double step = fields.stretch.current[d][i] - cache.testedPositions[d][i];
+      distance2 += step * step;
+    }
+    moved2 = std::max(moved2, distance2);
+  }
+  for (std::size_t i = 0; i < cache.testedCoverage.size(); ++i)
+    changed = std::max(changed, std::abs(cache.coverage[i] - cache.testedCoverage[i]));
+  // The last term is round-off of coordinates.
+  const double reach = 2.0 * std::sqrt(moved2) + law_.steepest() * changed * cache.longestBond;
+  const double needed = reach * (1.0 + 1e-9) + 1e-12 * cache.longestBond;
+  constexpr double worthwhileShare = 0.25;
+  const auto most = static_cast<std::size_t>(worthwhileShare * static_cast<double>(cache.slack.size()));
+  for (std::size_t c = 0; c < cache.slack.size(); ++c) {
+    if (cache.slack[c] > needed) continue;
+    chunks.push_back(c);
+    if (chunks.size() > most) return false;
+  }
+  return true;
+}
+
+void CriticalStretch::rememberTest(Cache& cache, const Fields& fields) const {
+  cache.slack = kernels::slackOfChunks(cache.neighborhood, cache.alive, fields.stretch, law_);
+  cache.testedPositions = cache.current;
+  if (fields.stretch.coverage != nullptr) cache.testedCoverage = cache.coverage;
+}
+
 void CriticalStretch::computeDamage(const double, const int numOwnedPoints, const int* ownedIDs,
                                     const int* neighborhoodList, DataManager& dataManager) const {
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
   const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
   const double* y = view(dataManager, coordinatesId_, Field::STEP_NP1);
   double* damage = view(dataManager, damageId_, Field::STEP_NP1);
-  const auto newBonds = dataManager.getData(bondDamageId_, Field::STEP_NP1);
-  const auto oldBonds = dataManager.getData(bondDamageId_, Field::STEP_N);
-  double *bondDamage = nullptr, *oldBondDamage = nullptr;
-  newBonds->ExtractView(&bondDamage);
-  oldBonds->ExtractView(&oldBondDamage);
+  double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
+  const double* oldBondDamage = view(dataManager, bondDamageId_, Field::STEP_N);
   // A host may keep N and NP1 apart and swap them: then nothing at NP1 is of the last call.
   const bool isSwapped = bondDamage != oldBondDamage;
-  if (isSwapped) std::copy(oldBondDamage, oldBondDamage + oldBonds->MyLength(), bondDamage);
+  if (isSwapped)
+    std::copy(oldBondDamage, oldBondDamage + dataManager.getData(bondDamageId_, Field::STEP_N)->MyLength(), bondDamage);
   const double* noFailure =
       dataManager.hasData(noFailureId_, Field::STEP_NONE) ? view(dataManager, noFailureId_, Field::STEP_NONE) : nullptr;
 
@@ -137,6 +175,9 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
     made.alive = kernels::AliveBonds(made.neighborhood);
     made.reference.separate(x, nPoints, 3);
     made.isPlane = isPlane(x, nPoints);
+    forEachBond(c, [&](int i, int j, std::size_t) {
+      made.longestBond = std::max(made.longestBond, ReferenceBond(x, i, j).length);
+    });
     return made;
   });
   const kernels::ChunkedNeighborhood& neighborhood = cache.neighborhood;
@@ -144,16 +185,22 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
   const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
   cache.current.separate(y, nPoints, dimension);
   const bool hasCoverage = coverage(dataManager, cache.coverage);
+  const Fields fields{nPoints,
+                      {dimension, cache.reference, cache.current, hasCoverage ? cache.coverage.data() : nullptr}};
 
+  std::vector<std::size_t> chunks;
+  const bool testsSome = findChunksToTest(cache, fields, chunks);
   std::vector<std::pair<const kernels::Chunk*, int>> changed;
   kernels::findOverstretchedBonds(
-      neighborhood, cache.alive, dimension, cache.reference, cache.current,
-      hasCoverage ? cache.coverage.data() : nullptr, law_, [&](const kernels::Chunk& chunk, int k, int lane) {
+      neighborhood, cache.alive, fields.stretch, law_,
+      [&](const kernels::Chunk& chunk, int k, int lane) {
         const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
         if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) return;
         bondDamage[neighborhood.firstBond(chunk, lane) + static_cast<std::size_t>(k)] = 1.0;
         changed.emplace_back(&chunk, lane);
-      });
+      },
+      testsSome ? &chunks : nullptr);
+  if (!testsSome) rememberTest(cache, fields);
   if (isSwapped) {
     countBrokenBonds(call, bondDamage, damage);
     return;

@@ -45,7 +45,20 @@ class CriticalStretch : public PeridigmNS::DamageModel {
     kernels::PointArrays reference, current;
     std::vector<double> coverage;
     bool isPlane = false;
+    double longestBond = 0.0;
+    // What bonds looked like when all were last tested (see chunksToTest).
+    std::vector<double> slack;
+    kernels::PointArrays testedPositions;
+    std::vector<double> testedCoverage;
   };
+  struct Fields;
+
+  /// Chunks with a bond that may have reached its limit since all were tested: a bond cannot have grown by more than
+  /// twice the largest displacement since, nor its critical stretch have fallen by more than the largest change of
+  /// coverage allows. Returns false where testing all again pays.
+  bool findChunksToTest(const Cache& cache, const Fields& fields, std::vector<std::size_t>& chunks) const;
+  void rememberTest(Cache& cache, const Fields& fields) const;
+
   int modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_, noFailureId_;
   mutable NeighborhoodCache<Cache> caches_;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "alive_bonds.hpp"
 #include "chunked_neighborhood.hpp"
@@ -22,13 +23,29 @@ struct CriticalStretchLaw {
   double compressiveStretch = std::numeric_limits<double>::infinity();
 
   double at(double psi) const;
+  /// Bound of |d s_c / d psi| over [0, 1]; infinite where a square root meets zero.
+  double steepest() const;
 };
 
-/// Calls onBreak(chunk, k, lane) for every unbroken bond whose stretch exceeds the law's. `coverage`: psi by local id,
-/// already in [0, 1], or null. The test compares squared lengths, and decides the same from both ends of a bond.
-void findOverstretchedBonds(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive, int dimension,
-                            const PointArrays& reference, const PointArrays& current, const double* coverage,
-                            const CriticalStretchLaw& law, const std::function<void(const Chunk&, int, int)>& onBreak);
+/// What the stretch of bonds is computed from. `coverage`: psi by local id, already in [0, 1], or null.
+struct StretchFields {
+  int dimension;
+  const PointArrays& reference;
+  const PointArrays& current;
+  const double* coverage;
+};
+
+/// Calls onBreak(chunk, k, lane) for every unbroken bond of the chunks `only` (all where it is null) whose stretch
+/// exceeds the law's. The test compares squared lengths, and decides the same from both ends of a bond.
+void findOverstretchedBonds(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
+                            const StretchFields& fields, const CriticalStretchLaw& law,
+                            const std::function<void(const Chunk&, int, int)>& onBreak,
+                            const std::vector<std::size_t>* only = nullptr);
+
+/// For each chunk, the smallest length (m) by which any of its unbroken bonds would have to grow (or shrink, where
+/// compression breaks) to break. Negative where one is to break already.
+std::vector<double> slackOfChunks(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
+                                  const StretchFields& fields, const CriticalStretchLaw& law);
 
 }  // namespace pd::kernels
 
