@@ -38,7 +38,7 @@ DataManager::Slot DataManager::makeSlot(int fieldId) const {
     slot.none = vector;
   } else {
     slot.np1 = vector;
-    if (isBond) slot.n = vector;
+    if (isBond) slot.n = bondStepsApart_ ? Teuchos::rcp(new FieldVector(*vector)) : vector;
   }
   return slot;
 }
@@ -95,6 +95,9 @@ std::vector<int> DataManager::getFieldIds() {
 void DataManager::updateState() {
   for (auto& entry : *pointData_)
     if (!entry.second.n.is_null()) *entry.second.n = *entry.second.np1;
+  if (!bondStepsApart_) return;
+  for (auto& entry : ownData_)
+    if (entry.second.spec.relation == PeridigmField::BOND) std::swap(entry.second.n, entry.second.np1);
 }
 
 std::size_t DataManager::bondBytes() const {

@@ -62,6 +62,10 @@ class DataManager {
   /// Sizes and numbering. `numBonds`: length of the block's bond data.
   void setMaps(Teuchos::RCP<const PointMap> ownedPoints, Teuchos::RCP<const PointMap> overlapPoints, int numBonds);
 
+  /// Stores STEP_N and STEP_NP1 of two-step bond fields apart and swaps them at the end of a step, as Peridigm does.
+  /// Call it before allocateData().
+  void keepBondStepsApart() { bondStepsApart_ = true; }
+
   /// Allocates the fields that are not there yet, filled with zeros.
   void allocateData(const std::vector<int>& fieldIds);
 
@@ -102,6 +106,7 @@ class DataManager {
 
   Teuchos::RCP<const PointMap> ownedPoints_, overlapPoints_;
   int numBonds_ = 0;
+  bool bondStepsApart_ = false;
   std::shared_ptr<Slots> pointData_ = std::make_shared<Slots>();
   Slots ownData_;  ///< bond fields and private point fields
 };

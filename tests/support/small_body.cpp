@@ -36,6 +36,7 @@ int fieldId(PeridigmField::Relation relation, PeridigmField::Length length, Peri
 
 SmallBody::SmallBody(const std::vector<Point>& points, BodyOptions options)
     : points_(points),
+      volumes_(options.volumes.empty() ? std::vector<double>(points.size(), 1.0) : options.volumes),
       blocks_(Teuchos::rcp(new std::vector<Block>)),
       nodeSets_(Teuchos::rcp(new Discretization::NodeSets)),
       discretization_(Teuchos::rcp(new Discretization(nodeSets_))),
@@ -66,23 +67,32 @@ SmallBody::SmallBody(const std::vector<Point>& points, BodyOptions options)
     block.setNeighborhoodData(Teuchos::rcp(new NeighborhoodData(ownedIds, list)));
     block.setDataManager(Teuchos::rcp(new DataManager));
     block.getDataManager()->setMaps(ownedMap, overlapMap, nBonds);
+    if (options.bondStepsAreApart) block.getDataManager()->keepBondStepsApart();
     if (!blocks_->empty()) block.getDataManager()->sharePointData(*blocks_->front().getDataManager());
     blocks_->push_back(block);
   }
   globalData_->set("discretization", &discretization_);
 
+  if (options.isBare) return;
   using namespace PeridigmField;
   allocate({fieldId(ELEMENT, SCALAR, CONSTANT, "Volume"), fieldId(NODE, VECTOR, CONSTANT, "Model_Coordinates"),
             fieldId(NODE, VECTOR, TWO_STEP, "Coordinates")});
-  for (int i = 0; i < nPoints(); ++i) {
-    field("Volume")[i] = options.volumes.empty() ? 1.0 : options.volumes[static_cast<std::size_t>(globalId(i))];
-    std::copy(point(i).begin(), point(i).end(), field("Model_Coordinates") + 3 * i);
-  }
-  deform([](const Point& x) { return x; });
 }
 
 void SmallBody::allocate(const std::vector<int>& fieldIds) {
+  const bool wasDeformed = hasField("Coordinates");
   for (Block& block : *blocks_) block.getDataManager()->allocateData(fieldIds);
+  for (int i = 0; i < nPoints(); ++i) {
+    if (hasField("Volume")) field("Volume")[i] = volumes_[static_cast<std::size_t>(globalId(i))];
+    if (hasField("Model_Coordinates")) std::copy(point(i).begin(), point(i).end(), field("Model_Coordinates") + 3 * i);
+  }
+  if (!wasDeformed) deform([](const Point& x) { return x; });
+}
+
+bool SmallBody::hasField(const std::string& label) {
+  if (!FieldManager::self().hasField(label)) return false;
+  const int id = FieldManager::self().getFieldId(label);
+  return block().hasData(id, STEP_NONE) || block().hasData(id, STEP_NP1);
 }
 
 double* SmallBody::field(const std::string& label, std::size_t b) {
@@ -93,29 +103,29 @@ double* SmallBody::field(const std::string& label, std::size_t b) {
 }
 
 void SmallBody::deform(const std::function<Point(const Point&)>& map) {
-  FieldManager& fields = FieldManager::self();
-  const bool hasDisplacement =
-      fields.hasField("Displacement") && block().hasData(fields.getFieldId("Displacement"), STEP_NP1);
   for (int i = 0; i < nPoints(); ++i) {
     const Point y = map(point(i));
     for (int k = 0; k < 3; ++k) {
       const std::size_t axis = static_cast<std::size_t>(k);
-      field("Coordinates")[3 * i + k] = y[axis];
-      if (hasDisplacement) field("Displacement")[3 * i + k] = y[axis] - point(i)[axis];
+      if (hasField("Coordinates")) field("Coordinates")[3 * i + k] = y[axis];
+      if (hasField("Displacement")) field("Displacement")[3 * i + k] = y[axis] - point(i)[axis];
     }
   }
 }
 
 void SmallBody::breakBonds(const std::function<bool(const Point&, const Point&)>& isBroken) {
   using namespace PeridigmField;
-  allocate({fieldId(BOND, SCALAR, TWO_STEP, "Bond_Damage")});
+  const int id = fieldId(BOND, SCALAR, TWO_STEP, "Bond_Damage");
+  allocate({id});
   for (std::size_t b = 0; b < blocks_->size(); ++b) {
     const auto neighborhood = block(b).getNeighborhoodData();
     const int* list = neighborhood->NeighborhoodList();
-    double* bondDamage = field("Bond_Damage", b);
+    FieldVector& now = *block(b).getData(id, STEP_NP1);
+    FieldVector& before = *block(b).getData(id, PeridigmField::STEP_N);
+    int bond = 0;
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i)
-      for (int n = *list++; n > 0; --n, ++list, ++bondDamage)
-        if (isBroken(point(neighborhood->OwnedIDs()[i]), point(*list))) *bondDamage = 1.0;
+      for (int n = *list++; n > 0; --n, ++list, ++bond)
+        if (isBroken(point(neighborhood->OwnedIDs()[i]), point(*list))) now[bond] = before[bond] = 1.0;
   }
 }
 

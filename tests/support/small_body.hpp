@@ -45,10 +45,13 @@ struct BodyOptions {
   std::vector<double> volumes;  ///< one a point; empty: 1
   std::function<int(int globalId)> blockOf = [](int) { return 1; };
   std::function<bool(int globalId)> isOwned = [](int) { return true; };  ///< the rest are ghosts
+  bool isBare = false;             ///< without any field until allocate() is called
+  bool bondStepsAreApart = false;  ///< DataManager::keepBondStepsApart
 };
 
 /// Blocks share their point fields, as in the driver. Local numbering: owned points in the order of their global ids,
-/// then ghosts. Volume, Model_Coordinates and Coordinates (undeformed) are filled; Bond_Damage is allocated on demand.
+/// then ghosts. Volume, Model_Coordinates and Coordinates (undeformed) are filled when they are allocated, which the
+/// constructor does unless the body is to be bare.
 class SmallBody {
  public:
   SmallBody(const std::vector<Point>& points, BodyOptions options);
@@ -64,13 +67,14 @@ class SmallBody {
 
   /// Allocates what is not there yet, in all blocks.
   void allocate(const std::vector<int>& fieldIds);
-  /// Values of a field (of the first block) at STEP_NP1, or STEP_NONE where it has no steps.
+  bool hasField(const std::string& label);
+  /// Values of a field as the block sees it, at STEP_NP1, or STEP_NONE where it has no steps.
   double* field(const std::string& label, std::size_t block = 0);
   double value(const std::string& label, int component = 0) { return field(label)[component]; }
 
-  /// Coordinates = map(point), Displacement too where it is allocated; ghosts included.
+  /// Coordinates = map(point), Displacement too, where they are allocated; ghosts included.
   void deform(const std::function<Point(const Point&)>& map);
-  /// Sets Bond_Damage to 1 for bonds (of all blocks) that the predicate picks.
+  /// Sets Bond_Damage to 1, at both steps, for bonds (of all blocks) that the predicate picks.
   void breakBonds(const std::function<bool(const Point& from, const Point& to)>& isBroken);
 
   void addNodeSet(const std::string& name, const std::vector<int>& globalIds) { (*nodeSets_)[name] = globalIds; }
@@ -78,6 +82,7 @@ class SmallBody {
 
  private:
   std::vector<Point> points_;
+  std::vector<double> volumes_;
   std::vector<int> globalIds_;
   int nOwned_ = 0;
   Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks_;

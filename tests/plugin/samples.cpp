@@ -1,0 +1,134 @@
+#include "samples.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <cmath>
+
+namespace pdtest {
+
+namespace {
+
+constexpr double spacing = 0.5;
+constexpr double thickness = 0.2;
+
+Teuchos::ParameterList elastic(double poissonsRatio) {
+  Teuchos::ParameterList list;
+  list.set("Density", 2.0);
+  list.set("Young's Modulus", 10.0);
+  list.set("Poisson's Ratio", poissonsRatio);
+  return list;
+}
+
+Teuchos::ParameterList diffusive(const char* kernel) {
+  Teuchos::ParameterList list;
+  list.set("Diffusivity", 3.0);
+  list.set<std::string>("Diffusion Kernel", kernel);
+  return list;
+}
+
+template <class Value>
+Teuchos::ParameterList with(Teuchos::ParameterList list, const char* key, Value value) {
+  list.set(key, value);
+  return list;
+}
+
+Teuchos::ParameterList withText(Teuchos::ParameterList list, const char* key, const std::string& value) {
+  return with(std::move(list), key, value);
+}
+
+Teuchos::ParameterList plate(Teuchos::ParameterList list, const char* plane) {
+  return with(with(std::move(list), plane, true), "Thickness", thickness);
+}
+
+}  // namespace
+
+std::vector<Sample> materialSamples() {
+  std::vector<Sample> samples{
+      {"PlaneStress", "PDHE", 2, plate(elastic(0.29), "Plane Stress")},
+      {"PlaneStressVolumeMethod", "PDHE", 2,
+       withText(plate(elastic(0.1), "Plane Stress"), "Surface Correction", "Volume Method")},
+      {"PlaneStrainEnergyMethod", "PDHE", 2,
+       withText(plate(elastic(0.2), "Plane Strain"), "Surface Correction", "Energy Method")},
+      {"BondBasedPlate", "PDHE", 2, plate(elastic(1.0 / 3.0), "Plane Stress")},
+      {"LinearTangentialForce", "PDHE", 2, withText(plate(elastic(0.2), "Plane Stress"), "Tangential Force", "Linear")},
+      {"RescaledPlate", "PDHE", 2, with(plate(elastic(0.2), "Plane Stress"), "Lattice Rescaling", true)},
+      {"Solid", "PDHE", 3, withText(elastic(0.15), "Surface Correction", "Energy Method")},
+      {"LatticeSolid", "PDHE", 3, withText(elastic(0.1), "Surface Correction", "Volume Method")},
+      {"Bar", "PDHE", 1, with(with(elastic(0.25), "One Dimensional", true), "Cross Section Area", thickness)},
+      {"DiffusionInAPlate", "PDHE", 2, plate(diffusive("Inverse Square"), "Plane Stress")},
+      {"DiffusionOfTemperature", "PDHE", 3, withText(diffusive("Inverse"), "Diffusing Field", "Temperature")},
+      {"DiffusionInABar", "PDHE", 1,
+       with(with(diffusive("Constant"), "One Dimensional", true), "Cross Section Area", thickness)},
+  };
+  Teuchos::ParameterList both = plate(elastic(0.25), "Plane Strain");
+  both.set("Diffusivity", 2.0);
+  both.set("Diffusion Stops At Broken Bonds", true);
+  samples.push_back({"MechanicsAndDiffusion", "PDHE", 2, both});
+  for (Sample& sample : samples) {
+    sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
+    if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;
+  }
+  return samples;
+}
+
+std::vector<Sample> damageSamples() {
+  Teuchos::ParameterList stretch;
+  stretch.set("Critical Stretch", 0.04);
+  Teuchos::ParameterList energy = plate(elastic(1.0 / 3.0), "Plane Stress");
+  energy.remove("Density");
+  energy.remove("Thickness");
+  energy.set("Fracture Energy", 0.01);
+  energy.set("Horizon", 2.015 * spacing);
+  energy.set("Critical Compressive Stretch", 0.06);
+  Teuchos::ParameterList hydrogen = with(stretch, "Saturation Concentration", 0.8);
+  Teuchos::ParameterList polynomial = withText(hydrogen, "Degradation Law", "Polynomial");
+  Teuchos::Array<double> coefficients(2);
+  coefficients[0] = 1.0;
+  coefficients[1] = -0.5;
+  polynomial.set("Polynomial", coefficients);
+  return {
+      {"Plate", "Critical Stretch", 2, stretch},
+      {"Solid", "Critical Stretch", 3, stretch},
+      {"FromFractureEnergy", "Critical Stretch", 2, energy},
+      {"Hydrogen", "Hydrogen Critical Stretch", 2, hydrogen},
+      {"HydrogenInASolid", "Hydrogen Critical Stretch", 3, withText(hydrogen, "Degradation Law", "Fracture Energy")},
+      {"HydrogenPolynomial", "Hydrogen Critical Stretch", 2, polynomial},
+  };
+}
+
+double noise(int globalId, int salt) {
+  auto bits = static_cast<unsigned>(globalId) * 2654435761u + static_cast<unsigned>(salt) * 40503u + 12345u;
+  bits = (bits ^ (bits >> 15)) * 2246822519u;
+  bits = (bits ^ (bits >> 13)) * 3266489917u;
+  bits ^= bits >> 16;
+  return 2.0 * bits / 4294967295.0 - 1.0;
+}
+
+Scene sceneOf(const Sample& sample) {
+  Scene scene;
+  scene.horizon = 2.015 * spacing;
+  scene.reach = scene.horizon + 0.5 * spacing;
+  double volume = std::pow(spacing, sample.dimension);
+  if (sample.dimension == 1) {
+    scene.points = lattice(12, 1, 1, spacing);
+    volume *= thickness;
+  } else if (sample.dimension == 2) {
+    scene.points = lattice(8, 7, 1, spacing);
+    volume *= thickness;
+  } else {
+    scene.points = lattice(6, 5, 5, spacing);
+  }
+  scene.volumes.assign(scene.points.size(), volume);
+  if (sample.isUniform) return scene;
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    for (int axis = 0; axis < sample.dimension; ++axis)
+      scene.points[i][static_cast<std::size_t>(axis)] += 0.1 * spacing * noise(static_cast<int>(i), axis);
+    scene.volumes[i] *= 1.0 + 0.1 * noise(static_cast<int>(i), 7);
+  }
+  return scene;
+}
+
+Teuchos::ParameterList parametersOf(const Sample& sample) {
+  return with(sample.parameters, "Horizon", sceneOf(sample).horizon);
+}
+
+}  // namespace pdtest
