@@ -110,25 +110,23 @@ AdaptiveDynamicRelaxation::Norms AdaptiveDynamicRelaxation::measure(Simulation& 
   Model& model = simulation.model;
   const Timers::Scope timer(model.timers(), "relaxation update");
   const double *force = model.field("Force_Density"), *volume = model.field("Volume");
-  const double *displacement = model.field("Displacement"), *velocity = model.field(velocityField);
-  const double* before = model.field(accelerationField);
-  double free = 0.0, external = 0.0, reaction = 0.0, stiffness = 0.0, length = 0.0;
+  const double *velocity = model.field(velocityField), *before = model.field(accelerationField);
+  double free = 0.0, external = 0.0, reaction = 0.0, stiffness = 0.0, kinetic = 0.0;
   const std::size_t n = inverseMass_.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (!(inverseMass_[i] > 0.0)) continue;
     const double total = (force[i] + externalForce_[i]) * volume[i / 3], applied = externalForce_[i] * volume[i / 3];
     free += total * total;
     external += applied * applied;
-    const double u2 = displacement[i] * displacement[i];
-    length += u2;
-    if (velocity[i] != 0.0)
-      stiffness -= u2 * ((force[i] + externalForce_[i]) * inverseMass_[i] - before[i]) / velocity[i];
+    const double momentum = velocity[i] * volume[i / 3] / inverseMass_[i];
+    kinetic += velocity[i] * momentum;
+    stiffness -= momentum * ((force[i] + externalForce_[i]) * inverseMass_[i] - before[i]);
   }
   for (const int entry : prescribed_) {
     const double total = force[entry] * volume[entry / 3];
     reaction += total * total;
   }
-  std::array<double, 5> mine = {free, external, reaction, stiffness, length}, all = {};
+  std::array<double, 5> mine = {free, external, reaction, stiffness, kinetic}, all = {};
   model.comm().SumAll(mine.data(), all.data(), 5);
   Norms norms;
   norms.free = std::sqrt(all[0]);

@@ -13,8 +13,11 @@ namespace pd {
 /// P.G. Underwood, Dynamic relaxation (1983); B. Kilic, E. Madenci, Theor. Appl. Fract. Mech. 53 (2010) 194. With a
 /// pseudo time step of one:
 ///   v^{n+1/2} = ((2 - c_n) v^{n-1/2} + 2 F^n / Lambda) / (2 + c_n),  u^{n+1} = u^n + v^{n+1/2},
-///   Lambda_ii >= 1/4 sum_j |K_ij|,  c_n = 2 sqrt(u K1 u / u u) with K1_ii = -(F_i^n - F_i^{n-1}) / (Lambda_ii v_i).
-/// c_n is one number for the whole body, on all ranks.
+///   Lambda_ii >= 1/4 sum_j |K_ij|,  c_n = 2 omega_n, omega_n^2 = -v . (F^n - F^{n-1}) / (v . Lambda v).
+/// omega_n is Rayleigh's quotient of the last motion, one number for the whole body, on all ranks. The printed
+/// quotient, u K1 u / u u with K1_ii = -(F_i^n - F_i^{n-1}) / (Lambda_ii v_i), has a pole wherever a point turns back,
+/// which blows up round-off: after 100 steps of a cracked plate two and three ranks had nothing in common but the first
+/// digits. This one kept 11 digits over 300 steps, and needed a fifth fewer iterations to a tolerance.
 ///
 /// With `Iterations Per Load Step` the motion goes on from load step to load step and bonds may break in each
 /// iteration. With a tolerance each load step starts at rest, relaxes at constant damage, and repeats until no bond
