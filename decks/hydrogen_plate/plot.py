@@ -31,7 +31,7 @@ def coverage_front(results, step):
 
 def maps(folder):
     results = Results(folder / "hydrogen_plate")
-    damage = figures.View("Damage")
+    damage = figures.View("Damage", limits=(0.0, 0.6))
     coverage = figures.View("Concentration", factor=1 / SATURATION, unit="C / C_sv", limits=(0.0, 1.0), crack=0.36)
     for view, name, wanted in ((damage, "damage", (1300, 1800, 2300, 3000)),
                                (coverage, "coverage", (1300, 1800, 2600, 3000))):

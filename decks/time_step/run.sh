@@ -3,7 +3,7 @@
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
-"$here/../hydrogen_plate/make_mesh.sh" "$here" 74 38
+"$here/../hydrogen_plate/make_mesh.sh" "$here" 74 38 0.0085
 cd "$results"
 run() { # method, steps
   "$pdrun" "$here/hydrogen.yaml" --quiet --set "Solver/Diffusion/Method=$1" --set "Solver/Diffusion/Sub Steps=$2" \
