@@ -37,7 +37,15 @@ Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
   return *deck;
 }
 
-Stage createStage(const DeckNode& section) {
+/// What a solver takes where the deck does not say, in a deck that was written for Peridigm.
+void setPeridigmDefaults(const DeckNode& given, const ParameterDeclarations& declarations,
+                         Teuchos::ParameterList& parameters) {
+  const std::string criticalStep = "Critical Step";
+  if (declarations.find(criticalStep) != nullptr && !given[criticalStep])
+    parameters.set(criticalStep, std::string("Bulk Modulus"));
+}
+
+Stage createStage(const DeckNode& section, bool isPeridigmDeck) {
   Stage stage;
   stage.startTime = section.real("Initial Time", 0.0);
   stage.endTime = section.real("Final Time", 1.0);
@@ -45,7 +53,10 @@ Stage createStage(const DeckNode& section) {
     const auto* plugin = SolverRegistry::self().find(name);
     if (plugin == nullptr) continue;
     stage.name = name;
-    stage.solver = plugin->create(node.parameters(plugin->declare()));
+    const ParameterDeclarations declarations = plugin->declare();
+    Teuchos::ParameterList parameters = node.parameters(declarations);
+    if (isPeridigmDeck) setPeridigmDefaults(node, declarations, parameters);
+    stage.solver = plugin->create(parameters);
     return stage;
   }
   throw DeckError(section.keyPlace() + ": this section names no solver (one of " +
@@ -57,7 +68,7 @@ std::vector<Stage> createStages(const Deck& deck) {
   Mistakes mistakes;
   for (const DeckNode& section : solverSections(deck)) {
     try {
-      stages.push_back(createStage(section));
+      stages.push_back(createStage(section, deck.isPeridigmDeck()));
     } catch (const DeckError& error) {
       mistakes.add("", error.what());
     } catch (const std::invalid_argument& error) {
@@ -107,26 +118,29 @@ class Run {
 
   /// From the initial state, or from `restart` (fields already filled).
   void execute(const Checkpoint* restart) {
-    for (std::size_t s = 0; s < stages_.size(); ++s) {
+    const auto first = restart == nullptr ? std::size_t(0) : static_cast<std::size_t>(restart->solverState.at(0));
+    for (std::size_t s = first; s < stages_.size(); ++s) {
       Stage& stage = stages_[s];
-      int nSteps = 0;
+      int nSteps = 0, done = 0;
       orAbortUnlessShared([&] {
         stage.solver->initialize(simulation_);
+        if (restart != nullptr && s == first) {
+          done = static_cast<int>(restart->solverState.at(1));
+          firstStep_ = restart->step - done;
+          stage.solver->setRestartState({restart->solverState.begin() + 2, restart->solverState.end()});
+        }
+        // After the state is set: a solver that chooses its increments must choose the same again.
         nSteps = stage.solver->numberOfIncrements(simulation_, stage.startTime, stage.endTime);
       });
-      int done = 0;
-      if (restart != nullptr && restart->step > firstStep_) {
-        done = std::min(restart->step - firstStep_, nSteps);
-        if (restart->step <= firstStep_ + nSteps) stage.solver->setRestartState(restart->solverState);
-      }
-      advance(stage, done, nSteps, s + 1 == stages_.size());
+      advance(s, done, nSteps);
       firstStep_ += nSteps;
     }
   }
 
  private:
-  void advance(Stage& stage, int done, int nSteps, bool isLastStage) {
+  void advance(std::size_t stageNumber, int done, int nSteps) {
     Model& model = simulation_.model;
+    Stage& stage = stages_[stageNumber];
     const auto timeOf = [&](int increment) {
       return stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
     };
@@ -136,11 +150,19 @@ class Run {
       orAbortUnlessShared([&] { stage.solver->advance(simulation_, start, end - start); });
       for (const std::string& label : labels_) model.requireFinite(label, step);
       model.updateState();
-      const bool isLast = isLastStage && increment == nSteps;
+      const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
-      simulation_.output.checkpoint(model, step, end, stage.solver->restartState(), isLast);
+      simulation_.output.checkpoint(model, step, end, restartState(stageNumber, increment), isLast);
       simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
     }
+  }
+
+  /// Which stage, how many of its increments are done, and the solver's own state.
+  std::vector<double> restartState(std::size_t stageNumber, int increment) const {
+    std::vector<double> state = {static_cast<double>(stageNumber), static_cast<double>(increment)};
+    const std::vector<double> own = stages_[stageNumber].solver->restartState();
+    state.insert(state.end(), own.begin(), own.end());
+    return state;
   }
 
   /// Solvers throw DeckError and RunError on all ranks alike; anything else may have happened on one rank alone.

@@ -222,7 +222,6 @@ void AdaptiveDynamicRelaxation::advance(Simulation& simulation, double t, double
   else
     iterateToTolerance(simulation, t, dt);
   largestResidual_ = std::max(largestResidual_, lastResidual_);
-  simulation.model.requireFinite("Displacement", loadStep_);
 }
 
 std::vector<std::string> AdaptiveDynamicRelaxation::summary() const {

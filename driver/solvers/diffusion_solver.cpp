@@ -98,26 +98,13 @@ void Diffusion::initialize(Simulation& simulation) {
 }
 
 void Diffusion::advance(Simulation& simulation, double t, double dt) {
-  ++increment_;
   integrator_->advance(simulation, field_, t, dt);
-  simulation.model.requireFinite(field_, increment_);
 }
 
 std::vector<std::string> Diffusion::summary() const {
   std::vector<std::string> lines = integrator_->summary();
   for (std::string& line : lines) line = "Diffusion of " + field_ + ": " + line;
   return lines;
-}
-
-std::vector<double> Diffusion::restartState() const {
-  std::vector<double> state = integrator_->restartState();
-  state.push_back(increment_);
-  return state;
-}
-
-void Diffusion::setRestartState(const std::vector<double>& state) {
-  increment_ = static_cast<int>(state.at(state.size() - 1));
-  integrator_->setRestartState({state.begin(), state.end() - 1});
 }
 
 PD_REGISTER_SOLVER(Diffusion, "Diffusion", "Transient nonlocal diffusion of a scalar field")

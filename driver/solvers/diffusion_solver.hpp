@@ -24,13 +24,12 @@ class Diffusion : public Solver {
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override;
-  void setRestartState(const std::vector<double>& state) override;
+  std::vector<double> restartState() const override { return integrator_->restartState(); }
+  void setRestartState(const std::vector<double>& state) override { integrator_->setRestartState(state); }
 
  private:
   std::string field_;
   int nIncrements_;
-  int increment_ = 0;
   Teuchos::RCP<RateIntegrator> integrator_;
 };
 

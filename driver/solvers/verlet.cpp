@@ -13,20 +13,22 @@ namespace pd {
 
 void Verlet::declareParameters(ParameterDeclarations& declare) {
   declare.real("Fixed dt", "s", "Time step; without it, the critical one times the safety factor.").positive();
-  declare.real("Safety Factor", "1", "Part of the critical time step that is used where \"Fixed dt\" is not given.")
-      .defaultTo(0.85)
+  declare
+      .real("Safety Factor", "1",
+            "Part of the critical time step that is used where \"Fixed dt\" is not given: 0.85 by default, 1 with "
+            "\"Critical Step: Bulk Modulus\", as in Peridigm.")
       .positive();
   declare.flag("Allow Unstable Step", "Run even where the time step is above the critical one.").defaultTo(false);
   declare.real("Damping", "1/s", "Coefficient c of the mass-proportional damping force -c rho v.")
       .defaultTo(0.0)
       .atLeast(0.0);
   declare
-      .text(
-          "Critical Step",
-          "How the critical step is found: from the highest frequency of this very model, or by Peridigm's formula "
-          "from the bulk modulus, in which case \"Safety Factor\" multiplies \"Fixed dt\" too and no step is refused.")
-      .oneOf({"Highest Frequency", "Bulk Modulus"})
-      .defaultTo("Highest Frequency");
+      .text("Critical Step",
+            "How the critical step is found: from the highest frequency of this very model (the default), or by "
+            "Peridigm's formula from the bulk modulus (the default of decks with the root key `Peridigm`), in which "
+            "case \"Safety Factor\" multiplies \"Fixed dt\" too, the steps need not meet the final time, and no step "
+            "is refused.")
+      .oneOf({"Highest Frequency", "Bulk Modulus"});
 }
 
 Verlet::Verlet(const Teuchos::ParameterList& given) {
@@ -34,10 +36,12 @@ Verlet::Verlet(const Teuchos::ParameterList& given) {
   declareParameters(declarations);
   const auto parameters = declarations.complete(given, "Verlet");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
-  safetyFactor_ = parameters.get<double>("Safety Factor");
+  usesBulkModulus_ =
+      parameters.isParameter("Critical Step") && parameters.get<std::string>("Critical Step") == "Bulk Modulus";
+  safetyFactor_ = usesBulkModulus_ ? 1.0 : 0.85;
+  if (parameters.isParameter("Safety Factor")) safetyFactor_ = parameters.get<double>("Safety Factor");
   allowUnstableStep_ = parameters.get<bool>("Allow Unstable Step");
   damping_ = parameters.get<double>("Damping");
-  usesBulkModulus_ = parameters.get<std::string>("Critical Step") == "Bulk Modulus";
 }
 
 std::vector<int> Verlet::fieldIds() const { return mechanicsFieldIds(true); }
@@ -82,9 +86,17 @@ void Verlet::initialize(Simulation& simulation) {
 }
 
 int Verlet::numberOfIncrements(Simulation&, double t0, double t1) {
+  // Round-off in a step that divides the time neither adds nor takes one.
   const double n = (t1 - t0) / stepToUse();
-  // Equal steps that meet the end; round-off in a step that divides the time does not add one.
-  return std::max(1, static_cast<int>(std::ceil(n * (1.0 - 1.0e-10))));
+  const double whole = usesBulkModulus_ ? std::floor(n * (1.0 + 1.0e-10)) : std::ceil(n * (1.0 - 1.0e-10));
+  if (whole > std::numeric_limits<int>::max())
+    throw RunError(fmt::format("Verlet: {:.3g} time steps of {:.6g} s lie between {:g} and {:g} s; shorten the run",
+                               whole, stepToUse(), t0, t1));
+  return std::max(1, static_cast<int>(whole));
+}
+
+double Verlet::incrementEnd(int increment, int nIncrements, double t0, double t1) const {
+  return usesBulkModulus_ ? t0 + increment * stepToUse() : Solver::incrementEnd(increment, nIncrements, t0, t1);
 }
 
 void Verlet::updateMasses(Simulation& simulation) {
@@ -132,7 +144,6 @@ void Verlet::advance(Simulation& simulation, double t, double dt) {
       if (inverseDensity_[i] > 0.0)
         velocity[i] = shrink * (velocity[i] + 0.5 * dt * (force[i] + externalForce_[i]) * inverseDensity_[i]);
   }
-  model.requireFinite("Force_Density", step_);
 }
 
 std::vector<std::string> Verlet::summary() const {

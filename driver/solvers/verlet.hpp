@@ -19,6 +19,8 @@ class Verlet : public Solver {
   /// Estimates the critical time step. Throws RunError where "Fixed dt" is above it.
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
+  /// Equal steps that meet t1; Peridigm's rule keeps the step and stops at or before t1.
+  double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   std::vector<double> restartState() const override { return {static_cast<double>(step_), criticalStep_}; }

@@ -107,11 +107,16 @@ TEST_F(VerletTest, AFreeBodyFallsAsItShould) {
 TEST_F(VerletTest, PeridigmsCriticalStepComesFromTheBulkModulus) {
   // Inner points of the chain: sum of c V / |xi| = 2 c with c = 18 K / (pi delta^4) = 18 / pi.
   SolverScene scene(comm, chain, heldEnds);
-  const auto solver = scene.make("Verlet", "{Critical Step: Bulk Modulus, Safety Factor: 1.0}");
+  const auto solver = scene.make("Verlet", "{Critical Step: Bulk Modulus}");
   scene.start("Displacement", [](double, double) { return 0.0; });
   solver->initialize(scene.simulation());
   const double end = 1.0e6, estimate = end / solver->numberOfIncrements(scene.simulation(), 0.0, end);
-  EXPECT_NEAR(estimate, std::sqrt(2.0 / (2.0 * 18.0 / M_PI)), 1e-5);
+  const double expected = std::sqrt(2.0 / (2.0 * 18.0 / M_PI));
+  EXPECT_NEAR(estimate, expected, 1e-5);
+  EXPECT_DOUBLE_EQ(solver->incrementEnd(10, solver->numberOfIncrements(scene.simulation(), 0.0, 4.5), 0.0, 4.5),
+                   10.0 * expected)
+      << "the step is kept";
+  EXPECT_EQ(solver->numberOfIncrements(scene.simulation(), 0.0, 10.5 * expected), 10);
 }
 
 TEST_F(VerletTest, GoesOnBitIdenticallyFromItsRestartState) {
