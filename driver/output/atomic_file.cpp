@@ -18,6 +18,15 @@ void throwFileError(const std::string& what, const std::string& path, int errorN
   throw RunError("cannot " + what + " \"" + path + "\": " + std::generic_category().message(errorNumber));
 }
 
+namespace {
+
+void giveItsName(const std::string& path) {
+  if (std::rename(unfinishedName(path).c_str(), path.c_str()) != 0)
+    throwFileError("rename a finished file to", path, errno);
+}
+
+}  // namespace
+
 void finishFile(const std::string& path) {
   const std::string unfinished = unfinishedName(path);
   // Without this, a power failure could leave the new name on an empty file.
@@ -27,7 +36,7 @@ void finishFile(const std::string& path) {
   const int syncError = errno;
   close(descriptor);
   if (!isSynced) throwFileError("write", unfinished, syncError);
-  if (std::rename(unfinished.c_str(), path.c_str()) != 0) throwFileError("rename a finished file to", path, errno);
+  giveItsName(path);
 }
 
 void writeFileAtomically(const std::string& path, const std::string& content) {
@@ -42,7 +51,7 @@ void writeFileAtomically(const std::string& path, const std::string& content) {
     std::remove(unfinished.c_str());
     throwFileError("write", path, error);
   }
-  finishFile(path);
+  giveItsName(path);
 }
 
 void makeFolderOf(const std::string& path) {

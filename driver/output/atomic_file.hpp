@@ -13,7 +13,8 @@ std::string unfinishedName(const std::string& path);
 /// has reached the disk. Throws RunError.
 void finishFile(const std::string& path);
 
-/// Writes `content` under the unfinished name and finishes the file. Throws RunError naming the path and the reason.
+/// Writes `content` under the unfinished name, then gives it its own. Does not wait for the disk: for what a restart
+/// makes anew, and small files written often. Throws RunError naming the path and the reason.
 void writeFileAtomically(const std::string& path, const std::string& content);
 
 /// Throws RunError "cannot <what> <path>: <reason of the system>".

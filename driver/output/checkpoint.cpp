@@ -25,7 +25,7 @@ std::string textHash(const std::string& text) {
 
 namespace {
 
-/// Fields of this kind that some block of any rank has, sorted by label, the same on all ranks.
+/// Fields of these relations that some block has, sorted by label. Every rank knows every block, so all find the same.
 std::vector<FieldSpec> storedFields(Model& model, PeridigmField::Relation first, PeridigmField::Relation second) {
   std::set<int> ids;
   for (Block& block : *model.blocks())
@@ -111,7 +111,7 @@ void writeFields(Hdf5File& file, Model& model, const GlobalOrder& order) {
     file.write("bonds/" + spec.label, bonds.toRows(spec.id, widthOf(spec)), bonds.bondRows(), widthOf(spec));
 }
 
-/// The table of a field; empty where the checkpoint lacks it.
+/// Whether the checkpoint has the table of a field. Throws RunError where it has another width.
 bool isStored(const Hdf5File& file, const std::string& table, int width, const std::string& fileName) {
   if (!file.has(table)) return false;
   if (file.width(table) == width) return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../model/collective.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -113,7 +114,7 @@ void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {
     model.evaluateStoredEnergy(0.0);
   const Timers::Scope timer(model.timers(), "computes");
   for (const Entry& entry : entries_)
-    if (isDue(entry)) entry.compute->compute(model.blocks());
+    if (isDue(entry)) orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
 }
 
 }  // namespace pd

@@ -30,7 +30,6 @@ class ComputeSet {
   const std::vector<std::string>& globalLabels() const { return globalLabels_; }
   /// Has a compute been made of the class (spaces as underscores, as in Peridigm)?
   bool hasClass(const std::string& name) const;
-  bool isEmpty() const { return entries_.empty(); }
 
  private:
   struct Entry {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -102,6 +103,8 @@ void FieldWriter::write(int step, double time, const std::vector<PointField>& fi
     file.write(field.name, order_.toRows(field.values, field.width), order_.rows(), field.width);
     shapes.push_back({field.name, field.width});
   }
+  // As HDF5 lists them, so that a restart, which finds them so, writes the same.
+  std::sort(shapes.begin(), shapes.end(), [](const FieldShape& a, const FieldShape& b) { return a.name < b.name; });
   file.close();
   onRoot(order_.comm(), [&] {
     finishFile(path);

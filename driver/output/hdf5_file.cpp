@@ -1,6 +1,9 @@
 #include "hdf5_file.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
 
 #include "../model/collective.hpp"
 #include "../model/model.hpp"
@@ -34,6 +37,15 @@ herr_t rememberReason(hid_t stack, void*) {
       },
       nullptr);
   return 0;
+}
+
+/// MPI-IO does not say that a disk is full, so this does.
+std::string freeSpace(const std::string& path) {
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(path, error).parent_path();
+  const std::uintmax_t bytes = std::filesystem::space(folder, error).available;
+  constexpr std::uintmax_t little = 64 << 20;
+  return error || bytes > little ? "" : "; the disk has " + std::to_string(bytes >> 10) + " KiB left";
 }
 
 Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator& comm) {
@@ -81,14 +93,11 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
 
 void Hdf5File::require(bool isDone, const std::string& what) const {
   collectively(comm_, [&] {
-    if (!isDone) throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason());
+    if (!isDone) throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason() + freeSpace(path_));
   });
 }
 
-void Hdf5File::close() {
-  require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, "write");
-  require(file_.reset(), "close");
-}
+void Hdf5File::close() { require(file_.reset(), "write"); }
 
 void Hdf5File::makeGroup(const std::string& name) {
   const Hdf5Id properties = withoutTimes(H5P_GROUP_CREATE);
@@ -97,20 +106,6 @@ void Hdf5File::makeGroup(const std::string& name) {
 }
 
 bool Hdf5File::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
-
-std::vector<std::string> Hdf5File::names(const std::string& group) const {
-  std::vector<std::string> result;
-  hsize_t index = 0;
-  const herr_t status = H5Literate_by_name(
-      file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, &index,
-      [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-        static_cast<std::vector<std::string>*>(list)->push_back(name);
-        return 0;
-      },
-      &result, H5P_DEFAULT);
-  require(status >= 0, "list group " + group + " of");
-  return result;
-}
 
 namespace {
 

@@ -46,8 +46,6 @@ class Hdf5File {
   void close();
 
   void makeGroup(const std::string& name);
-  /// Names of the links in a group, sorted.
-  std::vector<std::string> names(const std::string& group) const;
   bool has(const std::string& path) const;
 
   // Attributes of a group or dataset ("/" for the file itself). Every rank gives the same value.

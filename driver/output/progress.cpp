@@ -55,7 +55,7 @@ void Progress::report(int step, int nSteps, double time, const std::string& what
   }
   const int part = nSteps > 0 ? static_cast<int>(static_cast<long long>(partsInLog) * step / nSteps) : 0;
   if (part == lastLoggedPart_ && now - lastLogged_ < secondsBetweenLogLines) return;
-  log_.line(progressText(step, nSteps, time, what, rate_.stepsPerSecond()));
+  log_.progressLine(progressText(step, nSteps, time, what, rate_.stepsPerSecond()));
   lastLogged_ = now;
   lastLoggedPart_ = part;
 }

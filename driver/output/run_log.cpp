@@ -18,8 +18,20 @@ RunLog::RunLog(const std::string& path, bool isQuiet, bool isContinued)
 RunLog::~RunLog() { clearTerminalLine(); }
 
 void RunLog::line(const std::string& text) {
+  writeToFile(text);
+  if (!isQuiet_) print(text);
+}
+
+void RunLog::progressLine(const std::string& text) {
+  writeToFile(text);
+  if (!isQuiet_ && !hasTerminal_) print(text);
+}
+
+void RunLog::writeToFile(const std::string& text) {
   if (std::fprintf(file_.get(), "%s\n", text.c_str()) < 0 || std::fflush(file_.get()) != 0) writeError_ = errno;
-  if (isQuiet_) return;
+}
+
+void RunLog::print(const std::string& text) {
   clearTerminalLine();
   std::printf("%s\n", text.c_str());
   std::fflush(stdout);

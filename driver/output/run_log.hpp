@@ -17,6 +17,8 @@ class RunLog {
 
   /// A line for the file, and for standard output unless quiet.
   void line(const std::string& text);
+  /// A line of progress: as line(), but not for a terminal, which has its own line for that.
+  void progressLine(const std::string& text);
 
   /// Whether standard error is a terminal that shows a line which replaces itself.
   bool hasTerminal() const { return hasTerminal_; }
@@ -27,6 +29,8 @@ class RunLog {
   void requireWritten() const;
 
  private:
+  void writeToFile(const std::string& text);
+  void print(const std::string& text);
   void clearTerminalLine();
 
   struct Close {

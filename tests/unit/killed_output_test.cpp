@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -12,9 +13,13 @@
 #include <thread>
 #include <vector>
 
+#include "../model_plugins.hpp"
+#include "../mpi/lattice.hpp"
 #include "../test_folder.hpp"
+#include "driver/output/checkpoint.hpp"
 #include "driver/output/field_writer.hpp"
 #include "driver/output/global_order.hpp"
+#include "driver/output/output.hpp"
 
 namespace pd::test {
 namespace {
@@ -23,7 +28,6 @@ constexpr int nPoints = 20000;  // a few milliseconds a step, so that kills meet
 
 /// Writes steps firstStep, firstStep + 1, ... until it is killed. read_series.py knows their values.
 void writeSteps(const std::string& name, int firstStep) {
-  MPI_Init(nullptr, nullptr);
   const Communicator comm(MPI_COMM_WORLD);
   std::vector<int> ids(nPoints), blocks(nPoints, 1);
   std::vector<double> x(3 * nPoints), volumes(nPoints, 2.0), damage(nPoints), displacement(3 * nPoints);
@@ -51,21 +55,30 @@ int numberOf(const std::string& text, const std::string& word) {
 /// Steps that the XDMF file lists.
 int nListed(const std::string& name) { return numberOf(contentOf(name + ".xdmf"), "<Time "); }
 
-/// Lets a child write from `firstStep` on, and kills it `delay` after it has listed at least one more step.
-void writeAndKill(const std::string& name, int firstStep, std::chrono::microseconds delay) {
+/// Runs `work` in a child process, which MPI has not been started in.
+pid_t inChild(const std::function<void()>& work) {
   const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    try {
-      writeSteps(name, firstStep);
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s\n", error.what());
-    }
-    _exit(1);
+  if (child != 0) return child;
+  int result = 1;
+  try {
+    MPI_Init(nullptr, nullptr);
+    work();
+    MPI_Finalize();
+    result = 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
   }
+  _exit(result);
+}
+
+/// Lets a child do `work`, which must not end, and kills it `delay` after `isReady`.
+void runAndKill(const std::function<void()>& work, const std::function<bool()>& isReady,
+                std::chrono::microseconds delay) {
+  const pid_t child = inChild(work);
+  ASSERT_GE(child, 0);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   int status = 0;
-  while (nListed(name) <= firstStep) {
+  while (!isReady()) {
     ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << "the writer ended by itself";
     ASSERT_LT(std::chrono::steady_clock::now(), deadline);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -90,7 +103,8 @@ TEST(KilledOutput, LeavesTheListedStepsReadableAndRestartable) {
   std::uniform_int_distribution<int> delay(0, 12000);
   int firstStep = 0, nUnfinished = 0;
   for (int attempt = 0; attempt < 8; ++attempt) {
-    writeAndKill(name, firstStep, std::chrono::microseconds(delay(random)));
+    runAndKill([&] { writeSteps(name, firstStep); }, [&] { return nListed(name) > firstStep; },
+               std::chrono::microseconds(delay(random)));
     ASSERT_FALSE(HasFatalFailure());
     const int listed = nListed(name);
     ASSERT_GT(listed, firstStep);
@@ -98,6 +112,60 @@ TEST(KilledOutput, LeavesTheListedStepsReadableAndRestartable) {
     for (const auto& entry : std::filesystem::directory_iterator(folder / "plate.steps"))
       if (entry.path().extension() == ".unfinished") ++nUnfinished;
     firstStep = listed;
+  }
+  EXPECT_GT(nUnfinished, 0) << "no kill met a file that was being written, so nothing was tested";
+}
+
+// ---- checkpoints ----
+
+struct Body {
+  Body()
+      : deck(deckOf(plateText())),
+        comm(MPI_COMM_WORLD),
+        model(deck, comm, Lattice{40, 40, 1, 1.5}.discretization(comm), {}) {
+    model.initialize();
+  }
+  Deck deck;
+  Communicator comm;
+  Model model;
+};
+
+/// Writes checkpoints of steps 1, 2, ..., all displacements equal to the step, until it is killed.
+void writeCheckpoints(const std::string& fileName) {
+  Body body;
+  const Discretization& points = body.model.discretization();
+  const GlobalOrder order(body.comm, points.globalIds, points.nOwned, points.nGlobal);
+  for (int step = 1;; ++step) {
+    std::fill_n(body.model.field("Displacement"), 3 * points.nPoints, step);
+    writeCheckpoint(body.model, order, fileName, step, 0.5 * step, {}, "");
+  }
+}
+
+/// Throws where the file is not one of those.
+void readWrittenCheckpoint(const std::string& fileName) {
+  Body body;
+  const Checkpoint checkpoint = readCheckpoint(body.model, fileName);
+  const double* displacement = body.model.field("Displacement");
+  if (checkpoint.step < 1 || checkpoint.time != 0.5 * checkpoint.step) throw std::runtime_error("wrong step or time");
+  if (std::count(displacement, displacement + 3 * body.model.nPoints(), checkpoint.step) != 3 * body.model.nPoints())
+    throw std::runtime_error("displacements of another step");
+}
+
+TEST(KilledOutput, LeavesACheckpointThatIsWhole) {
+  const TestFolder folder("pd_killed_checkpoint_test");
+  const std::string fileName = folder / "plate.checkpoint.h5";
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> delay(0, 8000);
+  int nUnfinished = 0;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    std::filesystem::remove(fileName);
+    runAndKill([&] { writeCheckpoints(fileName); }, [&] { return std::filesystem::exists(fileName); },
+               std::chrono::microseconds(delay(random)));
+    ASSERT_FALSE(HasFatalFailure());
+    if (std::filesystem::exists(fileName + ".unfinished")) ++nUnfinished;
+    int status = 1;
+    waitpid(inChild([&] { readWrittenCheckpoint(fileName); }), &status, 0);
+    EXPECT_EQ(status, 0);
   }
   EXPECT_GT(nUnfinished, 0) << "no kill met a file that was being written, so nothing was tested";
 }

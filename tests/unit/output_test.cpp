@@ -1,183 +1,22 @@
-// What a run writes besides its field files: histories, log, progress, report; and what an Output section asks for.
+// What Output sections ask for, and the files of whole runs.
 #include "driver/output/output.hpp"
 
 #include <gtest/gtest.h>
 #include <mpi.h>
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "../expect_error.hpp"
 #include "../model_plugins.hpp"
 #include "../mpi/lattice.hpp"
 #include "../test_folder.hpp"
 #include "Peridigm_Discretization.hpp"
 #include "driver/output/checkpoint.hpp"
-#include "driver/output/history.hpp"
 #include "driver/output/output_section.hpp"
-#include "driver/output/progress.hpp"
-#include "driver/output/report.hpp"
-#include "driver/output/run_log.hpp"
-#include "driver/output/xdmf_writer.hpp"
 
 namespace pd::test {
 namespace {
-
-/// The message of the error of kind Error that `work` throws.
-template <class Error>
-std::string errorOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-#define EXPECT_CONTAINS(text, part) EXPECT_NE(std::string(text).find(part), std::string::npos) << text
-
-// ---- parts ----
-
-TEST(Xdmf, NamesAreEscaped) {
-  XdmfWriter writer("a&b.steps/mesh.h5", 5);
-  writer.addStep(0.25, "a&b.steps/000001.h5", {{"Stress<\"xx\">", 9}});
-  const std::string text = writer.text();
-  EXPECT_CONTAINS(text, "<Time Value=\"0.25\"/>");
-  EXPECT_CONTAINS(text, "Name=\"Stress&lt;&quot;xx&quot;>\" AttributeType=\"Tensor\"");
-  EXPECT_CONTAINS(text, ">a&amp;b.steps/000001.h5:/Stress&lt;");
-  EXPECT_CONTAINS(text, "Dimensions=\"5 9\"");
-}
-
-TEST(HistoryFile, ComponentsHaveTheNamesOfPeridigm) {
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(columnNames("Energy", 1), Names{"Energy"});
-  EXPECT_EQ(columnNames("Force", 3), (Names{"ForceX", "ForceY", "ForceZ"}));
-  EXPECT_EQ(columnNames("Stress", 9), (Names{"StressXX", "StressXY", "StressXZ", "StressYX", "StressYY", "StressYZ",
-                                             "StressZX", "StressZY", "StressZZ"}));
-  EXPECT_EQ(columnNames("Pair", 2), (Names{"Pair_1", "Pair_2"}));
-}
-
-TEST(HistoryFile, EachRowIsOnDiskAtOnceAndReadsBackExactly) {
-  const TestFolder folder("pd_history_test");
-  const std::string file = folder / "new/plate.csv";
-  History history(file, {"A", "B"}, 0);
-  history.row(3, 0.1, {1.0 / 3.0, -2.0e-300});
-  const std::string content = contentOf(file);
-  EXPECT_EQ(content, "step,time,A,B\n3,0.1,0.3333333333333333,-2e-300\n");
-  EXPECT_EQ(std::stod(content.substr(content.find("0.33"))), 1.0 / 3.0);
-}
-
-TEST(HistoryFile, ARestartDropsLaterAndCutRows) {
-  const TestFolder folder("pd_history_test");
-  const std::string file = folder / "plate.csv";
-  std::ofstream(file) << "step,time,A\n0,0,1\n1,1,2\n2,2,3\n10,10,4\n3,3,5";
-  History(file, {"A"}, 2).row(2, 2.0, {30.0});
-  EXPECT_EQ(contentOf(file), "step,time,A\n0,0,1\n1,1,2\n2,2,30\n");
-  // The last line has no end: a killed run may have left part of a number there.
-  std::ofstream(file) << "step,time,A\n0,0,1\n1,1,2";
-  History(file, {"A"}, 5);
-  EXPECT_EQ(contentOf(file), "step,time,A\n0,0,1\n");
-}
-
-TEST(HistoryFile, OtherColumnsAreKeptApart) {
-  const TestFolder folder("pd_history_test");
-  const std::string file = folder / "plate.csv", old = "step,time,A\n0,0,1\n";
-  std::ofstream(file) << old;
-  History(file, {"B"}, 5);
-  EXPECT_EQ(contentOf(file), "step,time,B\n");
-  EXPECT_EQ(contentOf(file + ".old"), old);
-}
-
-TEST(HistoryFile, NamesTheFileThatCannotBeWritten) {
-  const TestFolder folder("pd_history_test");
-  std::ofstream(folder / "file") << "no folder";
-  EXPECT_CONTAINS(errorOf<RunError>([&] { History(folder / "file/plate.csv", {"A"}, 0); }), folder / "file");
-}
-
-TEST(RunLogFile, AFullDiskIsReported) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  RunLog log("/dev/full", true, true);
-  log.requireWritten();
-  log.line("lost");
-  EXPECT_CONTAINS(errorOf<RunError>([&] { log.requireWritten(); }), "\"/dev/full\": No space left on device");
-}
-
-TEST(RunLogFile, ARestartGoesOn) {
-  const TestFolder folder("pd_log_test");
-  const std::string file = folder / "plate.log";
-  RunLog(file, true, false).line("first");
-  RunLog(file, true, true).line("second");
-  EXPECT_EQ(contentOf(file), "first\nsecond\n");
-  RunLog(file, true, false).line("third");
-  EXPECT_EQ(contentOf(file), "third\n");
-}
-
-TEST(ProgressLine, Durations) {
-  EXPECT_EQ(durationText(0.4), "0 s");
-  EXPECT_EQ(durationText(59.6), "1 min 0 s");
-  EXPECT_EQ(durationText(754.0), "12 min 34 s");
-  EXPECT_EQ(durationText(11100.0), "3 h 5 min");
-}
-
-TEST(ProgressLine, RateFollowsTheRun) {
-  ProgressRate rate;
-  rate.update(0, 10.0);
-  EXPECT_EQ(rate.stepsPerSecond(), 0.0);
-  rate.update(20, 11.0);
-  EXPECT_DOUBLE_EQ(rate.stepsPerSecond(), 20.0);
-  for (int i = 1; i <= 60; ++i) rate.update(20 + 5 * i, 11.0 + i);
-  EXPECT_NEAR(rate.stepsPerSecond(), 5.0, 1.0e-3);  // 60 s is 12 times its averaging time; 15 exp(-12) = 9e-5
-}
-
-TEST(ProgressLine, SaysStepTimeWorkRateAndTimeLeft) {
-  EXPECT_EQ(progressText(120, 3000, 739200.0, "diffusion", 50.0),
-            "step 120/3000 (4 %), t = 739200 s, diffusion, 50 steps/s, 58 s left");
-  EXPECT_EQ(progressText(0, 10, 0.0, "", 0.0), "step 0/10 (0 %), t = 0 s");
-}
-
-TEST(ProgressLine, TheLogGetsALineEveryFivePercent) {
-  const TestFolder folder("pd_progress_test");
-  const std::string file = folder / "plate.log";
-  RunLog log(file, true, false);
-  Progress progress(log);
-  for (int step = 1; step <= 1000; ++step) progress.report(step, 1000, step, "");
-  const std::string content = contentOf(file);
-  EXPECT_EQ(std::count(content.begin(), content.end(), '\n'), 20);
-}
-
-TEST(Report, TableAndJsonSayTheSame) {
-  RunReport report;
-  report.deck = "plate \"one\".yaml";
-  report.nRanks = 2;
-  report.nPoints = 100;
-  report.nBonds = 4000;
-  report.seconds = 10.0;
-  report.phases = {{"diffusion", 4.0, 50, 8000000000LL}, {"force", 1.0, 5, 1000000000LL}, {"output", 0.5, 2, 0}};
-  report.bondBytes = 96000.0;
-  report.errorNorms = {{"Displacement relative L2 error", 1.5e-3}};
-  report.solverSummary = {"Verlet: critical time step 1e-8 s"};
-  const std::string table = reportTable(report);
-  EXPECT_CONTAINS(table, "40.0 %");
-  EXPECT_CONTAINS(table, "2e+09");
-  EXPECT_CONTAINS(table, "24.0 bytes a bond");
-  EXPECT_CONTAINS(table, "error Displacement relative L2 error: 0.0015");
-  EXPECT_CONTAINS(table, "critical time step");
-  const auto json = nlohmann::json::parse(reportJson(report));
-  EXPECT_EQ(json["deck"], report.deck);
-  EXPECT_EQ(json["phases"][0]["bond_updates_per_s"], 2.0e9);
-  EXPECT_EQ(json["phases"][2]["share"], 0.05);
-  EXPECT_DOUBLE_EQ(json["bond_updates_per_s"], 9.0e9 / 5.0);
-  EXPECT_EQ(json["bytes_per_bond"], 24.0);
-  EXPECT_EQ(json["error_norms"]["Displacement relative L2 error"], 1.5e-3);
-  EXPECT_EQ(json["solver"][0], report.solverSummary[0]);
-}
-
-TEST(CheckpointFile, TextHashIsFnv1a) {
-  // Test vectors of draft-eastlake-fnv (64-bit FNV-1a of "", "a", "foobar").
-  EXPECT_EQ(textHash(""), "cbf29ce484222325");
-  EXPECT_EQ(textHash("a"), "af63dc4c8601ec8c");
-  EXPECT_EQ(textHash("foobar"), "85944171f73967e8");
-}
 
 // ---- Output sections ----
 
