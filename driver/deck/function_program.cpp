@@ -36,6 +36,7 @@ mu::Parser makeParser() {
   two("pow", [](double a, double b) { return std::pow(a, b); });
   two("fmod", [](double a, double b) { return std::fmod(a, b); });
   parser.DefineConst("pi", 3.14159265358979323846);
+  parser.DefineConst("_pi", 3.14159265358979323846);  // muParser's own has 13 digits
   parser.DefineInfixOprt("!", [](double a) { return a == 0.0 ? 1.0 : 0.0; });
   return parser;
 }
