@@ -233,10 +233,10 @@ void AssembledMatrix::finish(const std::vector<char>& isConstrained) {
   graphIsTooSmall_ = comm_.any(graphIsTooSmall_);
 }
 
-double& AssembledMatrix::diagonal(int ownedPoint, int component) {
+double& AssembledMatrix::ownEntry(int ownedPoint, int component, int columnComponent) {
   const PointRow target = row(ownedPoint);
   const int* place = std::lower_bound(target.columns, target.columns + target.degree, ownedPoint);
-  return *entry(target, component, place, component);
+  return *entry(target, component, place, columnComponent);
 }
 
 void AssembledMatrix::addValue(int globalRow, int globalColumn, double value) {

@@ -26,7 +26,7 @@ class AssembledMatrix {
   void addValue(int globalRow, int globalColumn, double value);
   /// `onlyDiagonal`: only the entries that couple a point with itself.
   void addBlock(int numIndices, const int* globalIndices, const double* const* block, bool onlyDiagonal);
-  double& diagonal(int ownedPoint, int component);
+  double& ownEntry(int ownedPoint, int component, int columnComponent);  ///< what couples a point with itself
   /// Sends rows of ghosts to their owners, then replaces constrained rows and columns by those of the identity.
   void finish(const std::vector<char>& isConstrained);
 

@@ -60,7 +60,7 @@ void LinearSystem::addBlockDiagonalValues(int numIndices, const int* globalIndic
 
 void LinearSystem::addToDiagonal(int ownedPoint, int component, double value) {
   AssembledMatrix& matrix = implementation_->changed();
-  if (component < matrix.kept()) matrix.diagonal(ownedPoint, component) += value;
+  if (component < matrix.kept()) matrix.ownEntry(ownedPoint, component, component) += value;
 }
 
 void LinearSystem::scale(double factor) { implementation_->changed().scale(factor); }
@@ -70,10 +70,23 @@ void LinearSystem::finish(const std::vector<char>& isConstrained) { implementati
 bool LinearSystem::graphIsTooSmall() const { return implementation_->assembled.graphIsTooSmall(); }
 
 std::vector<double> LinearSystem::diagonal() const {
+  const std::vector<double> blocks = diagonalBlocks();
+  const auto width = static_cast<std::size_t>(implementation_->assembled.width());
+  std::vector<double> result;
+  for (std::size_t point = 0; point < blocks.size() / (width * width); ++point)
+    for (std::size_t c = 0; c < width; ++c) result.push_back(blocks[(point * width + c) * width + c]);
+  return result;
+}
+
+std::vector<double> LinearSystem::diagonalBlocks() const {
   AssembledMatrix& matrix = implementation_->assembled;
   std::vector<double> result;
   for (int point = 0; point < matrix.nOwned(); ++point)
-    for (int c = 0; c < matrix.width(); ++c) result.push_back(c < matrix.kept() ? matrix.diagonal(point, c) : 1.0);
+    for (int c = 0; c < matrix.width(); ++c)
+      for (int d = 0; d < matrix.width(); ++d) {
+        const bool isKept = c < matrix.kept() && d < matrix.kept();
+        result.push_back(isKept ? matrix.ownEntry(point, c, d) : (c == d ? 1.0 : 0.0));
+      }
   return result;
 }
 

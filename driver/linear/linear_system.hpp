@@ -52,6 +52,8 @@ class LinearSystem : public PeridigmNS::SerialMatrix {
 
   /// Diagonal at owned degrees of freedom.
   std::vector<double> diagonal() const;
+  /// [width^2 nOwned] what couples each owned point with itself, row by row.
+  std::vector<double> diagonalBlocks() const;
   void apply(const double* x, double* y) const;  ///< y = A x over owned degrees of freedom
 
   /// Solves A x = b (owned degrees of freedom); `x` holds the first guess. Collective.
