@@ -1,9 +1,11 @@
 #include "Peridigm_Material.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "field_names.hpp"
 
 namespace PeridigmNS {
 
@@ -66,6 +68,20 @@ void Material::computeJacobian(const double dt, const int numOwnedPoints, const 
 }
 
 namespace {
+
+/// The scalar field whose flux divergence is among the fields of a material; Peridigm's Temperature where there is none.
+std::string diffusingField(const std::vector<int>& fieldIds) {
+  FieldManager& fields = FieldManager::self();
+  const auto isUsed = [&](const std::string& label) {
+    return fields.hasField(label) &&
+           std::find(fieldIds.begin(), fieldIds.end(), fields.getFieldId(label)) != fieldIds.end();
+  };
+  for (const int id : fieldIds) {
+    const std::string label = fields.getFieldSpec(id).label;
+    if (isUsed(pd::fluxDivergenceField(label))) return label;
+  }
+  return "Temperature";
+}
 
 /// One point with its neighbours, in a DataManager of its own: local id 0 is the point, k its k-th neighbour.
 class Family {
@@ -141,8 +157,10 @@ void Material::computeFiniteDifferenceJacobian(const double dt, const int numOwn
   std::vector<Unknown> kinds;
   if (unknowns.displacementTreatedAsUnknown())
     kinds.push_back({"Coordinates", "Force_Density", 3, unknowns.displacementDofOffset()});
-  if (unknowns.temperatureTreatedAsUnknown())
-    kinds.push_back({"Temperature", "Flux_Divergence", 1, unknowns.temperatureDofOffset()});
+  if (unknowns.temperatureTreatedAsUnknown()) {
+    const std::string field = diffusingField(FieldIds());
+    kinds.push_back({field, pd::fluxDivergenceField(field), 1, unknowns.temperatureDofOffset()});
+  }
 
   const int* entry = neighborhoodList;
   int firstBond = 0;
