@@ -21,8 +21,9 @@ class SolverScene {
   /// `conditions`: entries of Boundary Conditions, two spaces deep, which may use the node sets "Left Node Set" and
   /// "Right Node Set" (smallest and largest x), "Ends Node Set" (both) and "All Node Set".
   SolverScene(const Communicator& comm, const Lattice& lattice, const std::string& conditions,
-              const std::string& damageModel = "")
-      : deck_(deckOf(text(conditions, damageModel))),
+              const std::string& damageModel = "",
+              const std::string& material = "{Material Model: Test Springs, Stiffness: 1.0}")
+      : deck_(deckOf(text(lattice, conditions, damageModel, material))),
         model_(deck_, comm, points(lattice, comm), {}),
         lattice_(lattice) {
     using namespace PeridigmNS::PeridigmField;
@@ -91,11 +92,12 @@ class SolverScene {
   }
 
  private:
-  static std::string text(const std::string& conditions, const std::string& damageModel) {
-    std::string result = "Materials: {Springs: {Material Model: Test Springs, Stiffness: 1.0}}\n";
+  static std::string text(const Lattice& lattice, const std::string& conditions, const std::string& damageModel,
+                          const std::string& material) {
+    std::string result = "Materials: {Solid: " + material + "}\n";
     if (!damageModel.empty()) result += "Damage Models: {Limit: " + damageModel + "}\n";
-    result += "Blocks: {All: {Block Names: default, Material: Springs, Horizon: 1.0" +
-              std::string(damageModel.empty() ? "" : ", Damage Model: Limit") + "}}\n";
+    result += "Blocks: {All: {Block Names: default, Material: Solid, Horizon: " + std::to_string(lattice.horizon) +
+              (damageModel.empty() ? "" : ", Damage Model: Limit") + "}}\n";
     if (!conditions.empty()) result += "Boundary Conditions:\n" + conditions;
     return result;
   }

@@ -229,7 +229,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
 
   std::vector<std::string> summary;
   for (const Stage& stage : stages)
-    for (const std::string& line : stage.solver->summary()) summary.push_back(stage.name + ": " + line);
+    for (const std::string& line : stage.solver->summary()) summary.push_back(line);
   output.report(model, summary, errorNorms.evaluate(stages.back().endTime));
 }
 

@@ -50,8 +50,10 @@ void requireMechanics(const Model& model, const char* solver) {
 }
 
 void externalForce(const Simulation& simulation, double t, std::vector<double>& force) {
-  force.assign(3 * static_cast<std::size_t>(simulation.model.nOwned()), 0.0);
-  if (simulation.conditions.hasExternalForce()) simulation.conditions.addExternalForce(t, force.data());
+  const std::size_t n = 3 * static_cast<std::size_t>(simulation.model.nOwned());
+  const bool hasForce = simulation.conditions.hasExternalForce();
+  if (hasForce || force.size() != n) force.assign(n, 0.0);
+  if (hasForce) simulation.conditions.addExternalForce(t, force.data());
 }
 
 void DamageMonitor::remember(Model& model) {

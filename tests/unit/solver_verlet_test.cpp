@@ -51,6 +51,31 @@ TEST_F(VerletTest, IsStableJustBelowTheLimitAndBlowsUpJustAbove) {
   EXPECT_GT(largest(1.001), 1.0);  // grows by 1 + sqrt(8e-3) a step
 }
 
+TEST_F(VerletTest, CriticalStepOfAPlateIsThatOfTheLattice) {
+  // Bond-based plane stress on a square lattice with horizon 3: 2 / omega_max = 1.864 spacings over sqrt(E / rho), from
+  // the lattice's dispersion relation. Free edges lower the frequencies of a finite plate a little.
+  const Lattice lattice{20, 20, 1, 3.0};
+  const std::string material =
+      "{Material Model: PDHE, Density: 1.0, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, "
+      "Plane Stress: true, Volume Correction: None}";
+  const auto largest = [&](double step) {
+    SolverScene scene(comm, lattice, "", "", material);
+    const auto solver = scene.make("Verlet", fixed(step, ", Allow Unstable Step: true"));
+    scene.start("Displacement", [](double x, double y) { return 1e-6 * std::sin(17.0 * x + 29.0 * y * y); });
+    scene.run(*solver, 0.0, 300 * step);
+    return scene.error("Displacement", [](double) { return 0.0; });
+  };
+  SolverScene scene(comm, lattice, "", "", material);
+  const auto solver = scene.make("Verlet", "{Safety Factor: 1.0}");
+  scene.start("Displacement", [](double, double) { return 0.0; });
+  solver->initialize(scene.simulation());
+  const double end = 1.0e6, estimate = end / solver->numberOfIncrements(scene.simulation(), 0.0, end);
+  EXPECT_GT(estimate, 1.864);
+  EXPECT_LT(estimate, 1.864 * 1.01);
+  EXPECT_LT(largest(0.99 * estimate), 1e-4);
+  EXPECT_GT(largest(1.01 * estimate), 1e3);  // the fastest mode alone grows by a factor 1.33 a step
+}
+
 TEST_F(VerletTest, RefusesAStepAboveTheLimitUnlessAllowed) {
   const auto start = [&](const std::string& parameters) {
     SolverScene scene(comm, chain, heldEnds);
