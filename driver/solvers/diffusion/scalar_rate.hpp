@@ -18,10 +18,13 @@ class ScalarRate {
   /// Sets the held points to their values at time t. Collective.
   ScalarRate(Simulation& simulation, const std::string& field, double t);
 
+  const std::string& field() const { return field_; }
   int nOwned() const { return nOwned_; }
   double* values() { return values_; }              ///< [points] owned first
   const double* rate() const { return rate_; }      ///< [points] of the last evaluation; complete at owned points
   long long nFreePoints() const { return nFree_; }  ///< over all ranks
+  /// Owned points whose value is prescribed, ascending: no integrator's error is made there.
+  const std::vector<int>& heldPoints() const { return heldPoints_; }
   double largestValue() const;                      ///< max |value| over all ranks
   const Communicator& comm() const { return simulation_.model.comm(); }
 

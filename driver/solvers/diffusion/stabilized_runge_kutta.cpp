@@ -104,7 +104,12 @@ double StabilizedRungeKutta::error(ScalarRate& rate, double step) const {
   // Sommeijer, Shampine & Verwer (1998), eq. (3.1).
   const double *values = rate.values(), *rateNow = rate.rate();
   double sum = 0.0;
+  auto held = rate.heldPoints().begin();
   for (int i = 0; i < rate.nOwned(); ++i) {
+    if (held != rate.heldPoints().end() && *held == i) {
+      ++held;
+      continue;
+    }
     const auto k = static_cast<std::size_t>(i);
     const double estimate = 0.8 * (values0_[k] - values[i]) + 0.4 * step * (rate0_[k] + rateNow[i]);
     const double tolerance =
