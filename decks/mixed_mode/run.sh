@@ -11,7 +11,7 @@ cd "$results"
 turned() {
   awk -v angle="$1" 'BEGIN {
     c = cos(angle * atan2(0, -1) / 180); s = sin(angle * atan2(0, -1) / 180); filter = "Discretization/Bond Filters/Pre-Crack/"
-    printf "--set\n%sNormal_X=%.12f\n--set\n%sNormal_Y=%.12f\n", filter, c, filter, -s
+    printf "--set\n%sNormal_X=%.12f\n--set\n%sNormal_Y=%.12f\n", filter, -c, filter, s
     printf "--set\n%sLower_Left_Corner_X=%.12f\n--set\n%sLower_Left_Corner_Y=%.12f\n", filter, -0.01 * s, filter, -0.01 * c
     printf "--set\n%sBottom_Unit_Vector_X=%.12f\n--set\n%sBottom_Unit_Vector_Y=%.12f\n", filter, s, filter, c }'
 }
