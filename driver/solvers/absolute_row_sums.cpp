@@ -12,24 +12,33 @@ AbsoluteRowSums::AbsoluteRowSums(const PeridigmNS::PointMap& overlap)
       ownBlock_(9 * static_cast<std::size_t>(overlap.NumMyElements()), 0.0),
       otherSum_(3 * static_cast<std::size_t>(overlap.NumMyElements()), 0.0) {}
 
-void AbsoluteRowSums::add(int point, int component, int globalCol, int globalPoint, double value) {
-  const std::size_t row = 3 * static_cast<std::size_t>(point) + static_cast<std::size_t>(component);
-  if (globalCol / 3 == globalPoint)
-    ownBlock_[3 * row + static_cast<std::size_t>(globalCol % 3)] += value;
-  else
-    otherSum_[row] += std::abs(value);
-}
-
 void AbsoluteRowSums::addValue(int globalRow, int globalCol, double value) {
   const int point = overlap_.LID(globalRow / 3);
-  if (point >= 0) add(point, globalRow % 3, globalCol, globalRow / 3, value);
+  if (point < 0) return;
+  const std::size_t entry = 3 * static_cast<std::size_t>(point) + static_cast<std::size_t>(globalRow % 3);
+  if (globalCol / 3 == globalRow / 3)
+    ownBlock_[3 * entry + static_cast<std::size_t>(globalCol % 3)] += value;
+  else
+    otherSum_[entry] += std::abs(value);
 }
 
 void AbsoluteRowSums::addValues(int numIndices, const int* globalIndices, const double* const* values) {
-  for (int i = 0; i < numIndices; ++i) {
-    const int globalPoint = globalIndices[i] / 3, point = overlap_.LID(globalPoint);
+  const auto pointOf = [&](int index) { return globalIndices[index] / 3; };
+  for (int first = 0, last = 0; first < numIndices; first = last) {
+    // A run of indices of one point: the columns in which its rows couple it to itself.
+    while (last < numIndices && pointOf(last) == pointOf(first)) ++last;
+    const int point = overlap_.LID(pointOf(first));
     if (point < 0) continue;
-    for (int j = 0; j < numIndices; ++j) add(point, globalIndices[i] % 3, globalIndices[j], globalPoint, values[i][j]);
+    for (int i = first; i < last; ++i) {
+      const double* row = values[i];
+      double sum = 0.0;
+      for (int j = 0; j < first; ++j) sum += std::abs(row[j]);
+      for (int j = last; j < numIndices; ++j) sum += std::abs(row[j]);
+      const std::size_t entry = 3 * static_cast<std::size_t>(point) + static_cast<std::size_t>(globalIndices[i] % 3);
+      otherSum_[entry] += sum;
+      for (int j = first; j < last; ++j)
+        ownBlock_[3 * entry + static_cast<std::size_t>(globalIndices[j] % 3)] += row[j];
+    }
   }
 }
 

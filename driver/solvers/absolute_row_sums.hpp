@@ -26,8 +26,6 @@ class AbsoluteRowSums : public PeridigmNS::SerialMatrix {
   std::vector<double> ownedSums(const Model& model) const;
 
  private:
-  void add(int point, int component, int globalCol, int globalPoint, double value);
-
   const PeridigmNS::PointMap& overlap_;
   std::vector<double> ownBlock_;  ///< [9 points] entries between components of one point
   std::vector<double> otherSum_;  ///< [3 points]
