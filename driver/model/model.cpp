@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -82,6 +83,12 @@ Teuchos::RCP<DamageModel> createDamageModel(const Deck& deck, const DeckNode& bl
 
 Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, int blockNumber) {
   std::vector<int> owned, list;
+  if (points.blockNumbers.size() == 1) {
+    owned.resize(static_cast<std::size_t>(points.nOwned));
+    std::iota(owned.begin(), owned.end(), 0);
+    return Teuchos::rcp(new NeighborhoodData(std::move(owned), points.neighborhoodList.data(),
+                                             static_cast<int>(points.neighborhoodList.size())));
+  }
   for (int i = 0; i < points.nOwned; ++i) {
     if (points.blockId[i] != blockNumber) continue;
     owned.push_back(i);
@@ -225,11 +232,11 @@ void Model::cutBonds(const Deck& deck) {
 }
 
 void Model::initialize() {
-  const Timers::Scope timer(timers_, "initialization");
   std::set<int> toSynchronise;
   const auto note = [&](const std::vector<int>& ids) { toSynchronise.insert(ids.begin(), ids.end()); };
   if (hasField("Displacement")) updateCoordinates();
   collectively(comm_, [&] {
+    const Timers::Scope timer(timers_, "initialization");
     for (Block& block : *blocks_) {
       const auto points = block.getNeighborhoodData();
       const auto call = [&](auto&& plugin) {
@@ -303,9 +310,7 @@ std::size_t Model::bondBytes() const {
   std::size_t bytes = discretization_.neighborhoodList.capacity() * sizeof(int) +
                       discretization_.neighborhoodStart.capacity() * sizeof(long long) +
                       discretization_.bondIsCut.capacity();
-  for (Block& block : *blocks_)
-    bytes += static_cast<std::size_t>(block.getNeighborhoodData()->NeighborhoodListSize()) * sizeof(int) +
-             block.getDataManager()->bondBytes();
+  for (Block& block : *blocks_) bytes += block.getNeighborhoodData()->bytes() + block.getDataManager()->bondBytes();
   return bytes;
 }
 
