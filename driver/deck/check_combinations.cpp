@@ -30,7 +30,10 @@ class CombinationCheck {
     influence();
     agreesWithMaterials("Thickness", {"Plane Stress", "Plane Strain"});
     agreesWithMaterials("Cross Section Area", {"One Dimensional"});
-    for (const CheckedSection* block : check_.ofKind(Kind::Block)) isTimeless(block->section.node["Horizon"]);
+    for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
+      isTimeless(block->section.node["Horizon"]);
+      damageAgreesWithMaterial(*block);
+    }
     for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) directions(*filter);
     for (const CheckedSection* set : check_.ofKind(Kind::NodeSet)) {
       if (set->section.node["Box"]) box(set->section.node["Box"]);
@@ -45,12 +48,16 @@ class CombinationCheck {
   void influence() {
     const DeckNode node = deck_["Discretization"]["Influence Function"];
     if (!node.isScalar()) return;
-    for (const char* name : {"One", "Parabolic Decay", "Gaussian"})
-      if (node.text() == name) return;
+    const std::vector<std::string> names{"One", "Parabolic Decay", "Gaussian"};
+    if (std::find(names.begin(), names.end(), node.text()) != names.end()) return;
     try {
       influenceFunction(node.text(), node.place());
     } catch (const DeckError& error) {
-      mistakes_.add("", std::string(error.what()) + "; names known here: One, Parabolic Decay, Gaussian");
+      if (const std::string meant = didYouMean(node.text(), names); !meant.empty())
+        mistakes_.add(node.place(), "unknown influence function \"" + node.text() + "\"" + meant +
+                                        "; there are: " + quotedList(names) + ", or a function of zeta and horizon");
+      else
+        mistakes_.add("", std::string(error.what()) + "; names known here: " + quotedList(names));
     }
   }
 
@@ -58,7 +65,7 @@ class CombinationCheck {
   /// neighbourhoods must take alike.
   void agreesWithMaterials(const std::string& key, const std::vector<std::string>& flags) {
     const DeckNode mine = deck_["Discretization"][key];
-    if (mine && !(mine.isScalar() && parseReal(mine.text()))) return;
+    if (mine && !(mine.isScalar() && parseReal(mine.text()) && mine.real() > 0.0)) return;
     for (const CheckedSection* material : check_.ofKind(Kind::Material)) {
       const DeckNode& node = material->section.node;
       const bool needsIt = std::any_of(flags.begin(), flags.end(),
@@ -74,6 +81,40 @@ class CombinationCheck {
         mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization/{} is {}; they must agree", node.path(), key,
                                          theirs, key, mine.real()));
     }
+  }
+
+  const CheckedSection* named(Kind kind, const DeckNode& name) const {
+    for (const CheckedSection* checked : check_.ofKind(kind))
+      if (name.isScalar() && checked->section.name == name.text()) return checked->isGood ? checked : nullptr;
+    return nullptr;
+  }
+
+  /// Damage models that need the constants of the material are told them again, since their interface does not show
+  /// them the material.
+  void damageAgreesWithMaterial(const CheckedSection& block) {
+    const DeckNode& node = block.section.node;
+    const CheckedSection* damage = named(Kind::DamageModel, node["Damage Model"]);
+    const CheckedSection* material = named(Kind::Material, node["Material"]);
+    if (damage == nullptr) return;
+    const DeckNode& damageNode = damage->section.node;
+    const auto compare = [&](const std::string& key, const std::string& owner, const auto& mine, const auto& other) {
+      if (mine != other)
+        mistakes_.add(damageNode[key] ? damageNode[key].place() : damageNode.keyPlace(),
+                      fmt::format("{}/{} is {}, but {}/{} is {}; they must agree", damageNode.path(), key, mine, owner,
+                                  key, other));
+    };
+    if (damageNode["Horizon"] && damage->list.isType<double>("Horizon") && node["Horizon"].isScalar() &&
+        parseReal(node["Horizon"].text()))
+      compare("Horizon", node.path(), damage->list.get<double>("Horizon"), node["Horizon"].real());
+    if (material == nullptr || !damageNode["Fracture Energy"]) return;
+    const Teuchos::ParameterList &mine = damage->list, &other = material->list;
+    const std::string owner = material->section.node.path();
+    for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+      if (mine.isType<double>(key) && other.isType<double>(key))
+        compare(key, owner, mine.get<double>(key), other.get<double>(key));
+    for (const char* key : {"Plane Stress", "Plane Strain", "One Dimensional"})
+      if (mine.isType<bool>(key) && other.isType<bool>(key))
+        compare(key, owner, mine.get<bool>(key), other.get<bool>(key));
   }
 
   void isTimeless(const DeckNode& node) {
@@ -138,6 +179,7 @@ class CombinationCheck {
   void needsDamage(const CheckedSection& condition) {
     const std::string& type = condition.section.plugin;
     if ((type != "No Failure" && type != "Saturated Crack Faces") || check_.hasDamageModel()) return;
+    if (check_.ofKind(Kind::Block).empty()) return;
     mistakes_.add(condition.section.node.keyPlace(),
                   condition.section.node.path() + ": " + type + " does nothing, since no block has a Damage Model");
   }

@@ -6,7 +6,7 @@
 #include "../solvers/solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "check_deck.hpp"
-#include "deck_data.hpp"
+#include "function.hpp"
 
 namespace pd {
 
@@ -43,13 +43,12 @@ class PluginCheck {
   }
 
   void run() {
+    isComplete_ = !check_.ofKind(Kind::Block).empty();
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
       make(*solver, [&] { return SolverRegistry::self().create(solver->section.plugin, solver->list)->fieldIds(); });
     for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) conditionField(*condition);
     computes();
-    // With a plug-in missing, unknown fields would only repeat its mistake.
-    if (!isComplete_) return;
     for (const CheckedSection* output : check_.ofKind(Kind::Output)) outputVariables(output->section.node);
     for (const CheckedSection* entry : check_.ofKind(Kind::ExactSolution)) isKnown(entry->section.node["Field"]);
   }
@@ -63,7 +62,10 @@ class PluginCheck {
       return;
     }
     try {
-      for (const int id : create()) labels_.insert(FieldManager::self().getFieldSpec(id).getLabel());
+      for (const int id : create()) {
+        const PeridigmNS::FieldSpec spec = FieldManager::self().getFieldSpec(id);
+        if (spec.getRelation() != PeridigmNS::PeridigmField::BOND) labels_.insert(spec.getLabel());
+      }
     } catch (const std::exception& error) {
       isComplete_ = false;
       mistakes_.add(checked.section.node.keyPlace(), checked.section.node.path() + ": " + error.what());
@@ -79,17 +81,18 @@ class PluginCheck {
   void blockPlugins(const CheckedSection& block) {
     const DeckNode& node = block.section.node;
     const CheckedSection* material = named(Kind::Material, node["Material"]);
-    if (material == nullptr || !block.isGood)
+    if (material == nullptr || !block.isGood) {
       isComplete_ = false;
-    else
-      make(*material, [&] {
-        Teuchos::ParameterList list(material->list);
-        const DeckNode horizon = node["Horizon"];
-        if (material->section.declarations.find("Horizon") != nullptr && horizon.isScalar() &&
-            parseReal(horizon.text()))
-          list.set("Horizon", horizon.real());
-        return MaterialRegistry::self().create(material->section.plugin, list)->FieldIds();
-      });
+    } else {
+      const Function horizon = Function::fromDeck(node["Horizon"]);
+      if (!horizon.dependsOnTime())
+        make(*material, [&] {
+          Teuchos::ParameterList list(material->list);
+          if (material->section.declarations.find("Horizon") != nullptr && horizon.isConstant())
+            list.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
+          return MaterialRegistry::self().create(material->section.plugin, list)->FieldIds();
+        });
+    }
     const DeckNode damage = node["Damage Model"];
     if (!damage.isScalar() || damage.text() == "None") return;
     if (const CheckedSection* model = named(Kind::DamageModel, damage))
@@ -101,8 +104,7 @@ class PluginCheck {
   void conditionField(const CheckedSection& condition) {
     const DeckNode field = condition.section.node["Field"];
     if (condition.section.plugin == "No Failure") labels_.insert("No_Failure");
-    if (!isComplete_ || !field.isScalar()) return;
-    if (!isKnown(field)) return;
+    if (!field.isScalar() || !isKnown(field)) return;
     if (condition.section.plugin == "Saturated Crack Faces") labels_.insert(field.text() + "_Source");
     if (!FieldManager::self().hasField(field.text())) return;
     if (FieldManager::self().getFieldSpec(field.text()).getLength() != PeridigmNS::PeridigmField::SCALAR)
@@ -112,10 +114,13 @@ class PluginCheck {
   void computes() {
     const auto oneRank = Teuchos::rcp<const Epetra_Comm>(new OneRank);
     const Teuchos::RCP<const Teuchos::ParameterList> noGlobalData;
+    for (const auto& [name, entry] : deck_["Compute Class Parameters"].entries()) {
+      labels_.insert(name);
+      if (entry["Output Label"].isScalar()) labels_.insert(entry["Output Label"].text());
+    }
     for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
-      labels_.insert(compute->section.name);
       labels_.insert(compute->section.plugin);
-      if (!isComplete_) return;
+      if (!isComplete_) continue;
       make(*compute, [&] {
         const auto list = Teuchos::rcp<const Teuchos::ParameterList>(new Teuchos::ParameterList(compute->list));
         return ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData)->FieldIds();
@@ -144,6 +149,16 @@ class PluginCheck {
   bool isKnownLabel(const std::string& label, const std::string& place, const std::string& path) {
     if (labels_.count(label) != 0) return true;
     const std::vector<std::string> known(labels_.begin(), labels_.end());
+    if (!isComplete_) {
+      // With a plug-in missing, only a slip of the pen is sure to be one.
+      std::vector<std::string> all{"Damage", "Concentration", "Temperature", "Velocity", "Force_Density"};
+      all.insert(all.end(), known.begin(), known.end());
+      const bool isThere = std::any_of(all.begin(), all.end(),
+                                       [&](const std::string& other) { return plainName(other) == plainName(label); });
+      if (!isThere && !nearestWord(label, all).empty())
+        mistakes_.add(place, path + ": unknown field or compute \"" + label + "\"" + didYouMean(label, all));
+      return false;
+    }
     mistakes_.add(place, path + ": nothing in this deck provides \"" + label + "\"" + didYouMean(label, known) +
                              "; there are: " + quotedList(known));
     return false;

@@ -75,9 +75,8 @@ class SectionReader {
       const std::string text = value.text();
       found = "\"" + (text.size() > 60 ? text.substr(0, 57) + "..." : text) + "\"";
       if (hasForm(text)) found += " in quotes";
-      const auto number = parseReal(text);
-      if (parameter.type == ParameterType::Integer && number && !value.isQuoted())
-        found += " (write it without a point)";
+      if (parameter.type == ParameterType::Integer && !value.isQuoted() && parseReal(text))
+        found += text.find_first_of(".eE") == std::string::npos ? " (too large)" : " (write it without a point)";
     }
     mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not " + found);
     return false;
@@ -142,8 +141,12 @@ class SectionReader {
 
 void checkCompleteness(const DeckNode& section, const ParameterDeclarations& declarations, Mistakes& mistakes,
                        const HostKeys& hostKeys) {
+  // A misspelt key is one mistake, not two.
+  std::vector<std::string> meant = hostKeys.injected;
+  for (const auto& entry : section.entries())
+    if (declarations.find(entry.first) == nullptr) meant.push_back(nearestWord(entry.first, declarations.names()));
   for (const Parameter& parameter : declarations.parameters()) {
-    if (!parameter.isRequired || section[parameter.name] || contains(hostKeys.injected, parameter.name)) continue;
+    if (!parameter.isRequired || section[parameter.name] || contains(meant, parameter.name)) continue;
     mistakes.add(section.keyPlace(), section.path() + " lacks \"" + parameter.name + "\" (" + parameter.expectation() +
                                          "): " + parameter.meaning);
   }
@@ -154,7 +157,7 @@ void checkCompleteness(const DeckNode& section, const ParameterDeclarations& dec
            parseFlag(section[name].text()) == false;
   };
   const auto isGiven = [&](const std::string& name) {
-    return (section[name].exists() && !isFalse(name)) || contains(hostKeys.injected, name);
+    return (section[name].exists() && !isFalse(name)) || contains(meant, name);
   };
   for (const std::string& message : declarations.brokenRules(isGiven))
     mistakes.add(section.keyPlace(), section.path() + ": " + message);

@@ -126,6 +126,10 @@ class TreeBuilder : public YAML::EventHandler {
       if (!level.keepsValue) return;
       node->keyLine = level.keyLine;
       node->keyColumn = level.keyColumn;
+      if (node->kind == Data::Kind::Null) {  // yaml-cpp places it at whatever comes next
+        node->line = level.keyLine;
+        node->column = level.keyColumn;
+      }
       level.node->entries.emplace_back(level.key, node);
     }
   }
@@ -169,6 +173,16 @@ std::string withoutEscapedBraces(std::string text) {
   return text;
 }
 
+/// What a syntax error in this line (from 0) is likely to come from.
+std::string syntaxHint(const std::string& text, int line) {
+  std::istringstream lines(text);
+  std::string content;
+  for (int i = 0; i <= line && std::getline(lines, content); ++i) {
+  }
+  if (content.find('\t') != std::string::npos) return "; the line contains a tab: indent with blanks";
+  return "; look at the indentation, colons, quotes and brackets here and just above";
+}
+
 }  // namespace
 
 std::shared_ptr<Data> readYaml(const std::string& text, const std::string& source, bool hasLines) {
@@ -185,8 +199,7 @@ std::shared_ptr<Data> readYaml(const std::string& text, const std::string& sourc
     const std::string at = hasLines && !error.mark.is_null()
                                ? ":" + std::to_string(error.mark.line + 1) + ":" + std::to_string(error.mark.column + 1)
                                : "";
-    builder.mistakes().add(source + at, "YAML syntax: " + error.msg +
-                                            "; look at the indentation, colons and brackets here and just above");
+    builder.mistakes().add(source + at, "YAML syntax: " + error.msg + syntaxHint(text, error.mark.line));
   }
   builder.mistakes().report();
   return builder.root();

@@ -76,9 +76,10 @@ class Writer {
 
   void defaults(const DeckNode& node, const ParameterDeclarations& declarations) {
     for (const Parameter& parameter : declarations.parameters()) {
-      if (node[parameter.name] || isInRule(declarations, parameter.name)) continue;
       const auto& value = parameter.defaultValue;
-      if (std::holds_alternative<std::monostate>(value)) continue;
+      if (node[parameter.name] || std::holds_alternative<std::monostate>(value)) continue;
+      const bool isFalse = std::holds_alternative<bool>(value) && !std::get<bool>(value);  // breaks no rule
+      if (isInRule(declarations, parameter.name) && !isFalse) continue;
       out_ << YAML::Key << parameter.name << YAML::Value;
       if (std::holds_alternative<double>(value)) out_ << numberText(std::get<double>(value));
       if (std::holds_alternative<int>(value)) out_ << std::get<int>(value);

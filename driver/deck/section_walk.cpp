@@ -143,8 +143,17 @@ class SectionFinder {
   void discretization(const DeckNode& node) {
     DeckSection& section = add(Kind::Discretization, "Discretization", node, discretizationDeclarations());
     // The filters have names of the user's choice.
-    section.declarations = withoutSublists(section.declarations);
+    const DeckNode type = node["Type"];
+    const bool isPeridigmMesh = type.isScalar() && (type.text() == "Exodus" || type.text() == "PdQuickGrid");
+    section.declarations = withoutSublists(section.declarations, isPeridigmMesh ? "Type" : "");
+    if (isPeridigmMesh)
+      mistakes_.add(type.place(), "meshes of Type " + type.text() +
+                                      " are not read; make a \"Text File\" of the mesh by meshes/pdmesh");
     section.hostKeys.known.emplace_back("Bond Filters");
+    if (const DeckNode horizon = node["Horizon"]) {
+      mistakes_.add(horizon.keyPlace(), "the Horizon belongs to the entries of Blocks, not to Discretization");
+      section.hostKeys.known.emplace_back("Horizon");
+    }
     const DeckNode filters = node["Bond Filters"];
     if (!filters || !isSection(filters)) return;
     for (const auto& [name, filter] : filters.entries()) {
@@ -154,9 +163,15 @@ class SectionFinder {
     }
   }
 
-  static ParameterDeclarations withoutSublists(const ParameterDeclarations& declarations) {
+  /// Without the choices of the parameter `unchecked`, which has been complained of.
+  static ParameterDeclarations withoutSublists(const ParameterDeclarations& declarations,
+                                               const std::string& unchecked) {
     ParameterDeclarations result;
-    for (const Parameter& parameter : declarations.parameters()) result.real(parameter.name, "", "") = parameter;
+    for (const Parameter& parameter : declarations.parameters()) {
+      Parameter& copy = result.real(parameter.name, "", "");
+      copy = parameter;
+      if (parameter.name == unchecked) copy.choices.clear();
+    }
     for (const auto& rule : declarations.rules())
       if (rule.kind == ParameterDeclarations::Rule::AtMostOne) result.atMostOneOf(rule.names);
     return result;

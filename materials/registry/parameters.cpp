@@ -18,6 +18,27 @@ std::string numberText(double value) {
   return out.str();
 }
 
+/// Letters to add, drop, replace or swap with their neighbour, to come from `a` to `b`; case ignored.
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  const auto isSame = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  };
+  std::vector<std::size_t> beforeLast, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = last[j - 1] + (isSame(a[i - 1], b[j - 1]) ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && isSame(a[i - 1], b[j - 2]) && isSame(a[i - 2], b[j - 1]))
+        row[j] = std::min(row[j], beforeLast[j - 2] + 1);
+    }
+    beforeLast = last;
+    last = row;
+  }
+  return last[b.size()];
+}
+
 std::string ruleComplaint(const ParameterDeclarations::Rule& rule,
                           const std::function<bool(const std::string&)>& isGiven) {
   if (rule.kind == ParameterDeclarations::Rule::Needs) {
@@ -374,25 +395,13 @@ std::string quotedList(const std::vector<std::string>& names) {
 }
 
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known) {
-  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  if (word.size() < 2) return "";
   std::string best;
-  const std::size_t farthest = word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
-  std::size_t bestDistance = farthest + 1;
+  std::size_t bestDistance = (word.size() < 5 ? 1 : std::max<std::size_t>(2, word.size() / 3)) + 1;
   for (const std::string& candidate : known) {
-    std::vector<std::size_t> row(candidate.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= word.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i;
-      for (std::size_t j = 1; j < row.size(); ++j) {
-        const std::size_t cost = lower(word[i - 1]) == lower(candidate[j - 1]) ? 0 : 1;
-        const std::size_t next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + cost});
-        diagonal = row[j];
-        row[j] = next;
-      }
-    }
-    if (row.back() < bestDistance) {
-      bestDistance = row.back();
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance < bestDistance) {
+      bestDistance = distance;
       best = candidate;
     }
   }

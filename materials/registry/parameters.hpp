@@ -128,7 +128,7 @@ bool isHostKey(const std::string& name);
 /// `"A", "B"`.
 std::string quotedList(const std::vector<std::string>& names);
 
-/// The word of `known` nearest to `word` (Levenshtein distance, case ignored) if it is near enough to be a slip of
+/// The word of `known` nearest to `word` (edit distance with swaps, case ignored) if it is near enough to be a slip of
 /// the pen; empty otherwise.
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known);
 

@@ -169,7 +169,9 @@ TEST(NearestWord, FindsSlipsOfThePenOnly) {
   EXPECT_EQ(nearestWord("Horizn", known), "Horizon");
   EXPECT_EQ(nearestWord("horizon", known), "Horizon");
   EXPECT_EQ(nearestWord("Damge Modell", known), "Damage Model");
-  EXPECT_EQ(nearestWord("d", known), "dt");
+  EXPECT_EQ(nearestWord("dts", known), "dt");
+  EXPECT_EQ(nearestWord("PDEH", {"PDHE"}), "PDHE");
+  EXPECT_EQ(nearestWord("d", known), "");
   EXPECT_EQ(nearestWord("xy", known), "");
   EXPECT_EQ(nearestWord("Viscosity", known), "");
   EXPECT_EQ(nearestWord("", known), "");
