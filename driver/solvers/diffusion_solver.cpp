@@ -45,7 +45,7 @@ void Diffusion::declareParameters(ParameterDeclarations& declare) {
   // Each says which methods use it.
   ParameterDeclarations marked;
   for (Parameter parameter : methods.parameters()) {
-    parameter.meaning += " Method " + joined(methodsWith(parameter.name)) + ".";
+    parameter.meaning += " (Method: " + joined(methodsWith(parameter.name)) + ".)";
     marked.real(parameter.name, "", "") = parameter;
   }
   addDeclarations(marked, methods);
