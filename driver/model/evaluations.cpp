@@ -7,6 +7,7 @@
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
+#include "field_names.hpp"
 #include "model.hpp"
 
 namespace pd {
@@ -20,6 +21,16 @@ bool declares(const Block& block, const std::string& label) {
   if (!fields.hasField(label)) return false;
   const auto ids = const_cast<Block&>(block).getMaterialModel()->FieldIds();
   return std::find(ids.begin(), ids.end(), fields.getFieldId(label)) != ids.end();
+}
+
+bool declaresFluxDivergence(Block& block) {
+  const std::string ending = fluxDivergenceField("");
+  const auto ids = block.getMaterialModel()->FieldIds();
+  return std::any_of(ids.begin(), ids.end(), [&](int id) {
+    const std::string label = FieldManager::self().getFieldSpec(id).label;
+    return label == fluxDivergenceField("Temperature") ||
+           (label.size() > ending.size() && label.compare(label.size() - ending.size(), ending.size(), ending) == 0);
+  });
 }
 
 /// plugin(dt, nOwned, ownedIDs, neighborhoodList, data) for a block that has points on this rank.
@@ -147,8 +158,9 @@ void Model::evaluateStoredEnergy(double dt) {
 void Model::assembleJacobian(double dt, SerialMatrix& matrix) {
   const auto& unknowns = DegreesOfFreedomManager::self();
   for (Block& block : *blocks_) {
-    // A material without forces has no tangent of them, nor the means to probe for one.
-    if (!unknowns.temperatureTreatedAsUnknown() && !declares(block, "Force_Density")) continue;
+    // A material that computes none of the unknowns' rates has no tangent of them, nor the means to probe for one.
+    const bool hasForce = unknowns.displacementTreatedAsUnknown() && declares(block, "Force_Density");
+    if (!hasForce && !(unknowns.temperatureTreatedAsUnknown() && declaresFluxDivergence(block))) continue;
     const Timers::Scope timer(timers_, "tangent", bondsOf(block));
     const auto material = block.getMaterialModel();
     callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {
