@@ -137,8 +137,8 @@ def plate_deck(horizon, thickness, material=None, damage=None, conditions=None, 
                                 **(material or {})}},
         "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Horizon": horizon}},
         "Boundary Conditions": conditions or {},
-        "Solver": solver,
-        "Output": {"Output Filename": "result", "Output Frequency": -1, **(output or {})},
+        "Solver": {"Final Time": 1.0, **(solver or {})},
+        "Output": {"Output Filename": "result", "Output Frequency": 1, **(output or {})},
     }
     if damage:
         deck["Damage Models"] = {"Breakage": damage}

@@ -1,0 +1,160 @@
+#!/usr/bin/python3
+"""Statics of PDHE against exact solutions: patch tests, moduli of lattices, strips with free edges."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from scene import SceneTest, lattice, plate_deck  # noqa: E402
+
+E = 207.0e9
+
+
+def share(rule, distance, horizon, spacing):
+    """Volume share of a neighbour: FA, PV and HHB of the field's literature."""
+    inside = distance <= horizon * (1.0 + 1e-10)
+    ramp = np.clip((horizon + 0.5 * spacing - distance) / spacing, 0.0, 1.0)
+    return {"None": inside * 1.0, "Ramp To Horizon": inside * ramp, "Ramp Beyond Horizon": ramp}[rule]
+
+
+def lattice_moduli(m, nu, rule):
+    """C11 and C12 of the two-parameter model on the unit square lattice of unit thickness, plane stress."""
+    reach = int(m) + 2
+    i, j = np.meshgrid(np.arange(-reach, reach + 1), np.arange(-reach, reach + 1))
+    x, y = i[(i != 0) | (j != 0)].astype(float), j[(i != 0) | (j != 0)].astype(float)
+    r = np.hypot(x, y)
+    kn = 6.0 * E / (np.pi * m**3 * (1.0 - nu))
+    kt = kn * (1.0 - 3.0 * nu) / (1.0 + nu)
+    w, c2, s2 = 0.5 * r * share(rule, r, m, 1.0), (x / r) ** 2, (y / r) ** 2
+    return np.sum(w * (kn * c2**2 + kt * c2 * s2)), np.sum(w * (kn - kt) * c2 * s2)
+
+
+class Patch(SceneTest):
+    """Uniform deformation, prescribed in a layer around the plate, is a solution inside. The layer is two horizons deep:
+    within one of the edge, neighbourhoods are cut off, and their rotation is not that of the deformation."""
+
+    def error_of(self, ux, uy, nu, steps=1, **material):
+        self.write_mesh(lattice([0.026, 0.022], 1e-3), 1e-6 * 4e-3)
+        collar = "x < 0.0075 || x > 0.0185 || y < 0.0075 || y > 0.0145"
+        hold = {"Type": "Prescribed Displacement", "Node Set": "Collar Node Set"}
+        deck = plate_deck(
+            3.015e-3, 4e-3, {"Young's Modulus": E, "Poisson's Ratio": nu, "Density": 7850.0, **material},
+            conditions={"Collar Node Set": {"Expression": collar},
+                        "Hold x": {**hold, "Coordinate": "x", "Value": ux},
+                        "Hold y": {**hold, "Coordinate": "y", "Value": uy}},
+            solver={"QuasiStatic": {"Load Steps": steps, "Relative Tolerance": 1e-9}},
+            output={"Output Variables": ["Displacement"]},
+            Exact_Solution={"X": {"Field": "Displacement", "Coordinate": "x", "Value": ux},
+                            "Y": {"Field": "Displacement", "Coordinate": "y", "Value": uy}})
+        norms = self.solve(deck).report["error_norms"]
+        return max(value for name, value in norms.items() if "L2" in name)
+
+    def test_uniaxial_strain_shear_and_translation(self):
+        for nu in (0.0, 0.29, 1.0 / 3.0, 0.4):
+            for ux, uy in (("1e-4*x*t", "-2e-5*y*t"), ("1e-4*y*t", "3e-5*x*t"), ("1e-3*t + 0*x", "-2e-3*t + 0*x")):
+                # Displacements are solved to 1e-9 of the reaction; rounding of coordinates adds 1e-17/1e-6.
+                self.assertLess(self.error_of(ux, uy, nu), 1e-7, (nu, ux, uy))
+
+    def test_linear_form_in_small_strain(self):
+        self.assertLess(self.error_of("1e-4*x*t", "2e-5*x*t", 0.2, **{"Tangential Force": "Linear"}), 1e-7)
+
+    def test_rigid_rotation_by_half_a_radian(self):
+        ux, uy = "(cos(0.5*t)-1)*x - sin(0.5*t)*y", "sin(0.5*t)*x + (cos(0.5*t)-1)*y"
+        for nu in (0.1, 0.29):
+            self.assertLess(self.error_of(ux, uy, nu, steps=10), 1e-7)
+
+
+class Moduli(SceneTest):
+    """Energy of uniform strains at the centre of a plate: E and nu of the lattice."""
+
+    def moduli(self, m, nu, rule, **material):
+        size = 13.0
+        self.write_mesh(lattice([size, size], 1.0), 1.0)
+        energies = []
+        strain = 1e-6
+        for ex, ey in ((strain, 0.0), (strain, strain)):
+            hold = {"Type": "Prescribed Displacement", "Node Set": "All Node Set"}
+            deck = plate_deck(
+                float(m), 1.0, {"Young's Modulus": E, "Poisson's Ratio": nu, "Volume Correction": rule, **material},
+                conditions={"All Node Set": {"Expression": "x > -1"},
+                            "X": {**hold, "Coordinate": "x", "Value": f"{ex}*x"},
+                            "Y": {**hold, "Coordinate": "y", "Value": f"{ey}*y"}},
+                solver={"QuasiStatic": {}},
+                output={"Output Variables": ["Stored_Elastic_Energy_Density"]})
+            energy = self.solve(deck).field("Stored_Elastic_Energy_Density")
+            energies.append(energy[int(size) * (int(size) // 2) + int(size) // 2] / strain**2)
+        c11 = 2.0 * energies[0]
+        c12 = energies[1] - c11
+        return c11, c12
+
+    def test_lattice_values(self):
+        # reference: table of E_eff/E (bond-based plane stress) by volume rule and m, to three decimals
+        table = {(3, "None"): 1.064, (3, "Ramp To Horizon"): 0.866, (3, "Ramp Beyond Horizon"): 1.045,
+                 (3.015, "None"): 1.049, (3.015, "Ramp To Horizon"): 0.859, (3.015, "Ramp Beyond Horizon"): 1.043,
+                 (4, "None"): 0.986, (4, "Ramp To Horizon"): 0.875, (4, "Ramp Beyond Horizon"): 1.019}
+        for (m, rule), expected in table.items():
+            c11, c12 = self.moduli(m, 1.0 / 3.0, rule)
+            self.assertAlmostEqual((c11 - c12**2 / c11) / E, expected, delta=1.5e-3, msg=f"m = {m}, {rule}")
+
+    def test_every_poissons_ratio(self):
+        for nu in (0.0, 0.1, 0.2, 0.29, 1.0 / 3.0, 0.4):
+            for m in (3, 3.015, 4):
+                c11, c12 = self.moduli(m, nu, "Ramp Beyond Horizon")
+                sum11, sum12 = lattice_moduli(m, nu, "Ramp Beyond Horizon")
+                # Geometric nonlinearity is of the order of the strain, 1e-6.
+                self.assertAlmostEqual(c11 / sum11, 1.0, delta=1e-5, msg=f"nu = {nu}, m = {m}")
+                self.assertAlmostEqual((c12 - sum12) / sum11, 0.0, delta=1e-5, msg=f"nu = {nu}, m = {m}")
+                if abs(nu - 1.0 / 3.0) < 1e-9:
+                    continue
+                c11, c12 = self.moduli(m, nu, "Ramp Beyond Horizon", **{"Lattice Rescaling": True})
+                self.assertAlmostEqual((c11 - c12**2 / c11) / E, 1.0, delta=1e-5, msg=f"E, nu = {nu}, m = {m}")
+                self.assertAlmostEqual(c12 / c11, nu, delta=1e-5, msg=f"nu = {nu}, m = {m}")
+
+
+class Strip(SceneTest):
+    """Tension of a strip with free edges: the apparent modulus, by the force through it and the strain in its middle."""
+
+    def apparent_modulus(self, m, width, rule, correction):
+        length = 8 * width
+        self.write_mesh(lattice([length, width], 1.0), 1.0)
+        grip, pull = m + 1, 1e-5 * length
+        hold = {"Type": "Prescribed Displacement", "Coordinate": "x"}
+        deck = plate_deck(
+            float(m), 1.0, {"Young's Modulus": E, "Poisson's Ratio": 1.0 / 3.0, "Volume Correction": rule,
+                            "Surface Correction": correction},
+            conditions={"Left Node Set": {"Expression": f"x < {grip}"},
+                        "Right Node Set": {"Expression": f"x > {length - grip}"},
+                        "Middle Node Set": {"Expression": f"x < {grip} && abs(y - {width / 2}) < 0.6"},
+                        "L": {**hold, "Node Set": "Left Node Set", "Value": 0.0},
+                        "R": {**hold, "Node Set": "Right Node Set", "Value": float(pull)},
+                        "Y": {"Type": "Prescribed Displacement", "Coordinate": "y", "Node Set": "Middle Node Set",
+                              "Value": 0.0}},
+            solver={"QuasiStatic": {"Relative Tolerance": 1e-8}},
+            Compute_Class_Parameters={"Force": {"Compute Class": "Reaction_Force", "Node Set": "Right Node Set",
+                                                "Output Label": "Force"}},
+            output={"Output Variables": ["Displacement", "Force"]})
+        result = self.solve(deck)
+        force = abs(result.history()["ForceX"][-1])
+        ux = result.field("Displacement")[:, 0].reshape(width, length).mean(axis=0)
+        middle, quarter = length // 2, width
+        strain = (ux[middle + quarter] - ux[middle - quarter]) / (2 * quarter)
+        return force / (width * strain * E)
+
+    def test_apparent_modulus(self):
+        # reference: strips of the widths 2 and 5 horizons, m = 3, uncorrected and with the volume method
+        for horizons, rule, correction, expected in (
+                (2, "None", "None", 0.964), (2, "None", "Volume Method", 1.242),
+                (2, "Ramp Beyond Horizon", "None", 0.927), (2, "Ramp Beyond Horizon", "Volume Method", 1.189),
+                (5, "Ramp Beyond Horizon", "None", 0.998), (5, "Ramp Beyond Horizon", "Volume Method", 1.103)):
+            modulus = self.apparent_modulus(3, 3 * horizons, rule, correction)
+            self.assertAlmostEqual(modulus, expected, delta=2e-3, msg=f"{horizons} horizons, {rule}, {correction}")
+
+    def test_energy_method_is_nearest_to_the_material(self):
+        errors = {c: abs(self.apparent_modulus(3, 15, "Ramp Beyond Horizon", c) - 1.0)
+                  for c in ("Volume Method", "Energy Method")}
+        self.assertLess(errors["Energy Method"], 0.5 * errors["Volume Method"])
+
+
+if __name__ == "__main__":
+    unittest.main()
