@@ -3,7 +3,7 @@
 #
 #   ./setup.sh run         install packages, build, run decks/hydrogen_plate and draw its pictures
 #   ./setup.sh test        install packages, build, run all tests
-#   ./setup.sh benchmark   install packages, build, measure; writes build/benchmark.json
+#   ./setup.sh benchmark   install packages, build, measure; writes build/benchmark.json (--quick: tiny bodies)
 #   ./setup.sh build       install packages, build
 set -euo pipefail
 
@@ -79,5 +79,5 @@ build
 case "$1" in
   run) run_main_job ;;
   test) run_tests ;;
-  benchmark) "$source_folder/tests/benchmark/run.sh" "$build_folder" ;;
+  benchmark) "$source_folder/tests/benchmark/benchmark.py" "$build_folder" "${@:2}" ;;
 esac

@@ -139,7 +139,7 @@ void arguments(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"plane", "jitter", "nu", "large"})->Unit(benchmark::kMillisecond);
   for (const int plane : {1, 0})
     for (const int jitter : {0, 20})
-      for (const int large : {0, 1}) bench->Args({plane, jitter, 29, large});
+      for (const int large : {0, 1}) bench->Args({plane, jitter, plane == 1 ? 29 : 20, large});
 }
 void mechanicsArguments(benchmark::internal::Benchmark* bench) {
   arguments(bench);

@@ -1,0 +1,189 @@
+#!/usr/bin/python3
+"""Measures pdrun: kernels and whole runs. Writes a list of {name, value, unit, machine}.
+
+  benchmark.py BUILD_FOLDER            everything, some minutes on an idle machine; into BUILD_FOLDER/benchmark.json
+  benchmark.py BUILD_FOLDER --quick    tiny bodies and few steps, to see that all of it runs: the figures mean nothing
+"""
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import scenes  # noqa: E402
+
+SOURCE = Path(__file__).resolve().parents[2]
+SCENE = SOURCE / "decks" / "hydrogen_plate"
+
+
+def machine():
+    model = "unknown processor"
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+            break
+    return f"{model}, {os.cpu_count()} cores"
+
+
+class Benchmark:
+    def __init__(self, build, is_quick, folder):
+        self.build, self.is_quick, self.folder = build, is_quick, folder
+        self.pdrun = str(build / "pdrun")
+        self.machine = machine() + (", --quick: tiny bodies" if is_quick else "")
+        self.results = []
+
+    def add(self, name, value, unit):
+        self.results.append({"name": name, "value": float(value), "unit": unit, "machine": self.machine})
+        print(f"{name:<58} {value:>14.6g} {unit}", flush=True)
+
+    def own_run(self, counts, content, **options):
+        scenes.write_lattice(self.folder / "lattice.txt", counts)
+        return scenes.run_own(self.pdrun, content, self.folder, **options)
+
+    def kernels(self):
+        """Rates of single evaluations; the first four are those the project holds itself to."""
+        command = [str(self._kernels_program()), "--benchmark_format=json"]
+        if self.is_quick:
+            command += ["--benchmark_min_time=0.01", "--benchmark_filter=large:0"]
+        output = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        rates = {}
+        for entry in json.loads(output)["benchmarks"]:
+            kernel, *arguments = entry["name"].split("/")
+            values = dict(argument.split(":") for argument in arguments)
+            name = "_".join([kernel, "2d" if values["plane"] == "1" else "3d",
+                             "large" if values["large"] == "1" else "small",
+                             "lattice" if values["jitter"] == "0" else "jittered", "nu" + values["nu"]])
+            rates[name] = entry["bond_updates_per_s"]
+        aliases = {"diffusion_bond_updates_per_s": "diffusion_2d_small_lattice_nu29",
+                   "diffusion_bond_updates_per_s_2d_large": "diffusion_2d_large_lattice_nu29",
+                   "diffusion_bond_updates_per_s_3d": "diffusion_3d_large_lattice_nu20",
+                   "mechanics_breaking_kernel_bond_updates_per_s_2d": "mechanicsBreaking_2d_small_lattice_nu29",
+                   "mechanics_breaking_kernel_bond_updates_per_s_3d": "mechanicsBreaking_3d_small_lattice_nu20"}
+        for alias, name in aliases.items():
+            if name in rates:
+                self.add(alias, rates[name], "1/s")
+        for name, rate in rates.items():
+            self.add("kernel_" + name, rate, "1/s")
+
+    def _kernels_program(self):
+        found = [path for path in self.build.rglob("kernels_benchmark") if path.is_file() and os.access(path, os.X_OK)]
+        if not found:
+            raise RuntimeError(f"no kernels_benchmark in {self.build}: build with the tests")
+        return found[0]
+
+    def hydrogen_plate(self):
+        """The seed's work, and the same hydrogen by an error-controlled integrator."""
+        deck = self._hydrogen_plate_deck()
+        steps = 4 if self.is_quick else 3000
+        size = {"Solver/Staggered/Load Steps": steps, "Solver/Final Time": repr(6160.0 * steps)}
+        report, euler = self._hydrogen_run(deck, size)
+        self.add("hydrogen_plate_seed_case_s", report["seconds"], "s")
+        for phase in report["phases"]:
+            self.add("hydrogen_plate_phase_s " + phase["name"], phase["seconds"], "s")
+        self.add("hydrogen_plate_load_step_s", report["seconds"] / steps, "s")
+        self.add("bytes_per_bond", report["bytes_per_bond"], "B")
+        self.add("hydrogen_plate_peak_mib", report["peak_memory_bytes"] / 2**20, "MiB")
+
+        _, reference = self._hydrogen_run(deck, {**size, **self._controlled("RKL", 1e-7)})
+        self.add("hydrogen_plate_euler_error", self._difference(euler, reference), "1")
+        for method in ("RKC", "RKL"):
+            controlled, field = self._hydrogen_run(deck, {**size, **self._controlled(method, 1e-4)})
+            name = f"hydrogen_plate_{method.lower()}"
+            self.add(f"{name}_hydrogen_ratio", self._hydrogen_seconds(controlled) / self._hydrogen_seconds(report), "1")
+            self.add(f"{name}_error", self._difference(field, reference), "1")
+
+    def _hydrogen_plate_deck(self):
+        """The scene with a mesh of its own, so that one made elsewhere is not touched."""
+        folder = self.folder / "hydrogen_plate"
+        folder.mkdir()
+        subprocess.run([str(SCENE / "make_mesh.sh"), str(folder)], check=True, capture_output=True)
+        return shutil.copy(SCENE / "hydrogen_plate.yaml", folder)
+
+    @staticmethod
+    def _controlled(method, tolerance):
+        return {"Solver/Staggered/Diffusion": f"{{Method: {method}, Relative Tolerance: {tolerance:.1e}}}"}
+
+    def _hydrogen_run(self, deck, overrides):
+        """(report, concentration at the end)."""
+        report = scenes.run(self.pdrun, deck, self.folder, overrides=overrides)
+        with h5py.File(self.folder / "run.h5", "r") as file:
+            last = sorted(file["steps"])[-1]
+            return report, np.array(file["steps"][last]["Concentration"])
+
+    @staticmethod
+    def _hydrogen_seconds(report):
+        return sum(phase["seconds"] for phase in report["phases"] if phase["name"].startswith(("flux", "diffusion")))
+
+    @staticmethod
+    def _difference(field, reference):
+        return np.linalg.norm(field - reference) / np.linalg.norm(reference)
+
+    def mechanics(self):
+        """Whole runs of bodies that move and break: bonds over the time of the force and of the test for breakage."""
+        plane, solid = ((60, 30, 1), (12, 12, 12)) if self.is_quick else ((155, 77, 1), (46, 46, 46))
+        for name, counts, steps in (("2d", plane, 1000), ("3d", solid, 200)):
+            report = self.own_run(counts, scenes.breaking_body(counts, 20 if self.is_quick else steps))
+            phases = {phase["name"]: phase for phase in report["phases"]}
+            seconds = phases["force"]["seconds"] + phases["damage"]["seconds"]
+            self.add(f"mechanics_breaking_bond_updates_per_s_{name}", phases["force"]["bond_updates"] / seconds, "1/s")
+            self.add(f"bytes_per_bond_breaking_{name}", report["bytes_per_bond"], "B")
+
+    def speedup(self):
+        """Time of the steps alone, as the difference of a long and a short run, on 1 rank over that on 2."""
+        counts, short = ((60, 30, 1), 10) if self.is_quick else ((448, 224, 1), 50)
+        for name, body in (("mechanics", scenes.breaking_body), ("diffusion", scenes.diffusing_plate)):
+            times = []
+            for ranks in (1, 2):
+                seconds = [self.own_run(counts, body(counts, steps), ranks=ranks)["seconds"]
+                           for steps in (short, 5 * short)]
+                times.append(max(seconds[1] - seconds[0], 1e-9))
+            self.add(f"speedup_2_ranks_{name}", times[0] / times[1], "1")
+
+    def million_points(self):
+        """A cube of a million points, from the mesh file to the end of one step."""
+        n = 20 if self.is_quick else 100
+        step = 1e-9
+        content = scenes.deck(False, {"Verlet": {"Fixed dt": step}}, step, 3.015)
+        report = self.own_run((n, n, n), content)
+        setup = sum(phase["seconds"] for phase in report["phases"]
+                    if phase["name"] in ("mesh and neighborhoods", "initialization"))
+        self.add("million_points_setup_s", setup, "s")
+        self.add("million_points_whole_run_s", report["seconds"], "s")
+        self.add("million_points_gib", report["peak_memory_bytes"] / 2**30, "GiB")
+        self.add("million_points_bonds", report["bonds"], "1")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="where pdrun and kernels_benchmark were built")
+    parser.add_argument("--quick", action="store_true", help="tiny bodies; the figures mean nothing")
+    parser.add_argument("-o", "--output", type=Path, help="default: benchmark.json in the build folder")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    output = options.output or build / "benchmark.json"
+    failures = 0
+    with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
+        benchmark = Benchmark(build, options.quick, Path(folder))
+        for part in (benchmark.hydrogen_plate, benchmark.mechanics, benchmark.speedup, benchmark.million_points,
+                     benchmark.kernels):
+            try:
+                part()
+            except (RuntimeError, OSError, subprocess.CalledProcessError) as error:
+                print(f"benchmark.py: {part.__name__}: {error}", file=sys.stderr)
+                failures += 1
+            output.write_text(json.dumps(benchmark.results, indent=2) + "\n")
+    print(output)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

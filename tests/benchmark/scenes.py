@@ -1,0 +1,89 @@
+"""Lattices and decks of the benchmark's own runs, in SI units."""
+import json
+import os
+import subprocess
+
+import numpy as np
+
+SPACING = 1e-3
+_CRITICAL_STRETCH = 0.01
+
+
+def write_lattice(path, counts):
+    """A text discretization of the centres of counts[0] x counts[1] x counts[2] cells; one layer is a plane at z = 0."""
+    axes = [SPACING * (np.arange(n) + 0.5) for n in counts]
+    if counts[2] == 1:
+        axes[2][:] = 0.0
+    z, y, x = (axis.ravel() for axis in np.meshgrid(axes[2], axes[1], axes[0], indexing="ij"))
+    ones = np.ones(len(x))
+    np.savetxt(path, np.column_stack([x, y, z, ones, SPACING**3 * ones]), fmt=["%.10g"] * 3 + ["%d", "%.10g"])
+
+
+def deck(is_plane, solver, final_time, horizon, extra_material=None, damage=None, conditions=None, filters=None):
+    """A deck of one block of steel on the lattice lattice.txt; `horizon` in spacings."""
+    plane = {"Thickness": SPACING} if is_plane else {}
+    # The Poisson's ratios at which every tangential stiffness is positive: below 1/3 in plane stress, 1/4 in 3D.
+    material = {"Material Model": "PDHE", "Density": 7850.0, "Young's Modulus": 207.0e9,
+                "Poisson's Ratio": 0.29 if is_plane else 0.2, "Plane Stress": is_plane, **plane, **(extra_material or {})}
+    result = {
+        "Discretization": {"Type": "Text File", "Input Mesh File": "lattice.txt", **plane,
+                           "Bond Filters": filters or {}},
+        "Materials": {"Steel": material},
+        "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Horizon": horizon * SPACING}},
+        "Boundary Conditions": conditions or {},
+        "Solver": {"Final Time": final_time, **solver},
+        "Output": {"Output Filename": "run", "Output Variables": ["Volume"], "Output Frequency": -1,
+                   "History Frequency": -1},
+    }
+    if damage:
+        result["Damage Models"] = {"Breakage": damage}
+        result["Blocks"]["Body"]["Damage Model"] = "Breakage"
+    return result
+
+
+def breaking_body(counts, steps):
+    """A notched body that flies apart: stretched close to the limit at rest, so that the crack runs at once."""
+    is_plane = counts[2] == 1
+    height, width = SPACING * counts[1], SPACING * counts[0]
+    # A tenth of the time a wave needs through the spacing is well below the critical step of either dimension.
+    time_step = 0.1 * SPACING / np.sqrt(207.0e9 / 7850.0)
+    notch = {"Notch": {"Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
+                       "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": SPACING * (counts[1] // 2),
+                       "Lower_Left_Corner_Z": -1.0, "Bottom_Unit_Vector_X": 1.0, "Bottom_Unit_Vector_Y": 0.0,
+                       "Bottom_Unit_Vector_Z": 0.0, "Bottom_Length": 1.0 + 0.3 * width, "Side_Length": 2.0}}
+    conditions = {"Everything Node Set": {"Expression": "x > -1"},
+                  "Stretched": {"Type": "Initial Displacement", "Node Set": "Everything Node Set", "Coordinate": "y",
+                                "Value": f"{0.9 * _CRITICAL_STRETCH!r}*(y - {0.5 * height!r})"}}
+    return deck(is_plane, {"Verlet": {"Fixed dt": float(time_step)}}, float(steps * time_step), 3.015,
+                damage={"Damage Model": "Critical Stretch", "Critical Stretch": _CRITICAL_STRETCH},
+                conditions=conditions, filters=notch)
+
+
+def diffusing_plate(counts, steps):
+    """A plate, half of it full: `steps` steps of Euler's method."""
+    conditions = {"Half Node Set": {"Expression": f"x < {0.5 * SPACING * counts[0]!r}"},
+                  "Full": {"Type": "Initial Concentration", "Node Set": "Half Node Set", "Value": 1.0}}
+    return deck(True, {"Diffusion": {"Method": "Euler", "Sub Steps": steps}}, float(steps), 3.015,
+                {"Diffusivity": 1e-9}, conditions=conditions)
+
+
+def run(pdrun, deck_file, folder, ranks=1, overrides=()):
+    """Runs a deck in `folder` and returns its report. Its results are called `run`."""
+    command = [pdrun, str(deck_file), "--quiet"]
+    for path, value in {"Output/Output Filename": "run", **dict(overrides)}.items():
+        command += ["--set", f"{path}={value}"]
+    if ranks > 1:
+        command = ["mpirun", "--allow-run-as-root", "--bind-to", "core", "-np", str(ranks), *command]
+        if (os.cpu_count() or 1) < ranks:
+            command[1:4] = ["--allow-run-as-root", "--oversubscribe", "--bind-to", "none"]
+    process = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if process.returncode != 0:
+        raise RuntimeError(f"{' '.join(command)} ended with code {process.returncode}:\n"
+                           f"{process.stdout}{process.stderr}")
+    return json.loads((folder / "run.report.json").read_text())
+
+
+def run_own(pdrun, content, folder, **options):
+    """Runs a deck made here; YAML reads JSON."""
+    (folder / "deck.yaml").write_text(json.dumps(content))
+    return run(pdrun, "deck.yaml", folder, **options)
