@@ -24,7 +24,7 @@ def lattice(lengths, spacing, origin=None):
     axes = []
     for d in range(3):
         n = int(round(lengths[d] / spacing)) if d < len(lengths) else 1
-        start = 0.0 if origin is None else origin[d]
+        start = 0.0 if origin is None or d >= len(lengths) else origin[d]
         axes.append(start + spacing * (np.arange(n) + 0.5) if d < len(lengths) else np.zeros(1))
     z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
     return np.column_stack([x.ravel(), y.ravel(), z.ravel()])
