@@ -216,9 +216,15 @@ TEST(DeckParameters, ReportsAllMistakesWithTheirPlaces) {
         "deck:6:11: A/Method \"Eulr\" is not allowed here (one of \"Euler\", \"Implicit\"); did you mean \"Euler\"?",
         "deck:7:9: cannot understand the function \"2*q\": unknown name \"q\"",
         "deck:8:14: A/Times[2] is -1, must be >= 0 s", "deck:9:10: A/Names must be a list of names, not \"3\"",
-        "deck:10:19: A/Inner/Radius is 0, must be > 0 m", "deck:10:22: unknown key \"Radios\" in A/Inner",
-        "deck:1:1: A lacks \"Density\" (a number > 0 kg/m3): Mass density."})
+        "deck:10:19: A/Inner/Radius is 0, must be > 0 m", "deck:10:22: unknown key \"Radios\" in A/Inner"})
     EXPECT_NE(message.find(expected), std::string::npos) << expected << "\n--- is not in ---\n" << message;
+}
+
+TEST(DeckParameters, AMisspeltKeyIsNotMissingToo) {
+  const auto complaint = [](const Deck& deck) { return complaintOf([&] { deck["A"].parameters(steel()); }); };
+  EXPECT_EQ(complaint(deckFromText("A:\n  Steps: 3\n")),
+            "deck:1:1: A lacks \"Density\" (a number > 0 kg/m3): Mass density.");
+  EXPECT_EQ(complaint(deckFromText("A:\n  Densty: 3\n")).find("lacks"), std::string::npos);
 }
 
 TEST(Mistakes, AreSortedByPlaceAndNamedOnce) {

@@ -1,0 +1,145 @@
+// One small mistake at a time in a good deck, mesh or node set: each is reported with its place, what is wrong and the
+// remedy, and ends pdrun with exit code 2.
+#include "broken_decks.hpp"
+
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "../support/scene_files.hpp"
+#include "driver/command_line/command_line.hpp"
+#include "good_scene.hpp"
+
+namespace pd {
+namespace {
+
+using pd_test::Broken;
+using pd_test::SceneFiles;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos || text.find(from, at + 1) != std::string::npos)
+    ADD_FAILURE() << "\"" << from << "\" must stand in the good deck once";
+  else
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The good mesh with another fourth line.
+std::string meshWith(const std::string& fourthLine) {
+  std::istringstream lines(pd_test::goodMesh());
+  std::string result, line;
+  for (int number = 1; std::getline(lines, line); ++number) result += (number == 4 ? fourthLine : line) + "\n";
+  return result;
+}
+
+struct Outcome {
+  int exitCode = 0;
+  std::string errors;
+};
+
+/// Runs `pdrun deck.yaml` on the files of the scene; names of files in messages lose their folder.
+Outcome run(const SceneFiles& scene, std::vector<std::string> arguments = {}) {
+  arguments.insert(arguments.begin(), {"pdrun", scene.path("deck.yaml"), "--quiet"});
+  std::vector<const char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  Outcome outcome;
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  outcome.exitCode = runCommandLine(static_cast<int>(argv.size()), argv.data(), Communicator(MPI_COMM_WORLD));
+  testing::internal::GetCapturedStdout();
+  outcome.errors = testing::internal::GetCapturedStderr();
+  const std::string folder = scene.path("");
+  for (std::size_t at = outcome.errors.find(folder); at != std::string::npos; at = outcome.errors.find(folder, at))
+    outcome.errors.erase(at, folder.size());
+  return outcome;
+}
+
+void writeScene(const SceneFiles& scene, const std::string& deck, const std::string& mesh, const std::string& nodeSet) {
+  scene.write("deck.yaml", deck);
+  scene.write("mesh.txt", mesh);
+  scene.write("left.txt", nodeSet);
+}
+
+class BrokenDecks : public testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenDecks, AreReportedWithPlaceAndRemedy) {
+  const Broken& broken = GetParam();
+  std::string deck = pd_test::goodDeck;
+  for (const auto& [from, to] : broken.edits) deck = replaced(deck, from, to);
+  const SceneFiles scene("broken_" + broken.name);
+  writeScene(scene, deck, broken.meshLine.empty() ? pd_test::goodMesh() : meshWith(broken.meshLine),
+             broken.nodeSet.empty() ? pd_test::goodNodeSet : broken.nodeSet);
+  const Outcome outcome = run(scene);
+  EXPECT_EQ(outcome.exitCode, 2);
+  for (const std::string& expected : broken.expected)
+    EXPECT_NE(outcome.errors.find(expected), std::string::npos) << expected << "\n--- is not in ---\n"
+                                                                << outcome.errors;
+  // One mistake makes few lines: the reader should not have to find it among its consequences.
+  EXPECT_LE(static_cast<std::size_t>(std::count(outcome.errors.begin(), outcome.errors.end(), '\n')),
+            broken.expected.size())
+      << outcome.errors;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BrokenDecks, testing::ValuesIn(pd_test::brokenDecks()),
+                         [](const testing::TestParamInfo<Broken>& info) { return info.param.name; });
+
+TEST(GoodScene, IsGood) {
+  const SceneFiles scene("good");
+  writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const Outcome outcome = run(scene, {"--check"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+}
+
+TEST(BrokenFiles, AnEmptyMeshIsReported) {
+  const SceneFiles scene("empty_mesh");
+  writeScene(scene, pd_test::goodDeck, "# no points\n", pd_test::goodNodeSet);
+  const Outcome outcome = run(scene);
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_NE(outcome.errors.find("mesh.txt: the mesh has no points"), std::string::npos) << outcome.errors;
+}
+
+TEST(BrokenFiles, AMissingDeckIsReported) {
+  const SceneFiles scene("missing_deck");
+  const Outcome outcome = run(scene);
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_EQ(outcome.errors, "deck.yaml: cannot be read (No such file or directory)\n");
+}
+
+TEST(BrokenArguments, AreReported) {
+  const SceneFiles scene("arguments");
+  writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--sett", "a=1"}, "Try pdrun --help."},
+      {{"another.yaml"}, "Try pdrun --help."},
+      {{"--set"}, "Try pdrun --help."},
+      {{"--set", "Solver/Final Time"}, "write it as path=value"},
+      {{"--set", "Solvr/Final Time=1.0"}, "the deck has no \"Solvr\" in its top level (did you mean \"Solver\"?)"},
+      {{"--set", "Solver/Final Time=soon"},
+       "--set \"Solver/Final Time=soon\": Solver/Final Time must be a number in s, not \"soon\""},
+      {{"--set", "Solver/Final Tim=1.0"}, "unknown key \"Final Tim\" in Solver (did you mean \"Final Time\"?)"},
+      {{"--check", "--restart", "x.h5"}, "--check runs nothing"},
+      {{"--explain", "Verlt"}, "nothing is called \"Verlt\" (did you mean \"Verlet\"?)"}};
+  for (const auto& [arguments, expected] : cases) {
+    const Outcome outcome = run(scene, arguments);
+    EXPECT_EQ(outcome.exitCode, 2) << arguments.front();
+    EXPECT_NE(outcome.errors.find(expected), std::string::npos) << expected << "\n--- is not in ---\n"
+                                                                << outcome.errors;
+  }
+}
+
+TEST(GoodScene, WarnsOfWhatIsNotUsed) {
+  const SceneFiles scene("unused");
+  const std::string deck = replaced(pd_test::goodDeck, "Damage Models:\n",
+                                    "  Spare: {Material Model: PDHE, Diffusivity: 1.0}\nDamage Models:\n");
+  writeScene(scene, deck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const Outcome outcome = run(scene, {"--check"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "warning: deck.yaml:28:3: Materials/Spare is used by no block\n");
+}
+
+}  // namespace
+}  // namespace pd

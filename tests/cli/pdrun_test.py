@@ -1,0 +1,154 @@
+"""pdrun as a program: what it prints, its exit codes, alone and on several processes."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PDRUN = None
+
+DECK = """\
+Discretization:
+  Type: Text File
+  Input Mesh File: mesh.txt
+  Thickness: 1.0e-3
+Materials:
+  Steel: {Material Model: PDHE, Density: 7850.0, Young's Modulus: 2.0e+11, Poisson's Ratio: 0.3,
+          Plane Stress: true, Thickness: 1.0e-3}
+Blocks:
+  Plate: {Block Names: block_1, Material: Steel, Horizon: 3.1e-3}
+Boundary Conditions:
+  All Node Set: {Expression: "x > -1"}
+  Push: {Type: Initial Velocity, Node Set: All Node Set, Coordinate: x, Value: "100*x"}
+Solver:
+  Final Time: 1.0e-6
+  Verlet: {Safety Factor: 0.5}
+Output:
+  Output Filename: results
+  Output Frequency: 1000
+  Output Variables: [Displacement]
+"""
+
+
+def mesh():
+    rows = [f"{1e-3 * i} {1e-3 * j} 0.0 1 1.0e-9" for j in range(5) for i in range(11)]
+    return "\n".join(rows) + "\n"
+
+
+class Pdrun(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.write("deck.yaml", DECK)
+        self.write("mesh.txt", mesh())
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def run_pdrun(self, *arguments, ranks=1):
+        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)]
+        command = (launcher if ranks > 1 else []) + [PDRUN, *arguments]
+        return subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True, timeout=120)
+
+    def test_help_shows_sample_runs_and_exit_codes(self):
+        done = self.run_pdrun("--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(done.stdout.startswith("Peridynamic"), done.stdout[:200])
+        for text in ("Sample runs:", "mpirun -np 4 pdrun plate.yaml", "--set PATH=VALUE", "--restart FILE", "Exit codes:"):
+            self.assertIn(text, done.stdout)
+
+    def test_version(self):
+        done = self.run_pdrun("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"^pdrun \d+\.\d+\.\d+\n$")
+
+    def test_list_names_every_kind(self):
+        done = self.run_pdrun("--list")
+        self.assertEqual(done.returncode, 0)
+        for text in ("Materials\n  PDHE", "Damage models\n", "  Critical Stretch ", "Computes\n", "Solvers\n", "  Verlet ",
+                     "Methods of the solver Diffusion\n", "Initial and boundary conditions\n", "Bond filters\n",
+                     "Sections of a deck\n"):
+            self.assertIn(text, done.stdout)
+
+    def test_everything_listed_is_explained(self):
+        listed = self.run_pdrun("--list").stdout
+        names = [re.split(r"\s{2,}", line.strip())[0] for line in listed.splitlines() if line.startswith("  ")]
+        self.assertGreater(len(names), 40)
+        for name in ("PDHE", "Critical Stretch", "Crack_Tip", "Verlet", "Euler", "Traction", "Disk", "Output"):
+            self.assertIn(name, names)
+            done = self.run_pdrun("--explain", name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(done.stdout.startswith(name), done.stdout)
+        explained = self.run_pdrun("--explain", "PDHE").stdout
+        self.assertIn("Young's Modulus: a number > 0 Pa", explained)
+        self.assertIn('Give at most one of "Plane Stress", "Plane Strain", "One Dimensional".', explained)
+
+    def test_a_run_ends_well_and_writes_the_resolved_deck(self):
+        done = self.run_pdrun("deck.yaml", "--set", "Solver/Verlet/Safety Factor=0.4")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("results.resolved.yaml")) as file:
+            resolved = file.read()
+        self.assertIn("Safety Factor: 0.4", resolved)
+        self.assertIn("Influence Function: One", resolved)
+        self.write("again.yaml", resolved)
+        self.assertEqual(self.run_pdrun("--check", "again.yaml").returncode, 0)
+
+    def test_quiet_prints_nothing(self):
+        done = self.run_pdrun("deck.yaml", "--quiet")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_check_runs_nothing(self):
+        done = self.run_pdrun("--check", "deck.yaml")
+        self.assertEqual((done.returncode, done.stdout), (0, "deck.yaml: no mistakes found\n"))
+        self.assertFalse(os.path.exists(self.path("results.h5")))
+
+    def test_mistakes_are_code_2_and_printed_once_on_any_number_of_ranks(self):
+        self.write("deck.yaml", DECK.replace("Horizon: 3.1e-3", "Horizn: 3.1e-3").replace("Final Time", "Final Tim"))
+        for ranks in (1, 2):
+            done = self.run_pdrun("deck.yaml", ranks=ranks)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count('deck.yaml:9:50: unknown key "Horizn" in Blocks/Plate'), 1, done.stderr)
+            self.assertEqual(done.stderr.count('deck.yaml:14:3: unknown key "Final Tim" in Solver'), 1, done.stderr)
+
+    def test_a_bad_mesh_is_code_2_on_any_number_of_ranks(self):
+        self.write("mesh.txt", mesh() + "0 0 1\n")
+        for ranks in (1, 2):
+            done = self.run_pdrun("deck.yaml", ranks=ranks)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("mesh.txt:56: a point has 5 numbers"), 1, done.stderr)
+
+    def test_a_run_that_cannot_go_on_is_code_3_on_any_number_of_ranks(self):
+        self.write("deck.yaml", DECK.replace("Safety Factor: 0.5", "Fixed dt: 1.0e-6"))  # far above the critical step
+        for ranks in (1, 2):
+            start = time.monotonic()
+            done = self.run_pdrun("deck.yaml", ranks=ranks)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("the run cannot go on: ", done.stderr)
+            self.assertLess(time.monotonic() - start, 60)  # all ranks leave: none waits for another
+
+    def test_a_restart_from_nothing_is_refused(self):
+        done = self.run_pdrun("deck.yaml", "--restart", "no_such_file.h5")
+        self.assertIn(done.returncode, (2, 3))
+        self.assertIn("no_such_file.h5", done.stderr)
+
+    def test_decks_of_peridigm_are_read(self):
+        inner = DECK.replace("  Thickness: 1.0e-3\n", "  Thickness: 1.0e-3\n", 1)
+        self.write("peridigm.yaml", "Peridigm:\n" + "".join("  " + line + "\n" for line in inner.splitlines())
+                   + "  Verbose: false\n")
+        done = self.run_pdrun("--check", "peridigm.yaml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('warning: peridigm.yaml:21:3: "Verbose" has no effect here', done.stderr)
+
+
+if __name__ == "__main__":
+    PDRUN = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
