@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "../deck/sections.hpp"
+#include "../study/run_study.hpp"
 #include "explain.hpp"
 
 namespace pd {
@@ -21,6 +22,7 @@ const char* const sampleRuns =
     "  pdrun plate.yaml --set \"Solver/Final Time=1.0\"     with another value\n"
     "  pdrun plate.yaml --restart plate.checkpoint.h5     go on from a checkpoint\n"
     "  pdrun --check plate.yaml                           look for mistakes only\n"
+    "  pdrun --study study.yaml                           error against work of many runs of a deck\n"
     "  pdrun --list                                       materials, solvers, conditions ...\n"
     "  pdrun --explain \"Critical Stretch\"                 parameters of one of them\n"
     "\n"
@@ -48,6 +50,14 @@ void check(const RunOptions& options, const Communicator& comm) {
   print(comm, stdout, options.deckFile + ": no mistakes found");
 }
 
+/// Throws DeckError on more than one rank: the runs of a study are processes of their own.
+void study(const CommandLine& commandLine, const Communicator& comm) {
+  if (comm.size() > 1) throw DeckError("pdrun: a study times runs of one process each; start it without mpirun");
+  const Study runs = readStudy(commandLine.studyFile, commandLine.options.overrides);
+  if (commandLine.action == CommandLine::Action::Study) return runStudy(runs, commandLine.options.isQuiet);
+  print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(runs.runs.size()) + " runs");
+}
+
 int perform(int argc, const char* const* argv, const Communicator& comm) {
   try {
     const CommandLine commandLine = parseCommandLine(argc, argv);
@@ -60,6 +70,10 @@ int perform(int argc, const char* const* argv, const Communicator& comm) {
         break;
       case CommandLine::Action::Run:
         runDeck(commandLine.options, comm);
+        break;
+      case CommandLine::Action::Study:
+      case CommandLine::Action::CheckStudy:
+        study(commandLine, comm);
         break;
     }
     return 0;
@@ -109,6 +123,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
       ->expected(1)
       ->take_all();
   app.add_option("--restart", options.restartFile, "Go on from a checkpoint of the same deck.")->type_name("FILE");
+  app.add_option("--study", result.studyFile, "Run a deck over lists of overrides: error against time and work.")
+      ->type_name("FILE");
   app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
   app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");
   app.add_option("--explain", topic, "Tell the parameters of one of these.")->type_name("NAME");
@@ -131,6 +147,12 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   }
   if (isList) return printing(listEverything());
   if (!topic.empty()) return printing(explain(topic));
+  if (!result.studyFile.empty()) {
+    if (!options.deckFile.empty() || !options.restartFile.empty())
+      throw DeckError("pdrun: a study names its deck itself and starts it anew; leave out the deck and --restart");
+    result.action = isCheck ? CommandLine::Action::CheckStudy : CommandLine::Action::Study;
+    return result;
+  }
   if (options.deckFile.empty()) throw DeckError("pdrun: no deck is given.\nTry pdrun --help.");
   if (isCheck && !options.restartFile.empty()) throw DeckError("pdrun: --check runs nothing; leave out --restart");
   result.action = isCheck ? CommandLine::Action::Check : CommandLine::Action::Run;

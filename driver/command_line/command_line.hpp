@@ -10,9 +10,10 @@
 namespace pd {
 
 struct CommandLine {
-  enum class Action { Run, Check, Print };
+  enum class Action { Run, Check, Study, CheckStudy, Print };
   Action action = Action::Run;
   RunOptions options;
+  std::string studyFile;  ///< of Study and CheckStudy
   std::string text;  ///< of Print: help, version, list or explanation
 };
 
