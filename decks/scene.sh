@@ -1,5 +1,5 @@
 # Sourced by the run.sh of every scene, which sets `here`: where things are. PDRUN and RESULTS may be set beforehand.
-root="$here/../.."
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 pdrun="${PDRUN:-$root/build/pdrun}"
 pdmesh="$root/meshes/pdmesh"
 pdplot="$root/meshes/pdplot"
