@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "../deck/function.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "field_names.hpp"
@@ -34,12 +35,9 @@ DeckNode blockEntry(const Deck& deck, int number) {
 
 /// The block's horizon where it is one number for all its points.
 bool constantHorizon(const DeckNode& entry, double& horizon) {
-  try {
-    horizon = entry["Horizon"].real();
-    return true;
-  } catch (const DeckError&) {
-    return false;
-  }
+  const Function function = Function::fromDeck(entry["Horizon"]);
+  horizon = function(0.0, 0.0, 0.0, 0.0);
+  return function.isConstant();
 }
 
 Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNode, double shortestBond) {

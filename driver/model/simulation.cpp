@@ -98,6 +98,7 @@ void logModel(Model& model, Output& output, const Deck& deck) {
       "{}: {} points in {} dimension(s), {} directed bonds ({:.1f} a point), {} block(s), {} rank(s)", deck.fileName(),
       mesh.nGlobal, mesh.dimension, nBonds, static_cast<double>(nBonds) / static_cast<double>(mesh.nGlobal),
       model.blocks()->size(), comm.size()));
+  for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 
 void writeResolvedDeck(const Deck& deck, const Communicator& comm) {

@@ -10,6 +10,7 @@
 
 #include "../support/scene_files.hpp"
 #include "driver/command_line/command_line.hpp"
+#include "driver/deck/sections.hpp"
 #include "good_scene.hpp"
 
 namespace pd {
@@ -129,6 +130,26 @@ TEST(BrokenArguments, AreReported) {
     EXPECT_NE(outcome.errors.find(expected), std::string::npos) << expected << "\n--- is not in ---\n"
                                                                 << outcome.errors;
   }
+}
+
+TEST(GoodScene, ResolvesToADeckThatIsGoodAndComplete) {
+  const SceneFiles scene("resolved");
+  writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const std::string once = resolvedDeck(Deck::read(scene.path("deck.yaml")));
+  for (const char* expected : {"Count In Damage: false", "Influence Function: One", "Include Partial Neighbors: true",
+                               "Volume Correction: Ramp Beyond Horizon", "Maximum Iterations: 100000"})
+    EXPECT_NE(once.find(expected), std::string::npos) << expected << "\n--- is not in ---\n" << once;
+  scene.write("deck.yaml", once);
+  EXPECT_EQ(run(scene, {"--check"}).exitCode, 0);
+  EXPECT_EQ(resolvedDeck(Deck::read(scene.path("deck.yaml"))), once);
+}
+
+TEST(GoodScene, TakesHorizonsAsExpressions) {
+  const SceneFiles scene("horizon");
+  writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const std::string output = "Output/Output Filename=" + scene.path("results");
+  const Outcome outcome = run(scene, {"--set", "Blocks/Plate/Horizon=\"3.1*0.001\"", "--set", output});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
 }
 
 TEST(GoodScene, WarnsOfWhatIsNotUsed) {
