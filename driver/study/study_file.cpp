@@ -113,11 +113,11 @@ void checkDecks(const Study& study, Mistakes& mistakes) {
 Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides) {
   const Deck file = Deck::read(fileName);
   Mistakes mistakes;
-  const auto list = readParameters(file.root(), declareStudy(), mistakes, {{"Series"}, {}});
+  Teuchos::ParameterList list = readParameters(file.root(), declareStudy(), mistakes, {{"Series"}, {}});
   Study study;
   study.name = list.get("Name", std::filesystem::path(fileName).stem().string());
-  study.reference = list.get("Reference", "");
-  study.errorNorm = list.get("Error", "");
+  study.reference = list.get("Reference", std::string());
+  study.errorNorm = list.get("Error", std::string());
   const DeckNode series = file["Series"];
   if (!series.isSequence() || series.items().empty()) {
     mistakes.add(series ? series.place() : fileName,
