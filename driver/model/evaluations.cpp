@@ -193,7 +193,7 @@ void Model::requireFinite(const std::string& label, int step) const {
     const double* place = discretization_.x.data() + 3 * point;
     message = fmt::format(
         "step {}: field \"{}\" is not finite at point {} (x = {:g}, y = {:g}, z = {:g} m); {} such value(s) on rank "
-        "{}\n",
+        "{}; look at the time step and at the values of the conditions\n",
         step, label, discretization_.globalIds[point] + 1, place[0], place[1], place[2], nBad, comm_.rank());
   }
   throw RunError(comm_.gather(message));
