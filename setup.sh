@@ -51,9 +51,9 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
-build() {
+build() { # targets; everything where none is named
   cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DPD_WARNINGS_AS_ERRORS=ON
-  cmake --build "$build_folder" -j "$jobs"
+  cmake --build "$build_folder" -j "$jobs" ${1:+--target "$@"}
 }
 
 run_main_job() {
@@ -75,9 +75,9 @@ case "${1:-}" in
   *) usage >&2; exit 2 ;;
 esac
 install_packages
-build
 case "$1" in
-  run) run_main_job ;;
-  test) run_tests ;;
-  benchmark) "$source_folder/tests/benchmark/benchmark.py" "$build_folder" "${@:2}" ;;
+  run) build pdrun; run_main_job ;;
+  test) build; run_tests ;;
+  build) build ;;
+  benchmark) build; "$source_folder/tests/benchmark/benchmark.py" "$build_folder" "${@:2}" ;;
 esac

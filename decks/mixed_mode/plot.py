@@ -12,8 +12,10 @@ from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.results import Results  # noqa: E402
 
 HALF_LENGTH, HORIZON = 0.01, 0.002
-# The kink is measured when a branch is between 2 and 4 horizons long: beyond the tip's own zone of damage.
-INNER, OUTER = 2 * HORIZON, 4 * HORIZON
+# The kink is the direction from the old tip to what has broken between half a horizon and two horizons from it: nearer
+# lies the tip's own zone of damage, farther the crack has already turned across the load. It is measured when both
+# branches have passed that ring, 4 horizons from the old tip.
+INNER, OUTER, PASSED = 0.5 * HORIZON, 2 * HORIZON, 4 * HORIZON
 THRESHOLD = 0.3
 
 
@@ -35,21 +37,21 @@ def branches(results, step, direction):
         distance = np.linalg.norm(offset, axis=1)
         along = offset @ ahead
         across = offset @ np.array([-ahead[1], ahead[0]])
-        chosen = (grown > THRESHOLD) & (distance < OUTER) & (along > -distance * 0.7)
-        if not chosen.any() or distance[chosen].max() < INNER:
+        chosen = (grown > THRESHOLD) & (distance < 1.5 * PASSED) & (along > -distance * 0.7)
+        ring = chosen & (distance > INNER) & (distance < OUTER)
+        if not ring.any():
             found.append(None)
             continue
-        far = chosen & (distance > INNER)
-        angle = np.degrees(np.arctan2(np.sum(across[far] * grown[far]), np.sum(along[far] * grown[far])))
+        angle = np.degrees(np.arctan2(np.sum(across[ring] * grown[ring]), np.sum(along[ring] * grown[ring])))
         found.append((angle, distance[chosen].max()))
     return found
 
 
 def measure(results, direction):
-    """First step at which both branches reach the outer radius: (step, kinks)."""
+    """First step at which both branches are long enough: (step, kinks)."""
     for step in results.steps:
         found = branches(results, step, direction)
-        if all(branch is not None and branch[1] > 0.95 * OUTER for branch in found):
+        if all(branch is not None and branch[1] > PASSED for branch in found):
             return step, [branch[0] for branch in found]
     return None, None
 
@@ -66,12 +68,12 @@ for name, label, angle, expected in cases:
     direction = (1.0, 0.0) if name == "shear" else (np.sin(np.radians(angle)), np.cos(np.radians(angle)))
     step, kinks = measure(results, direction)
     if step is None:
-        print(f"{label}: the crack has not grown to {OUTER * 1e3:g} mm")
+        print(f"{label}: the crack has not grown by {PASSED * 1e3:g} mm")
         continue
     print(f"{label}: kink {kinks[0]:+.1f} and {kinks[1]:+.1f} degrees, maximum tangential stress {expected:+.1f} or "
           f"{-expected:+.1f}, step {step}")
     panels.append((results, step, f"{label}: kink {np.mean(np.abs(kinks)):.0f}° (theory {abs(expected):.0f}°)"))
 if panels:
-    figure = figures.map_panels(panels, figures.View("Damage"), columns=4)
+    figure = figures.map_panels(panels, figures.View("Damage", limits=(0.0, 0.6)), columns=4)
     figure.savefig(folder / "cracks.png", dpi=110)
     print(folder / "cracks.png")

@@ -15,11 +15,15 @@ turned() {
     printf "--set\n%sLower_Left_Corner_X=%.12f\n--set\n%sLower_Left_Corner_Y=%.12f\n", filter, -0.01 * s, filter, -0.01 * c
     printf "--set\n%sBottom_Unit_Vector_X=%.12f\n--set\n%sBottom_Unit_Vector_Y=%.12f\n", filter, s, filter, c }'
 }
-for deck in dry hydrogen; do
-  for angle in 90 75 60 45 30; do
-    mapfile -t overrides < <(turned "$angle")
-    "$pdrun" "$here/$deck.yaml" --quiet --set "Output/Output Filename=${deck}_$angle" "${overrides[@]}"
-  done
+# Angle, and the load step at which the branches are long enough, about.
+for case in "90 600" "75 600" "60 620" "45 660" "30 800"; do
+  read -r angle steps <<<"$case"
+  mapfile -t overrides < <(turned "$angle")
+  "$pdrun" "$here/dry.yaml" --quiet --set "Output/Output Filename=dry_$angle" "${overrides[@]}" \
+    --set "Solver/Final Time=$(awk "BEGIN {print $steps / 1000}")" \
+    --set "Solver/Adaptive Dynamic Relaxation/Load Steps=$steps"
+  "$pdrun" "$here/hydrogen.yaml" --quiet --set "Output/Output Filename=hydrogen_$angle" "${overrides[@]}" \
+    --set "Solver/Final Time=$((20 * steps))" --set "Solver/Staggered/Load Steps=$steps"
 done
 "$pdrun" "$here/shear.yaml" --quiet
 "$here/plot.py" "$results"

@@ -1,5 +1,5 @@
-// Square of 100 x 100 mm about the origin, meshed with triangles of nearly equal edges, whose nodes form no lattice that
-// could guide a crack. `size`: their edge.
+// Square of 100 x 100 mm about the origin, meshed with triangles whose edges are `size` long, about. MeshAdapt
+// (Algorithm 1) leaves the nodes without rows that could guide a crack; Gmsh's default makes a hexagonal lattice of them.
 DefineConstant[ size = {0.0006, Name "size"} ];
 Point(1) = {-0.05, -0.05, 0, size};
 Point(2) = {0.05, -0.05, 0, size};
@@ -11,5 +11,5 @@ Line(3) = {3, 4};
 Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
-Mesh.Algorithm = 6;
+Mesh.Algorithm = 1;
 Physical Surface("square", 1) = {1};
