@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../model/collective.hpp"
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "symmetric_eigen.hpp"
@@ -17,6 +18,31 @@ namespace {
 
 /// Where the tangent was made: from this a restart makes the same one again.
 constexpr const char* tangentField = "Tangent_Displacement";
+
+/// Watches a tangent for values that couple two points of which neither is one of `centres`.
+class FamilyCouplingProbe : public PeridigmNS::SerialMatrix {
+ public:
+  FamilyCouplingProbe(const int* centres, int nCentres, const PeridigmNS::PointMap& points) {
+    for (int k = 0; k < nCentres; ++k) centres_.push_back(points.GID(centres[k]));
+  }
+  bool isCoupled() const { return isCoupled_; }
+
+  void addValue(int globalRow, int globalCol, double value) override {
+    if (value == 0.0 || globalRow / 3 == globalCol / 3) return;
+    if (!isCentre(globalRow / 3) && !isCentre(globalCol / 3)) isCoupled_ = true;
+  }
+  void addValues(int numIndices, const int* globalIndices, const double* const* values) override {
+    for (int i = 0; i < numIndices && !isCoupled_; ++i)
+      for (int j = 0; j < numIndices; ++j) addValue(globalIndices[i], globalIndices[j], values[i][j]);
+  }
+  void addBlockDiagonalValues(int, const int*, const double* const*) override {}
+  void putScalar(double) override {}
+
+ private:
+  bool isCentre(int globalId) const { return std::find(centres_.begin(), centres_.end(), globalId) != centres_.end(); }
+  std::vector<int> centres_;
+  bool isCoupled_ = false;
+};
 
 // A tangent is made anew where it reduces the residual by less than this in one iteration.
 constexpr double goodReduction = 0.3;
@@ -59,7 +85,6 @@ void Newton::assembleOnce(Simulation& simulation, double dt) {
   Model& model = simulation.model;
   if (!system_) system_ = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 3, couplesFamilies_);
   system_->putScalar(0.0);
-  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false);
   model.assembleJacobian(dt, *system_);
   system_->scale(-1.0);  // positive definite where the body is stable
   std::vector<char> isConstrained = isHeld_;
@@ -68,8 +93,31 @@ void Newton::assembleOnce(Simulation& simulation, double dt) {
   system_->finish(isConstrained);
 }
 
+/// Whether the tangent of a few points couples their neighbours with each other: then the matrix needs the wider graph.
+/// (Where these points do not show it, the first assembly will.)
+bool Newton::someFamilyIsCoupled(Model& model, double dt) const {
+  bool isCoupled = false;
+  const int force = PeridigmNS::FieldManager::self().getFieldId("Force_Density");
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    const auto ids = block.getMaterialModel()->FieldIds();
+    const auto points = block.getNeighborhoodData();
+    const int nProbed = std::min(4, points->NumOwnedPoints());
+    if (nProbed == 0 || std::find(ids.begin(), ids.end(), force) == ids.end()) continue;
+    FamilyCouplingProbe probe(points->OwnedIDs(), nProbed, *block.getOverlapScalarPointMap());
+    orAbort(model.comm(), [&] {
+      block.getMaterialModel()->computeJacobian(dt, nProbed, points->OwnedIDs(), points->NeighborhoodList(),
+                                                *block.getDataManager(), probe);
+    });
+    isCoupled = isCoupled || probe.isCoupled();
+  }
+  return model.comm().any(isCoupled);
+}
+
 void Newton::assemble(Simulation& simulation, double dt) {
   Model& model = simulation.model;
+  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false);
+  if (!hasProbed_) couplesFamilies_ = someFamilyIsCoupled(model, dt);
+  hasProbed_ = true;
   assembleOnce(simulation, dt);
   if (system_->graphIsTooSmall() && !couplesFamilies_) {
     couplesFamilies_ = true;
@@ -149,12 +197,10 @@ void Newton::restoreTangent(Simulation& simulation, double dt) {
   model.updateCoordinates();
 }
 
-/// Solves for step_. False where the linear solver gets nowhere.
-bool Newton::solveLinear(Simulation& simulation, double target, double residual, NewtonOutcome& outcome) {
+/// step_ = tangent^-1 residual_.
+LinearSolveReport Newton::solveLinear(Simulation& simulation, double tolerance) {
   const Timers::Scope timer(simulation.model.timers(), "linear solve");
-  // Nothing is gained by solving the linear problem better than the load step needs.
-  const double needed = std::clamp(0.3 * target / residual, 1e-12, 0.1);
-  const double tolerance = settings_.linearTolerance > 0.0 ? settings_.linearTolerance : needed;
+  if (settings_.linearTolerance > 0.0) tolerance = settings_.linearTolerance;
   step_.assign(residual_.size(), 0.0);
   LinearSolveReport report = system_->solve(residual_.data(), step_.data(), settings_.linearSolver,
                                             settings_.preconditioner, tolerance, settings_.maximumLinearIterations);
@@ -165,11 +211,34 @@ bool Newton::solveLinear(Simulation& simulation, double target, double residual,
     simulation.output.log(fmt::format("{} ({}): {} iterations, relative residual {:.3g}, asked for {:.3g}",
                                       report.method, settings_.preconditioner, report.iterations,
                                       report.relativeResidual, tolerance));
-  if (report.hasConverged || report.relativeResidual < 0.5) return true;
-  outcome.trouble =
-      fmt::format("the linear solver {} ({}) stopped at a relative residual of {:.3g} after {} iterations",
-                  report.method, settings_.preconditioner, report.relativeResidual, report.iterations);
-  return false;
+  return report;
+}
+
+void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce,
+                              const std::vector<double>& start) {
+  Model& model = simulation.model;
+  double* displacement = model.field("Displacement");
+  std::vector<double> moved(start.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    moved[i] = displacement[i] - start[i];
+    largest = std::max(largest, std::abs(moved[i]));
+  }
+  largest = model.comm().max(largest);
+  if (largest == 0.0) return;
+  // The forces that the held points would cause if the body were linear, by a small part of their motion: strains of
+  // 1e-6 keep both nonlinear terms and round-off near 1e-6 of them.
+  const double part = 1e-6 * model.discretization().shortestBond / largest;
+  std::copy(start.begin(), start.end(), displacement);
+  evaluate(simulation, dt, externalForce);
+  const std::vector<double> atStart = residual_;
+  for (std::size_t i = 0; i < start.size(); ++i) displacement[i] = start[i] + part * moved[i];
+  evaluate(simulation, dt, externalForce);
+  for (std::size_t i = 0; i < start.size(); ++i) residual_[i] = atStart[i] + (residual_[i] - atStart[i]) / part;
+  const LinearSolveReport report = solveLinear(simulation, 1e-5);
+  const bool isUseful = report.relativeResidual < 0.5;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    displacement[i] = start[i] + moved[i] + (isUseful && !isHeld_[i] ? step_[i] : 0.0);
 }
 
 /// Moves along step_, halved until the residual decreases. Returns the reduction; 1 or more where there is none.
@@ -211,7 +280,15 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
       assemble(simulation, dt);
       tangentIsNew = true;
     }
-    if (!solveLinear(simulation, std::max(asked, roundOff_), balance.free, outcome)) return outcome;
+    // Nothing is gained by solving the linear problem better than the load step needs.
+    const LinearSolveReport report =
+        solveLinear(simulation, std::clamp(0.3 * std::max(asked, roundOff_) / balance.free, 1e-12, 0.1));
+    if (!report.hasConverged && !(report.relativeResidual < 0.5)) {
+      outcome.trouble =
+          fmt::format("the linear solver {} ({}) stopped at a relative residual of {:.3g} after {} iterations",
+                      report.method, settings_.preconditioner, report.relativeResidual, report.iterations);
+      return outcome;
+    }
     const double reduction = search(simulation, dt, externalForce, balance);
     ++nIterations;
     if (reduction >= 1.0 && tangentIsNew) {

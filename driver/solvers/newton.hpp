@@ -46,6 +46,11 @@ class Newton {
   /// Makes the tangent at the present displacements, if there is none.
   void prepareTangent(Simulation& simulation, double dt);
 
+  /// A first guess for held displacements that have moved from `start` [3 nOwned] to their present values: the free
+  /// ones follow as the tangent says. (Newton's method itself would start from a body distorted along its held points.)
+  void followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce,
+                        const std::vector<double>& start);
+
   /// From the present displacements. `externalForce` [3 nOwned], N/m3. `largestScale`: of all load steps so far, so
   /// that a body that has broken apart and carries nothing can be in equilibrium too.
   NewtonOutcome solve(Simulation& simulation, double dt, const std::vector<double>& externalForce, double largestScale);
@@ -68,16 +73,17 @@ class Newton {
   Balance evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce);
   void assemble(Simulation& simulation, double dt);
   void assembleOnce(Simulation& simulation, double dt);
+  bool someFamilyIsCoupled(Model& model, double dt) const;
   void stiffenLoosePoints(Model& model);
   void damp(Model& model);
-  bool solveLinear(Simulation& simulation, double target, double residual, NewtonOutcome& outcome);
+  LinearSolveReport solveLinear(Simulation& simulation, double tolerance);
   double search(Simulation& simulation, double dt, const std::vector<double>& externalForce, Balance& balance);
 
   NewtonSettings settings_;
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
-  bool hasTangent_ = false, couplesFamilies_ = false;
+  bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;
   double roundOff_ = 0.0;  ///< N: what rounding of coordinates alone makes of the residual
 };
 

@@ -169,16 +169,14 @@ void QuasiStatic::findSupports(Simulation& simulation) {
       loadStep_, held_.nLooseParts, held_.nPointsOfLooseParts, held_.nPointsWithoutBonds));
 }
 
-void QuasiStatic::predict(Simulation& simulation, double dt) {
+void QuasiStatic::extrapolate(Simulation& simulation, double dt) {
   double* displacement = simulation.model.field("Displacement");
   const double* increment = simulation.model.field(incrementField);
   for (std::size_t i = 0; i < held_.isHeld.size(); ++i)
     if (!held_.isHeld[i]) displacement[i] += increment[i] * (dt / lastLength_);
 }
 
-bool QuasiStatic::reachEquilibrium(Simulation& simulation, double t, double dt) {
-  simulation.conditions.applyPrescribed(t + dt);
-  externalForce(simulation, t + dt, externalForce_);
+bool QuasiStatic::reachEquilibrium(Simulation& simulation, double dt) {
   outcome_ = newton_.solve(simulation, dt, externalForce_, largestScale_);
   if (outcome_.hasConverged) largestScale_ = std::max(largestScale_, outcome_.scale);
   return outcome_.hasConverged;
@@ -205,7 +203,7 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
     ++nPasses_;
     findSupports(simulation);
     newton_.dropTangent();
-    if (!reachEquilibrium(simulation, t, dt)) fail(t + dt, " after bonds broke");
+    if (!reachEquilibrium(simulation, dt)) fail(t + dt, " after bonds broke");
   }
 }
 
@@ -218,13 +216,23 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
     newton_.prepareTangent(simulation, dt);
     lastLength_ = 0.0;
   };
+  const auto load = [&] {
+    simulation.conditions.applyPrescribed(t + dt);
+    externalForce(simulation, t + dt, externalForce_);
+  };
   bool isThere = false;
   if (lastLength_ > 0.0) {
-    predict(simulation, dt);
-    isThere = reachEquilibrium(simulation, t, dt);
+    extrapolate(simulation, dt);
+    load();
+    isThere = reachEquilibrium(simulation, dt);
     if (!isThere) goBack();
   }
-  if (!isThere && !reachEquilibrium(simulation, t, dt)) {
+  if (!isThere) {
+    load();
+    newton_.followHeldPoints(simulation, dt, externalForce_, start);
+    isThere = reachEquilibrium(simulation, dt);
+  }
+  if (!isThere) {
     if (nHalvings == maximumHalvings_) fail(t + dt, nHalvings > 0 ? ", however short the load step" : "");
     goBack();
     ++nHalvings_;
@@ -246,7 +254,6 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   }
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
-  // Before the boundary moves: a jump of its displacement distorts the points next to it.
   newton_.prepareTangent(simulation, dt);
   advanceInParts(simulation, t, dt, 0);
   simulation.model.requireFinite("Displacement", loadStep_);

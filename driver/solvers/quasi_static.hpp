@@ -33,9 +33,10 @@ class QuasiStatic : public Solver {
 
  private:
   void findSupports(Simulation& simulation);
-  void predict(Simulation& simulation, double dt);
-  /// Equilibrium at t + dt at constant damage, from the present displacements. False where there is none.
-  bool reachEquilibrium(Simulation& simulation, double t, double dt);
+  /// Adds the increment of the load step before, in proportion to the length.
+  void extrapolate(Simulation& simulation, double dt);
+  /// Equilibrium at constant damage, from the present displacements. False where there is none.
+  bool reachEquilibrium(Simulation& simulation, double dt);
   void advanceInParts(Simulation& simulation, double t, double dt, int nHalvings);
   void breakBonds(Simulation& simulation, double t, double dt);
   [[noreturn]] void fail(double t, const std::string& when) const;

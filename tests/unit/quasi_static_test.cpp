@@ -223,7 +223,7 @@ TEST(QuasiStatic, SaysWhyItStops) {
   list.set("Maximum Solver Iterations", 1);
   list.set("Maximum Load Step Reductions", 0);
   Scene scene(barDeck(1000.0, 0.0, shear(0.4)), world(), plate(), "QuasiStatic", list);
-  // Rim and inside move together in the prediction of no load step: one iteration of Newton is not enough.
+  // A shear of 0.4 is far from linear: the first guess and one iteration are not enough.
   try {
     scene.run(1);
     FAIL() << "no error";
@@ -237,7 +237,7 @@ TEST(QuasiStatic, SaysWhyItStops) {
 
 TEST(QuasiStatic, HalvesALoadStepThatIsTooLong) {
   Teuchos::ParameterList list = settings();
-  list.set("Maximum Solver Iterations", 4);
+  list.set("Maximum Solver Iterations", 1);
   list.set("Relative Tolerance", 1e-7);
   Scene scene(barDeck(1000.0, 0.0, shear(0.4)), world(), plate(), "QuasiStatic", list);
   scene.run(1);

@@ -36,7 +36,9 @@ void ImplicitStage::declareParameters(ParameterDeclarations& declare) {
   declare.text("Linear Solver", "CG, GMRES, or Direct (sparse LU, gathered on one rank).")
       .defaultTo("CG")
       .oneOf({"CG", "GMRES", "Direct"});
-  declare.text("Preconditioner", "Of CG and GMRES.").defaultTo("ILU").oneOf({"None", "Jacobi", "ILU", "Multigrid"});
+  declare.text("Preconditioner", "Of CG and GMRES.")
+      .defaultTo("Multigrid")
+      .oneOf({"None", "Jacobi", "ILU", "Multigrid"});
   declare
       .real("Linear Tolerance", "1",
             "Residual of a stage relative to the largest value of the field. What rounding makes of the flux is always "

@@ -32,6 +32,12 @@ double ScalarRate::largestValue() const {
   return comm().max(largest);
 }
 
+double ScalarRate::largestHeldValue() const {
+  double largest = 0.0;
+  for (const int point : heldPoints_) largest = std::max(largest, std::abs(values_[point]));
+  return comm().max(largest);
+}
+
 void ScalarRate::hold(double t) {
   if (dependsOnTime_)
     simulation_.conditions.applyPrescribedValue(field_, t);

@@ -25,7 +25,8 @@ class ScalarRate {
   long long nFreePoints() const { return nFree_; }  ///< over all ranks
   /// Owned points whose value is prescribed, ascending: no integrator's error is made there.
   const std::vector<int>& heldPoints() const { return heldPoints_; }
-  double largestValue() const;                      ///< max |value| over all ranks
+  double largestValue() const;      ///< max |value| over all ranks
+  double largestHeldValue() const;  ///< the same over prescribed points, which no method can spoil
   const Communicator& comm() const { return simulation_.model.comm(); }
 
   /// Sets the held points to their values at time t and imports ghosts: owned values are new from here on.

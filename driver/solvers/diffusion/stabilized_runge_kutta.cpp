@@ -119,6 +119,13 @@ double StabilizedRungeKutta::error(ScalarRate& rate, double step) const {
   return std::sqrt(rate.comm().sum(sum) / static_cast<double>(std::max(1LL, rate.nFreePoints())));
 }
 
+void StabilizedRungeKutta::raiseTolerance(const ScalarRate& rate) {
+  // A body that was empty when the increment began is filled from prescribed points: their values give the field's
+  // size.
+  if (absoluteTolerance_ <= 0.0)
+    absoluteToleranceNow_ = std::max(absoluteToleranceNow_, relativeTolerance_ * rate.largestHeldValue());
+}
+
 double StabilizedRungeKutta::firstStep(ScalarRate& rate, double dt) const {
   // A change of 1 % of the field's size (Hairer, Norsett & Wanner, Solving ODEs I, II.4), but not less than a step
   // that forward Euler could take.
@@ -182,6 +189,7 @@ void StabilizedRungeKutta::advanceControlled(Simulation& simulation, ScalarRate&
       step = 0.5 * remaining;
     takeStep(simulation, rate, t, step);
     evaluate(rate, step);
+    raiseTolerance(rate);
     const double errorNow = error(rate, step);
     if (errorNow <= 1.0) {
       t = step == remaining ? end : t + step;

@@ -42,6 +42,7 @@ class StabilizedRungeKutta : public RateIntegrator {
   void takeStep(Simulation& simulation, ScalarRate& rate, double t, double step);
   /// Root mean square over the free points of the estimated local error over its tolerance.
   double error(ScalarRate& rate, double step) const;
+  void raiseTolerance(const ScalarRate& rate);
   void propose(double step, double errorNow);
 
   std::string name_;
