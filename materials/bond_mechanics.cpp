@@ -150,18 +150,17 @@ void BondMechanics::computeSurfaceData(const Call& call, const Views& views) con
     }
 }
 
-double BondMechanics::wholeFamilyVolume(double spacing) const {
-  const long key = std::lround(1e4 * std::log(spacing / family_.horizon));
-  const auto known = wholeFamilyVolumes_.find(key);
+double BondMechanics::wholeFamilyVolume(double volume) const {
+  const auto known = wholeFamilyVolumes_.find(volume);
   if (known != wholeFamilyVolumes_.end()) return known->second;
-  return wholeFamilyVolumes_[key] =
-             kernels::latticeFamilyVolume(family_.section, family_.horizon, spacing, family_.volumeCorrection);
+  return wholeFamilyVolumes_[volume] = kernels::latticeFamilyVolume(family_.section, family_.horizon,
+                                                                    family_.spacing(volume), family_.volumeCorrection);
 }
 
 double BondMechanics::surfaceFactor(const Views& views, const ReferenceBond& bond, int i, int j) const {
   if (surfaceCorrection_ == SurfaceCorrection::VolumeMethod) {
-    const double spacing = 0.5 * (family_.spacing(views.volume[i]) + family_.spacing(views.volume[j]));
-    return kernels::surfaceFactor(wholeFamilyVolume(spacing), views.familyVolume[i], views.familyVolume[j]);
+    const double whole = 0.5 * (wholeFamilyVolume(views.volume[i]) + wholeFamilyVolume(views.volume[j]));
+    return kernels::surfaceFactor(whole, views.familyVolume[i], views.familyVolume[j]);
   }
   if (surfaceCorrection_ == SurfaceCorrection::EnergyMethod) {
     // Radius, along the bond, of the ellipsoid whose half-axes are the mean factors of both ends.
@@ -281,15 +280,6 @@ void BondMechanics::computeForce(const Call& call, DataManager& dataManager) con
     return;
   }
   addForce(cache, views);
-}
-
-std::size_t BondMechanics::cacheBytes() const {
-  std::size_t bytes = 0;
-  caches_.forEach([&](const Cache& cache) {
-    bytes +=
-        cache.neighborhood.bytes() + cache.data.strength.bytes() + cache.data.geometry.bytes() + cache.alive.bytes();
-  });
-  return bytes;
 }
 
 }  // namespace pd

@@ -36,9 +36,6 @@ class BondMechanics {
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
 
-  /// Bytes of the data derived from neighbourhoods.
-  std::size_t cacheBytes() const;
-
  private:
   struct Cache {
     kernels::ChunkedNeighborhood neighborhood;
@@ -53,7 +50,8 @@ class BondMechanics {
   /// g of a bond: influence x share of volume x surface factor.
   double strength(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
   double surfaceFactor(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
-  double wholeFamilyVolume(double spacing) const;
+  /// Of a point of this volume inside a lattice of such points.
+  double wholeFamilyVolume(double volume) const;
   void computeSurfaceData(const Call& call, const Views& views) const;
   /// Calls visit(point, its unbroken bonds in the current state).
   template <class Visit>
@@ -69,7 +67,7 @@ class BondMechanics {
   SurfaceCorrection surfaceCorrection_ = SurfaceCorrection::None;
   int modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_, bondDamageId_, damageId_, energyId_;
   int surfaceVolumeId_ = -1, surfaceFactorId_ = -1;
-  mutable std::map<long, double> wholeFamilyVolumes_;  ///< by spacing, to 0.01 %
+  mutable std::map<double, double> wholeFamilyVolumes_;  ///< by volume of the point
   mutable NeighborhoodCache<Cache> caches_;
 };
 

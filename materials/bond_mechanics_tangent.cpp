@@ -76,7 +76,7 @@ Matrix3<double> bondStiffness(const CurrentBond& bond, const kernels::ElasticCon
 /// Adds the dense block `k` (3 a point of `ids`) as d(force)/d(displacement).
 void addBlock(const std::vector<double>& k, const std::vector<int>& globalIds, int dimension,
               PeridigmNS::SerialMatrix& jacobian) {
-  const auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
+  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.displacementDofOffset();
   const std::size_t n = globalIds.size(), d = static_cast<std::size_t>(dimension);
   std::vector<int> indices;

@@ -35,10 +35,6 @@ class NeighborhoodCache {
     return entries_.front().data;
   }
   void clear() { entries_.clear(); }
-  template <class Visit>
-  void forEach(Visit visit) const {
-    for (const Entry& entry : entries_) visit(entry.data);
-  }
 
  private:
   static constexpr std::size_t capacity = 4;
@@ -50,11 +46,17 @@ class NeighborhoodCache {
       return place == coordinates && data.neighborhood.isFor(call.nOwned, call.ownedIds, call.neighborhoodList) &&
              sum == signature(call, coordinates);
     }
+    /// Of the first point and its neighbours and of the last one: a list of one point is seen whole.
     static double signature(const Call& call, const double* coordinates) {
       if (call.nOwned == 0) return 0.0;
-      const int first = call.ownedIds[0], last = call.ownedIds[call.nOwned - 1];
-      return coordinates[3 * first] + 3.0 * coordinates[3 * first + 1] + 7.0 * coordinates[3 * last] +
-             11.0 * coordinates[3 * last + 1];
+      double sum = 0.0, weight = 1.0;
+      const auto add = [&](int point) {
+        for (int d = 0; d < 3; ++d, weight += 0.7548776662466927) sum += weight * coordinates[3 * point + d];
+      };
+      add(call.ownedIds[0]);
+      add(call.ownedIds[call.nOwned - 1]);
+      for (int k = 1; k <= call.neighborhoodList[0]; ++k) add(call.neighborhoodList[k]);
+      return sum;
     }
     Data data;
     const double* place;

@@ -106,7 +106,7 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
   const double* bondDamage = damageView(bondDamageId_, dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
-  const auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
+  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
@@ -115,13 +115,6 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
     jacobian.addValue(row, row, -w);
     jacobian.addValue(row, column, w);
   });
-}
-
-std::size_t NonlocalDiffusion::cacheBytes() const {
-  std::size_t bytes = 0;
-  caches_.forEach(
-      [&](const Cache& cache) { bytes += cache.neighborhood.bytes() + cache.weights.bytes() + cache.alive.bytes(); });
-  return bytes;
 }
 
 }  // namespace pd

@@ -27,7 +27,6 @@ class NonlocalDiffusion {
   /// Adds d(rate)/d(C), each row times the volume of its point.
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
-  std::size_t cacheBytes() const;
 
  private:
   struct Cache {

@@ -94,7 +94,7 @@ void PDHE::computeJacobian(const double dt, const int numOwnedPoints, const int*
     return;
   }
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
-  const auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
+  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   if (mechanics_ && unknowns.displacementTreatedAsUnknown()) mechanics_->computeJacobian(call, dataManager, jacobian);
   if (diffusion_ && unknowns.temperatureTreatedAsUnknown()) diffusion_->computeJacobian(call, dataManager, jacobian);
 }
