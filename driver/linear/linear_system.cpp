@@ -25,11 +25,13 @@ struct LinearSystem::Implementation {
   Teuchos::RCP<tpetra::Operator> preconditioner;
   std::string preconditionerName;
   std::unique_ptr<DirectSolver> direct;
+  bool isIndefinite = false;  ///< CG has met a direction of negative curvature
 
   AssembledMatrix& changed() {
     preconditioner = Teuchos::null;
     preconditionerName.clear();
     direct.reset();
+    isIndefinite = false;
     return assembled;
   }
   double relativeResidual(const tpetra::MultiVector& b, const tpetra::MultiVector& x) const;
@@ -134,6 +136,7 @@ void LinearSystem::Implementation::solveByKrylov(const Teuchos::RCP<tpetra::Mult
                                                  int maximumIterations, LinearSolveReport& report) {
   // The recurrence drifts away from the true residual; then the method starts again from what it has.
   double before = HUGE_VAL;
+  if (isIndefinite) report.method = "GMRES";
   while (report.iterations < maximumIterations) {
     const auto attempt = Teuchos::rcp(new tpetra::MultiVector(*x, Teuchos::Copy));
     const KrylovResult result = runKrylov(report.method, assembled.matrix(), preconditioner, b, attempt, tolerance,
@@ -141,6 +144,7 @@ void LinearSystem::Implementation::solveByKrylov(const Teuchos::RCP<tpetra::Mult
     report.iterations += result.iterations;
     if (result.hasBrokenDown) {
       if (report.method == "GMRES") break;
+      isIndefinite = true;
       report.method = "GMRES";
       continue;
     }

@@ -61,7 +61,7 @@ std::vector<std::vector<std::string>> overridesOfRuns(const DeckNode& series, Mi
     const std::vector<DeckNode> values = list.items();
     if (!list.isSequence() || values.empty()) {
       mistakes.add(list.place(), list.path() + " must be a list of values, one for each run");
-    } else if (values.size() != nRuns) {
+    } else if (nRuns > 0 && values.size() != nRuns) {
       mistakes.add(list.place(), list.path() + " has " + std::to_string(values.size()) + " values, but \"" +
                                      sweeps.front().first + "\" has " + std::to_string(nRuns) +
                                      ": lists of one Sweep go side by side");
@@ -86,8 +86,8 @@ void addSeries(const DeckNode& series, int number, Study& study, Mistakes& mista
   const auto label = list.get<std::string>("Label");
   int run = 0;
   for (std::vector<std::string>& overrides : overridesOfRuns(series, mistakes))
-    study.runs.push_back(
-        {label, std::move(overrides), study.name + ".study/" + std::to_string(number) + "_" + std::to_string(++run)});
+    study.runs.push_back({label, series.place(), std::move(overrides),
+                          study.name + ".study/" + std::to_string(number) + "_" + std::to_string(++run)});
 }
 
 /// The mistakes of the decks of all runs, each said once, with the label of the first series that has it.
@@ -103,7 +103,8 @@ void checkDecks(const Study& study, Mistakes& mistakes) {
     } catch (const DeckError& error) {
       const std::size_t nSeen = seen.lines().size();
       seen.add("", error.what());
-      if (seen.lines().size() > nSeen) mistakes.add("", std::string(error.what()) + "\n  (series " + run.label + ")");
+      if (seen.lines().size() > nSeen)
+        mistakes.add("", std::string(error.what()) + "\n  (" + run.place + ": series \"" + run.label + "\")");
     }
   }
 }

@@ -9,6 +9,7 @@ namespace pd {
 
 struct StudyRun {
   std::string label;                   ///< of its series
+  std::string place;                   ///< of its series in the file
   std::vector<std::string> overrides;  ///< "path=value", as on the command line
   std::string outputName;              ///< of its result files, "<study>.study/<series>_<run>"
 };
