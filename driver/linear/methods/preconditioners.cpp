@@ -96,22 +96,31 @@ Teuchos::RCP<tpetra::Operator> makeIncompleteLu(const Teuchos::RCP<const tpetra:
   return result;
 }
 
-/// Smoothed aggregation. On several ranks the coarsest level is smoothed, since a direct solve fails there
-/// (direct_solver.hpp).
+Teuchos::ParameterList symmetricGaussSeidel(int sweeps) {
+  Teuchos::ParameterList list;
+  list.set("relaxation: type", "Symmetric Gauss-Seidel");
+  list.set("relaxation: sweeps", sweeps);
+  list.set("relaxation: use l1", true);  // across ranks it is a Jacobi step, which may be too long without this
+  return list;
+}
+
+/// Smoothed aggregation. The smoother is Gauss-Seidel since it is definite wherever the matrix is; Chebyshev's is not
+/// where the largest eigenvalue is underestimated, as happens at crack tips. On several ranks the coarsest level is
+/// smoothed too, since a direct solve fails there (direct_solver.hpp).
 Teuchos::RCP<tpetra::Operator> makeMultigrid(const Teuchos::RCP<tpetra::Matrix>& matrix, int width,
                                              const Teuchos::RCP<tpetra::MultiVector>& nullspace) {
   Teuchos::ParameterList list;
   list.set("verbosity", "none");
   list.set("number of equations", width);
   list.set("multigrid algorithm", "sa");
-  list.set("smoother: type", "CHEBYSHEV");
-  list.sublist("smoother: params").set("chebyshev: degree", 2);
+  list.set("smoother: type", "RELAXATION");
+  list.sublist("smoother: params") = symmetricGaussSeidel(1);
   list.set("coarse: max size", 500);
   if (matrix->getComm()->getSize() == 1) {
     list.set("coarse: type", "KLU2");
   } else {
-    list.set("coarse: type", "CHEBYSHEV");
-    list.sublist("coarse: params").set("chebyshev: degree", 8);
+    list.set("coarse: type", "RELAXATION");
+    list.sublist("coarse: params") = symmetricGaussSeidel(10);
   }
   list.sublist("user data").set("Nullspace", nullspace);
   return MueLu::CreateTpetraPreconditioner(Teuchos::RCP<tpetra::Operator>(matrix), list);
