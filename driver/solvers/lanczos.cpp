@@ -11,9 +11,13 @@ namespace pd {
 
 namespace {
 
-/// Largest eigenvalue of the symmetric tridiagonal matrix and the modulus of the last component of its unit
-/// eigenvector, with which the residual of the Ritz pair is beta_m |s_m|.
-std::pair<double, double> largestRitzPair(std::vector<double> diagonal, std::vector<double> offDiagonal) {
+struct RitzValues {
+  double largest, smallest;
+  double lastComponent;  ///< |s_m| of the largest one's unit eigenvector: the residual of the Ritz pair is beta_m |s_m|
+};
+
+/// Extreme eigenvalues of the symmetric tridiagonal matrix.
+RitzValues extremeRitzValues(std::vector<double> diagonal, std::vector<double> offDiagonal) {
   const int n = static_cast<int>(diagonal.size());
   std::vector<double> vectors(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
   std::vector<double> work(static_cast<std::size_t>(std::max(1, 2 * n - 2)));
@@ -21,7 +25,7 @@ std::pair<double, double> largestRitzPair(std::vector<double> diagonal, std::vec
   offDiagonal.resize(static_cast<std::size_t>(std::max(1, n - 1)));
   Teuchos::LAPACK<int, double>().STEQR('I', n, diagonal.data(), offDiagonal.data(), vectors.data(), n, work.data(),
                                        &info);
-  return {diagonal.back(), std::abs(vectors.back())};
+  return {diagonal.back(), diagonal.front(), std::abs(vectors.back())};
 }
 
 }  // namespace
@@ -45,8 +49,9 @@ LargestEigenvalue largestEigenvalue(const SelfAdjointOperator& op, std::vector<d
     diagonal.push_back(alpha);
     beta = std::sqrt(op.dot(image.data(), image.data()));
 
-    const auto [ritzValue, lastComponent] = largestRitzPair(diagonal, offDiagonal);
+    const auto [ritzValue, smallest, lastComponent] = extremeRitzValues(diagonal, offDiagonal);
     result.value = ritzValue;
+    result.smallestSeen = smallest;
     result.upperBound = ritzValue + beta * lastComponent;
     // A residual of round-off size (an invariant subspace) ends the iteration whatever the tolerance.
     if (!(beta * lastComponent > std::max(relativeTolerance, 1e-14) * std::abs(ritzValue))) break;

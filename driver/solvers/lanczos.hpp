@@ -9,8 +9,9 @@
 namespace pd {
 
 struct LargestEigenvalue {
-  double value = 0.0;       ///< Ritz value, which approaches the eigenvalue from below
-  double upperBound = 0.0;  ///< Ritz value + residual: an eigenvalue lies between the two
+  double value = 0.0;         ///< Ritz value, which approaches the eigenvalue from below
+  double upperBound = 0.0;    ///< Ritz value + residual: an eigenvalue lies between the two
+  double smallestSeen = 0.0;  ///< smallest Ritz value: the smallest eigenvalue is no larger
   int iterations = 0;
 };
 

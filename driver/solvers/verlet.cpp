@@ -58,8 +58,18 @@ void Verlet::estimateCriticalStep(Simulation& simulation) {
     return;
   }
   const auto density = pointDensity(simulation.model);
-  const double largest =
-      largestSquaredFrequency(simulation, density, heldDisplacements(simulation), 2.0e-4, 300).upperBound;
+  const LargestEigenvalue found =
+      largestSquaredFrequency(simulation, density, heldDisplacements(simulation), 2.0e-4, 300);
+  const double largest = found.upperBound;
+  // Round-off and the probe leave 1e-6. A warning, not an error: what buckles is unstable too.
+  if (found.smallestSeen < -1.0e-4 * largest) {
+    warning_ = fmt::format(
+        "Verlet: warning: the body is unstable as it starts: some motion has a negative stiffness, {:.2g} of the "
+        "largest, and grows by itself. Unless it is to buckle, use a smaller Poisson's ratio, where k_t < 0, or "
+        "\"Tangential Force: Objective\"",
+        found.smallestSeen / largest);
+    simulation.output.log(warning_);
+  }
   criticalStep_ = largest > 0.0 ? 2.0 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
 }
 
@@ -147,9 +157,11 @@ void Verlet::advance(Simulation& simulation, double t, double dt) {
 }
 
 std::vector<std::string> Verlet::summary() const {
-  return {fmt::format("Verlet: {} steps, critical time step {:.6g} s ({}), used {:.6g} s = {:.4g} of it", step_,
-                      criticalStep_, usesBulkModulus_ ? "from the bulk modulus" : "2 / highest frequency", usedStep_,
-                      usedStep_ / criticalStep_)};
+  std::vector<std::string> lines = {fmt::format(
+      "Verlet: {} steps, critical time step {:.6g} s ({}), used {:.6g} s = {:.4g} of it", step_, criticalStep_,
+      usesBulkModulus_ ? "from the bulk modulus" : "2 / highest frequency", usedStep_, usedStep_ / criticalStep_)};
+  if (!warning_.empty()) lines.push_back(warning_);
+  return lines;
 }
 
 PD_REGISTER_SOLVER(Verlet, "Verlet", "Explicit dynamics by central differences (velocity Verlet)")

@@ -36,6 +36,7 @@ class Verlet : public Solver {
   double safetyFactor_, damping_;
   bool allowUnstableStep_, usesBulkModulus_;
   double criticalStep_ = 0.0, usedStep_ = 0.0;
+  std::string warning_;  ///< of a body that is unstable at the start; empty otherwise
   int step_ = 0;
   bool forceIsCurrent_ = false;
   std::vector<double> inverseDensity_;  ///< [3 nOwned] 0 where held
