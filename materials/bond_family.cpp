@@ -63,4 +63,12 @@ double BondFamily::latticeSpacing(const Call& call, const double* volume, const 
   return spacing(low);
 }
 
+std::vector<InterfaceBond> findInterfaceBonds(const Call& call, const double* blockId) {
+  std::vector<InterfaceBond> found;
+  forEachBond(call, [&](int point, int neighbor, std::size_t bond) {
+    if (blockId[point] != blockId[neighbor]) found.push_back({point, neighbor, bond});
+  });
+  return found;
+}
+
 }  // namespace pd

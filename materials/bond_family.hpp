@@ -60,6 +60,16 @@ void forEachBond(const Call& call, Visit visit) {
   }
 }
 
+/// A bond to a point of another block, whose constants may differ: each block adds half of its own pair force or flux
+/// to both ends, so that the pair stays balanced. Within a block both ends compute the same, and each adds its own part
+/// only.
+struct InterfaceBond {
+  int point, neighbor;
+  std::size_t bond;
+};
+
+std::vector<InterfaceBond> findInterfaceBonds(const Call& call, const double* blockId);
+
 }  // namespace pd
 
 #endif

@@ -60,6 +60,7 @@ BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFam
   modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
   coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
   volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
+  blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
   forceDensityId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Force_Density");
   // Not asked for: a damage model of the block brings them.
   damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
@@ -72,7 +73,7 @@ BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFam
 }
 
 std::vector<int> BondMechanics::fieldIds() const {
-  std::vector<int> ids{modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_};
+  std::vector<int> ids{modelCoordinatesId_, coordinatesId_, volumeId_, blockId_, forceDensityId_};
   for (const int id : fieldIdsForSynchronizationAfterInitialize()) ids.push_back(id);
   return ids;
 }
@@ -94,6 +95,7 @@ BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager
   x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
   y = view(owner.coordinatesId_, Field::STEP_NP1);
   volume = view(owner.volumeId_, Field::STEP_NONE);
+  blockId = view(owner.blockId_, Field::STEP_NONE);
   force = view(owner.forceDensityId_, Field::STEP_NP1);
   if (owner.surfaceVolumeId_ >= 0) familyVolume = view(owner.surfaceVolumeId_, Field::STEP_NONE);
   if (owner.surfaceFactorId_ >= 0) surfaceFactor = view(owner.surfaceFactorId_, Field::STEP_NONE);
@@ -223,7 +225,7 @@ void BondMechanics::checkStability(const Call& call, const Views& views) const {
                                 "smaller Poisson's ratio, or a larger ratio of horizon to spacing");
   if (views.ownsFirstPoint)
     std::clog << owner_ << ": warning: " << ratio << "; the lattice is stable (smallest relative stiffness " << smallest
-              << ")\n";
+              << "), but edges and corners of a body lose stability at smaller ratios than its bulk\n";
 }
 
 BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& views, bool foldsDamage) const {
@@ -237,7 +239,9 @@ BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& vie
       kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
         values[0] = strength(views, ReferenceBond(views.x, i, j), i, j);
         if (foldsDamage) values[0] *= 1.0 - views.bondDamage[bond];
+        if (isOneSided() && views.blockId[i] != views.blockId[j]) values[0] *= 0.5;
       });
+  if (isOneSided()) cache.interfaceBonds = findInterfaceBonds(call, views.blockId);
   const int dimension = family_.dimension();
   cache.data.geometry = kernels::BondConstants(
       cache.neighborhood, dimension + 2,
@@ -266,6 +270,26 @@ void BondMechanics::addForce(Cache& cache, const Views& views) const {
   kernels::addTwoParameterForce(cache.neighborhood, cache.data, cache.alive, cache.reference, cache.displacement,
                                 cache.volume[0], cache.force);
   cache.force.addTo(views.force, views.nPoints, dimension);
+  addInterfaceForce(cache, views);
+}
+
+void BondMechanics::addInterfaceForce(const Cache& cache, const Views& views) const {
+  const bool isLinear = form_ == kernels::TangentialForm::Linear;
+  const double radial = constants_.normal - constants_.tangential;
+  for (const auto& [i, j, bond] : cache.interfaceBonds) {
+    const double alive = views.bondDamage == nullptr ? 1.0 : 1.0 - views.bondDamage[bond];
+    if (alive == 0.0) continue;
+    const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
+    const double half = 0.5 * alive * strength(views, reference, i, j) * views.volume[i];
+    double along = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) along += (current.xi[d] - reference.xi[d]) * reference.xi[d];
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double force = isLinear ? radial * along / std::pow(reference.length, 3) * reference.xi[d] +
+                                          constants_.tangential / reference.length * (current.xi[d] - reference.xi[d])
+                                    : radial * (1.0 / reference.length - 1.0 / current.length) * current.xi[d];
+      views.force[3 * static_cast<std::size_t>(j) + d] -= half * force;
+    }
+  }
 }
 
 void BondMechanics::computeForce(const Call& call, DataManager& dataManager) const {

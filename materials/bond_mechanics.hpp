@@ -42,11 +42,16 @@ class BondMechanics {
     kernels::BondForceData data;
     kernels::AliveBonds alive;
     kernels::PointArrays reference, volume, displacement, force;
+    std::vector<InterfaceBond> interfaceBonds;
   };
   struct Views;
 
   Cache makeCache(const Call& call, const Views& views, bool foldsDamage) const;
   void addForce(Cache& cache, const Views& views) const;
+  /// Whether the kernel gives a bond's whole force to its point and none to its neighbour, which has its own.
+  bool isOneSided() const { return form_ == kernels::TangentialForm::Linear || constants_.tangential == 0.0; }
+  /// The neighbours' part of one-sided forces of bonds between blocks.
+  void addInterfaceForce(const Cache& cache, const Views& views) const;
   /// g of a bond: influence x share of volume x surface factor.
   double strength(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
   double surfaceFactor(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
@@ -65,7 +70,7 @@ class BondMechanics {
   kernels::ElasticConstants constants_;
   kernels::TangentialForm form_ = kernels::TangentialForm::Objective;
   SurfaceCorrection surfaceCorrection_ = SurfaceCorrection::None;
-  int modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_, bondDamageId_, damageId_, energyId_;
+  int modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_, bondDamageId_, damageId_, energyId_, blockId_;
   int surfaceVolumeId_ = -1, surfaceFactorId_ = -1;
   mutable std::map<double, double> wholeFamilyVolumes_;  ///< by volume of the point
   mutable NeighborhoodCache<Cache> caches_;

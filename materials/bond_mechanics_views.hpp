@@ -17,6 +17,7 @@ struct BondMechanics::Views {
   double* force = nullptr;
   double* familyVolume = nullptr;
   double* surfaceFactor = nullptr;
+  const double* blockId = nullptr;
   const double* bondDamage = nullptr;
   const double* damage = nullptr;
 };

@@ -51,10 +51,13 @@ NonlocalDiffusion::NonlocalDiffusion(const Teuchos::ParameterList& params, const
   fieldId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP, field);
   fluxId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP, fluxDivergenceField(field));
   damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
+  blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
   bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
 }
 
-std::vector<int> NonlocalDiffusion::fieldIds() const { return {modelCoordinatesId_, volumeId_, fieldId_, fluxId_}; }
+std::vector<int> NonlocalDiffusion::fieldIds() const {
+  return {modelCoordinatesId_, volumeId_, blockId_, fieldId_, fluxId_};
+}
 
 void NonlocalDiffusion::initialize(const Call& call, DataManager& dataManager) {
   caches_.clear();
@@ -74,6 +77,15 @@ const double* NonlocalDiffusion::damageView(int id, DataManager& dataManager) co
                                                                          : nullptr;
 }
 
+void NonlocalDiffusion::addInterfaceFlux(const Cache& cache, const double* x, const double* volume,
+                                         const double* concentration, const double* bondDamage, double* rate) const {
+  for (const auto& [i, j, bond] : cache.interfaceBonds) {
+    if (bondDamage != nullptr && bondDamage[bond] >= 1.0) continue;
+    rate[j] +=
+        0.5 * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * (concentration[i] - concentration[j]);
+  }
+}
+
 void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dataManager) const {
   const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
   const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
@@ -82,12 +94,15 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
   const int nPoints = dataManager.getData(fieldId_, Field::STEP_NP1)->MyLength();
   std::fill(rate, rate + nPoints, 0.0);
 
+  const double* blockId = view(dataManager, blockId_, Field::STEP_NONE);
   Cache& cache = caches_.of(call, x, [&](const Call& c) {
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
-      values[0] = weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[j];
+      const double part = blockId[i] == blockId[j] ? 1.0 : 0.5;
+      values[0] = part * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[j];
     });
+    made.interfaceBonds = findInterfaceBonds(c, blockId);
     if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
     return made;
   });
@@ -98,6 +113,7 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
   cache.concentration.copy(concentration, nPoints);
   kernels::addFluxDivergence(cache.neighborhood, cache.weights, isCut ? &cache.alive : nullptr, cache.concentration[0],
                              rate);
+  addInterfaceFlux(cache, x, volume, concentration, isCut ? bondDamage : nullptr, rate);
 }
 
 void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManager,
@@ -105,15 +121,21 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
   const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
   const double* bondDamage = damageView(bondDamageId_, dataManager);
+  const double* blockId = view(dataManager, blockId_, Field::STEP_NONE);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
-    const double w = weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * volume[j];
+    const bool isInterface = blockId[i] != blockId[j];
+    const double w =
+        (isInterface ? 0.5 : 1.0) * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * volume[j];
     const int row = perPoint * map.GID(i) + offset, column = perPoint * map.GID(j) + offset;
     jacobian.addValue(row, row, -w);
     jacobian.addValue(row, column, w);
+    if (!isInterface) return;
+    jacobian.addValue(column, column, -w);
+    jacobian.addValue(column, row, w);
   });
 }
 

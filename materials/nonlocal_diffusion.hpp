@@ -34,10 +34,14 @@ class NonlocalDiffusion {
     kernels::BondConstants weights;
     kernels::AliveBonds alive;
     kernels::PointArrays concentration;
+    std::vector<InterfaceBond> interfaceBonds;
   };
 
   /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
   double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  /// The neighbours' part of the flux of bonds between blocks. `bondDamage`: null where no bond is cut.
+  void addInterfaceFlux(const Cache& cache, const double* x, const double* volume, const double* concentration,
+                        const double* bondDamage, double* rate) const;
   /// Bond_Damage and Damage where broken bonds carry no flux; null otherwise.
   const double* damageView(int id, PeridigmNS::DataManager& dataManager) const;
 
@@ -46,7 +50,7 @@ class NonlocalDiffusion {
   kernels::DiffusionKernel kernel_ = kernels::DiffusionKernel::InverseSquare;
   double diffusivity_ = 0.0, microDiffusivity_ = 0.0;
   bool stopsAtBrokenBonds_ = false;
-  int modelCoordinatesId_, volumeId_, fieldId_, fluxId_, bondDamageId_, damageId_;
+  int modelCoordinatesId_, volumeId_, fieldId_, fluxId_, bondDamageId_, damageId_, blockId_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 
