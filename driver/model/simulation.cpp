@@ -148,14 +148,25 @@ class Run {
     for (int increment = done + 1; increment <= nSteps; ++increment) {
       const int step = firstStep_ + increment;
       const double start = timeOf(increment - 1), end = timeOf(increment);
-      orAbortUnlessShared([&] { stage.solver->advance(simulation_, start, end - start); });
-      for (const std::string& label : labels_) model.requireFinite(label, step);
+      orAbortUnlessShared([&] {
+        try {
+          stage.solver->advance(simulation_, start, end - start);
+        } catch (const RunError&) {
+          requireFinite(step);  // a solver that met a value that is no number knows neither its place nor the step
+          throw;
+        }
+      });
+      requireFinite(step);
       model.updateState();
       const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
       simulation_.output.checkpoint(model, step, end, restartState(stageNumber, increment), isLast);
       simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
     }
+  }
+
+  void requireFinite(int step) const {
+    for (const std::string& label : labels_) simulation_.model.requireFinite(label, step);
   }
 
   /// Which stage, how many of its increments are done, and the solver's own state.
@@ -213,6 +224,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   std::optional<Checkpoint> restart;
   if (options.restartFile.empty()) {
     conditions.applyPrescribed(stages.front().startTime);
+    for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
     if (model.hasMechanics()) model.updateCoordinates();
     model.updateState();
     output.write(model, 0, 0, stages.front().startTime, false);
