@@ -68,7 +68,7 @@ class PoissonsRatio(SceneTest):
         deck["Solver"] = {"Final Time": 1e-4, "Verlet": {"Fixed dt": 1e-7}}
         deck["Compute Class Parameters"] = {
             name: {"Compute Class": name, "Output Label": name} for name in ("Strain_Energy", "Global_Kinetic_Energy")}
-        deck["Output"]["Output Variables"] = ["Strain_Energy", "Global_Kinetic_Energy"]
+        deck["Output"].update({"Output Variables": ["Strain_Energy", "Global_Kinetic_Energy"], "Output Frequency": -1})
         result = self.solve(deck)
         history = result.history()
         start = history["Global_Kinetic_Energy"][0]
@@ -100,6 +100,20 @@ class PoissonsRatio(SceneTest):
             kinetic, strain, _ = self.shake(counts, material)
             self.assertLess(np.max(kinetic), 1.15, material)  # dt is below 0.35 of the limit
             self.assertGreaterEqual(np.min(strain), 0.0, material)
+
+    def test_body_whose_edges_are_unstable_is_reported(self):
+        # The lattice is stable, a free body of it is not: the smallest eigenvalue of its dense stiffness matrix is
+        # -0.050 (plate), -0.0041 (cube) and -0.052 (cube; the linear form resists rigid rotation, negatively here) of
+        # the largest, and 0 (rigid motions) in the last two bodies.
+        for counts, material in [([12, 12], {"Poisson's Ratio": 0.36, "Plane Strain": True}),
+                                 ([6, 6, 6], {"Poisson's Ratio": 0.34}),
+                                 ([6, 6, 6], {"Poisson's Ratio": 0.29, "Tangential Force": "Linear"})]:
+            kinetic, _, result = self.shake(counts, material)
+            self.assertGreater(np.max(kinetic), 2.0, material)
+            self.assertRegex("\n".join(result.report["solver"]), "warning: the body is unstable as it starts")
+        for counts, material in [([12, 12], {"Poisson's Ratio": 0.34, "Plane Strain": True}),
+                                 ([6, 6, 6], {"Poisson's Ratio": 0.33})]:
+            self.assertNotIn("unstable", "\n".join(self.shake(counts, material)[2].report["solver"]))
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class VerletTimeStep(SceneTest):
         deck["Solver"] = {"Final Time": float(n_steps * step), "Verlet": {"Fixed dt": float(step), **options}}
         deck["Compute Class Parameters"] = {
             name: {"Compute Class": name, "Output Label": name} for name in ("Strain_Energy", "Global_Kinetic_Energy")}
-        deck["Output"]["Output Variables"] = ["Strain_Energy", "Global_Kinetic_Energy"]
+        deck["Output"].update({"Output Variables": ["Strain_Energy", "Global_Kinetic_Energy"], "Output Frequency": -1})
         return self.run_deck(deck)
 
     def energies(self, result):

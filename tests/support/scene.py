@@ -111,14 +111,19 @@ class SceneTest(unittest.TestCase):
             for p, b, v in zip(points, block, volume):
                 file.write(f"{p[0]:.17g} {p[1]:.17g} {p[2]:.17g} {b} {v:.17g}\n")
 
-    def run_deck(self, deck, name="deck", ranks=1, arguments=(), timeout=280):
-        """Writes the deck and runs it; does not ask how it ended."""
+    def prepare(self, deck, name="deck", ranks=1, arguments=()):
+        """Writes the deck; the command that runs it in the folder."""
         with open(self.path(name + ".yaml"), "w") as file:
             file.write(yaml(deck) + "\n")
         command = [pdrun_path(), name + ".yaml", "--quiet", *arguments]
         if ranks > 1:
             command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks),
                        *command]
+        return command
+
+    def run_deck(self, deck, timeout=280, **options):
+        """Writes the deck and runs it, with the options of prepare(); does not ask how it ended."""
+        command = self.prepare(deck, **options)
         process = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=timeout)
         return Result(self.folder, deck.get("Output", {}).get("Output Filename", "dump"), process)
 
