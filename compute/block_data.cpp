@@ -11,10 +11,11 @@ class BlockData : public PeridigmNS::Compute {
     SetReduction::declareParameters(declarations);
   }
   BlockData(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), reduction_(completeParameters<BlockData>(params, "Block_Data")) {}
+      : Compute(params, comm, globalData),
+        reduction_(completeParameters<BlockData>(params, "Block_Data"), globalData) {}
 
   std::vector<int> FieldIds() const override { return reduction_.fieldIds(); }
-  void initialize(Blocks blocks) override { reduction_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { reduction_.initialize(blocks); }
   int compute(Blocks blocks) const override {
     reduction_.compute(blocks, *epetraComm);
     return 0;

@@ -28,8 +28,8 @@ void CrackFront::declareParameters(ParameterDeclarations& declarations) {
   PointSelection::declareParameters(declarations);
 }
 
-CrackFront::CrackFront(const Teuchos::ParameterList& parameters)
-    : points_(parameters),
+CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData)
+    : points_(parameters, globalData),
       damage_(parameters.get<std::string>("Variable")),
       threshold_(parameters.get<double>("Threshold")),
       direction_(directionOf(parameters, "Direction")),
@@ -45,8 +45,8 @@ std::vector<int> CrackFront::fieldIds() const {
   return ids;
 }
 
-void CrackFront::initialize(const Blocks& blocks, const ComputeParameters& globalData) {
-  points_.initialize(blocks, globalData);
+void CrackFront::initialize(const Blocks& blocks) {
+  points_.initialize(blocks);
   damage_.initialize(blocks);
 }
 

@@ -13,10 +13,10 @@ namespace pd {
 class CrackFront {
  public:
   static void declareParameters(ParameterDeclarations& declarations);
-  explicit CrackFront(const Teuchos::ParameterList& parameters);
+  CrackFront(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
   std::vector<int> fieldIds() const;
-  void initialize(const Blocks& blocks, const ComputeParameters& globalData);
+  void initialize(const Blocks& blocks);
 
   /// Position of the tip in the reference configuration, m; the start where no point reaches the threshold. Collective.
   Vector3 locate(const Blocks& blocks, const Epetra_Comm& comm) const;

@@ -25,7 +25,7 @@ class CrackLength : public PeridigmNS::Compute {
     ids.push_back(outputField_);
     return ids;
   }
-  void initialize(Blocks blocks) override { front_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { front_.initialize(blocks); }
   int compute(Blocks blocks) const override {
     const Vector3 tip = front_.locate(blocks, *epetraComm);
     const Vector3& start = front_.start();
@@ -40,7 +40,7 @@ class CrackLength : public PeridigmNS::Compute {
   CrackLength(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
               ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        front_(parameters),
+        front_(parameters, globalData),
         isProjected_(parameters.get<std::string>("Measure") == "Projected"),
         outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}
 

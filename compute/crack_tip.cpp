@@ -18,7 +18,7 @@ class CrackTip : public PeridigmNS::Compute {
     ids.push_back(outputField_);
     return ids;
   }
-  void initialize(Blocks blocks) override { front_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { front_.initialize(blocks); }
   int compute(Blocks blocks) const override {
     setGlobal(blocks, outputField_, front_.locate(blocks, *epetraComm).data(), 3);
     return 0;
@@ -28,7 +28,7 @@ class CrackTip : public PeridigmNS::Compute {
   CrackTip(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
            ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        front_(parameters),
+        front_(parameters, globalData),
         outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::VECTOR)) {}
 
   CrackFront front_;

@@ -27,13 +27,13 @@ class ExternalWork : public PeridigmNS::Compute {
     return {volumeField_,           displacementField_, forceField_, externalForceField_,
             lastDisplacementField_, lastLoadField_,     outputField_};
   }
-  void initialize(Blocks blocks) override { held_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { held_.initialize(blocks); }
   int compute(Blocks blocks) const override;
 
  private:
   ExternalWork(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
                ComputeParameters globalData)
-      : Compute(params, comm, globalData), held_(parameters) {
+      : Compute(params, comm, globalData), held_(parameters, globalData) {
     const std::string label = parameters.get<std::string>("Output Label");
     outputField_ = globalField(label, PeridigmField::SCALAR);
     lastDisplacementField_ = memoryField(label + "_Last_Displacement");

@@ -10,10 +10,11 @@ class FieldIntegral : public PeridigmNS::Compute {
     FieldReduction::declareParameters(declarations, "Field_Integral");
   }
   FieldIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), field_(completeParameters<FieldIntegral>(params, "Field_Integral")) {}
+      : Compute(params, comm, globalData),
+        field_(completeParameters<FieldIntegral>(params, "Field_Integral"), globalData) {}
 
   std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { field_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     double integral = 0.0;

@@ -13,10 +13,11 @@ class FieldMaximum : public PeridigmNS::Compute {
     FieldReduction::declareParameters(declarations, "Field_Maximum");
   }
   FieldMaximum(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), field_(completeParameters<FieldMaximum>(params, "Field_Maximum")) {}
+      : Compute(params, comm, globalData),
+        field_(completeParameters<FieldMaximum>(params, "Field_Maximum"), globalData) {}
 
   std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { field_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     double largest = std::numeric_limits<double>::lowest();

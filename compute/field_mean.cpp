@@ -16,7 +16,7 @@ class FieldMean : public PeridigmNS::Compute {
       : FieldMean(completeParameters<FieldMean>(params, "Field_Mean"), params, comm, globalData) {}
 
   std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { field_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     std::vector<double> sums(2, 0.0);  // weighted values, weights
@@ -34,7 +34,7 @@ class FieldMean : public PeridigmNS::Compute {
   FieldMean(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
             ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        field_(parameters),
+        field_(parameters, globalData),
         isByVolume_(parameters.get<std::string>("Weights") == "Volume") {}
 
   FieldReduction field_;

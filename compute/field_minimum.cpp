@@ -13,10 +13,11 @@ class FieldMinimum : public PeridigmNS::Compute {
     FieldReduction::declareParameters(declarations, "Field_Minimum");
   }
   FieldMinimum(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), field_(completeParameters<FieldMinimum>(params, "Field_Minimum")) {}
+      : Compute(params, comm, globalData),
+        field_(completeParameters<FieldMinimum>(params, "Field_Minimum"), globalData) {}
 
   std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { field_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     double smallest = std::numeric_limits<double>::max();

@@ -10,8 +10,8 @@ void FieldReduction::declareParameters(ParameterDeclarations& declarations, cons
                     "Leave out points whose value is below this (default: all points count).");
 }
 
-FieldReduction::FieldReduction(const Teuchos::ParameterList& parameters)
-    : points_(parameters),
+FieldReduction::FieldReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData)
+    : points_(parameters, globalData),
       variable_(parameters),
       hasFloor_(parameters.isParameter("Ignore Below")),
       floor_(hasFloor_ ? parameters.get<double>("Ignore Below") : 0.0),
@@ -24,8 +24,8 @@ std::vector<int> FieldReduction::fieldIds() const {
   return ids;
 }
 
-void FieldReduction::initialize(const Blocks& blocks, const ComputeParameters& globalData) {
-  points_.initialize(blocks, globalData);
+void FieldReduction::initialize(const Blocks& blocks) {
+  points_.initialize(blocks);
   variable_.initialize(blocks);
 }
 

@@ -11,10 +11,10 @@ namespace pd {
 class FieldReduction {
  public:
   static void declareParameters(ParameterDeclarations& declarations, const char* defaultLabel);
-  explicit FieldReduction(const Teuchos::ParameterList& parameters);
+  FieldReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
   std::vector<int> fieldIds() const;
-  void initialize(const Blocks& blocks, const ComputeParameters& globalData);
+  void initialize(const Blocks& blocks);
 
   /// Calls visit(value, volume) for every chosen point of this rank whose value is not ignored.
   template <class Visit>

@@ -15,7 +15,7 @@ class GlobalKineticEnergy : public PeridigmNS::Compute {
                             globalData) {}
 
   std::vector<int> FieldIds() const override { return {volumeField_, velocityField_, outputField_}; }
-  void initialize(Blocks blocks) override { points_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { points_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     namespace PeridigmField = PeridigmNS::PeridigmField;
@@ -39,7 +39,7 @@ class GlobalKineticEnergy : public PeridigmNS::Compute {
   GlobalKineticEnergy(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
                       ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        points_(parameters),
+        points_(parameters, globalData),
         volumeField_(volumeField()),
         velocityField_(velocityField()),
         outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}

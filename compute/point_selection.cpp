@@ -1,10 +1,9 @@
 #include "point_selection.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <map>
 #include <stdexcept>
 #include <unordered_set>
-
-#include "Peridigm_Discretization.hpp"
 
 namespace pd {
 
@@ -17,17 +16,14 @@ std::string unknownName(const std::string& kind, const std::string& name, const 
   return message + ")" + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?");
 }
 
-std::unordered_set<int> membersOf(const std::vector<std::string>& names, const ComputeParameters& globalData) {
-  if (globalData.is_null() || !globalData->isParameter("discretization"))
-    throw std::invalid_argument("this host hands no node sets to computes");
-  const auto discretization = *globalData->get<Teuchos::RCP<PeridigmNS::Discretization>*>("discretization");
-  const auto nodeSets = discretization->getNodeSets();
+std::unordered_set<int> membersOf(const std::vector<std::string>& names,
+                                  const std::map<std::string, std::vector<int>>& nodeSets) {
   std::unordered_set<int> members;
   for (const std::string& name : names) {
-    const auto it = nodeSets->find(name);
-    if (it == nodeSets->end()) {
+    const auto it = nodeSets.find(name);
+    if (it == nodeSets.end()) {
       std::vector<std::string> known;
-      for (const auto& entry : *nodeSets) known.push_back(entry.first);
+      for (const auto& entry : nodeSets) known.push_back(entry.first);
       throw std::invalid_argument(unknownName("node set", name, known));
     }
     members.insert(it->second.begin(), it->second.end());
@@ -43,18 +39,22 @@ void PointSelection::declareParameters(ParameterDeclarations& declarations) {
   declarations.atMostOneOf({"Block", "Node Set"});
 }
 
-PointSelection::PointSelection(const Teuchos::ParameterList& parameters) {
+PointSelection::PointSelection(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData) {
   if (parameters.isParameter("Block")) blockName_ = parameters.get<std::string>("Block");
   if (parameters.isParameter("Node Set")) nodeSetNames_.push_back(parameters.get<std::string>("Node Set"));
   if (parameters.isParameter("Node Sets"))
     for (const std::string& name : parameters.get<Teuchos::Array<std::string>>("Node Sets"))
       nodeSetNames_.push_back(name);
+  if (nodeSetNames_.empty()) return;
+  if (globalData.is_null() || !globalData->isParameter("discretization"))
+    throw std::invalid_argument("this host hands no node sets to computes");
+  discretization_ = *globalData->get<Teuchos::RCP<PeridigmNS::Discretization>*>("discretization");
 }
 
-void PointSelection::initialize(const Blocks& blocks, const ComputeParameters& globalData) {
+void PointSelection::initialize(const Blocks& blocks) {
   if (isAll()) return;
   std::unordered_set<int> members;
-  if (!nodeSetNames_.empty()) members = membersOf(nodeSetNames_, globalData);
+  if (!nodeSetNames_.empty()) members = membersOf(nodeSetNames_, *discretization_->getNodeSets());
 
   isSelected_.assign(blocks->size(), {});
   std::vector<std::string> blockNames;

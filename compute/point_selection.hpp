@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "Peridigm_Discretization.hpp"
 #include "compute_support.hpp"
 
 namespace pd {
@@ -13,8 +14,9 @@ class PointSelection {
  public:
   /// All points.
   PointSelection() = default;
-  /// Reads "Block", "Node Set" or "Node Sets" from a compute's parameters.
-  explicit PointSelection(const Teuchos::ParameterList& parameters);
+  /// Reads "Block", "Node Set" or "Node Sets" from a compute's parameters; takes the discretization from the host's
+  /// global data. Call it in the compute's constructor: what Peridigm's global data points to is gone later.
+  PointSelection(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
   /// Declares "Block" and "Node Set", of which one may be given.
   static void declareParameters(ParameterDeclarations& declarations);
@@ -22,7 +24,7 @@ class PointSelection {
   bool isAll() const { return blockName_.empty() && nodeSetNames_.empty(); }
 
   /// Throws std::invalid_argument, with the known names, where the block or a node set does not exist.
-  void initialize(const Blocks& blocks, const ComputeParameters& globalData);
+  void initialize(const Blocks& blocks);
 
   /// Is the owned point number `ownedIndex` (its place in OwnedIDs) of this block selected?
   bool includes(std::size_t block, int ownedIndex) const {
@@ -43,6 +45,7 @@ class PointSelection {
  private:
   std::string blockName_;
   std::vector<std::string> nodeSetNames_;
+  Teuchos::RCP<PeridigmNS::Discretization> discretization_;
   std::vector<std::vector<char>> isSelected_;
 };
 

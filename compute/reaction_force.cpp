@@ -15,7 +15,7 @@ class ReactionForce : public PeridigmNS::Compute {
       : ReactionForce(completeParameters<ReactionForce>(params, "Reaction_Force"), params, comm, globalData) {}
 
   std::vector<int> FieldIds() const override { return {volumeField_, forceField_, outputField_}; }
-  void initialize(Blocks blocks) override { points_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { points_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     namespace PeridigmField = PeridigmNS::PeridigmField;
@@ -36,7 +36,7 @@ class ReactionForce : public PeridigmNS::Compute {
   ReactionForce(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
                 ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        points_(parameters),
+        points_(parameters, globalData),
         volumeField_(volumeField()),
         forceField_(forceDensityField()),
         outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::VECTOR)) {}

@@ -14,8 +14,8 @@ void SetReduction::declareParameters(ParameterDeclarations& declarations) {
   declarations.text("Output Label", "Name of the global field that holds the result.").required();
 }
 
-SetReduction::SetReduction(const Teuchos::ParameterList& parameters)
-    : points_(parameters),
+SetReduction::SetReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData)
+    : points_(parameters, globalData),
       variable_(parameters.get<std::string>("Variable")),
       type_(parameters.get<std::string>("Calculation Type")),
       outputField_(globalField(parameters.get<std::string>("Output Label"), variable_.length())) {}
@@ -26,8 +26,8 @@ std::vector<int> SetReduction::fieldIds() const {
   return ids;
 }
 
-void SetReduction::initialize(const Blocks& blocks, const ComputeParameters& globalData) {
-  points_.initialize(blocks, globalData);
+void SetReduction::initialize(const Blocks& blocks) {
+  points_.initialize(blocks);
   variable_.initialize(blocks);
 }
 

@@ -12,10 +12,10 @@ class SetReduction {
  public:
   /// Declares "Variable", "Calculation Type" and "Output Label" (required, as in Peridigm).
   static void declareParameters(ParameterDeclarations& declarations);
-  explicit SetReduction(const Teuchos::ParameterList& parameters);
+  SetReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
   std::vector<int> fieldIds() const;
-  void initialize(const Blocks& blocks, const ComputeParameters& globalData);
+  void initialize(const Blocks& blocks);
   void compute(const Blocks& blocks, const Epetra_Comm& comm) const;
 
  private:

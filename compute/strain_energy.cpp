@@ -15,7 +15,7 @@ class StrainEnergy : public PeridigmNS::Compute {
       : StrainEnergy(completeParameters<StrainEnergy>(params, "Strain_Energy"), params, comm, globalData) {}
 
   std::vector<int> FieldIds() const override { return {densityField_, volumeField_, outputField_}; }
-  void initialize(Blocks blocks) override { points_.initialize(blocks, computeClassGlobalData); }
+  void initialize(Blocks blocks) override { points_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     constexpr auto none = PeridigmNS::PeridigmField::STEP_NONE;
@@ -35,7 +35,7 @@ class StrainEnergy : public PeridigmNS::Compute {
   StrainEnergy(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
                ComputeParameters globalData)
       : Compute(params, comm, globalData),
-        points_(parameters),
+        points_(parameters, globalData),
         densityField_(storedEnergyDensityField()),
         volumeField_(volumeField()),
         outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}

@@ -37,7 +37,9 @@ void atPlace(const std::string& place, const Work& work) {
 }  // namespace
 
 ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm, const std::vector<std::string>& outputLabels)
-    : globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
+    : nodeSets_(Teuchos::rcp(new PeridigmNS::Discretization::NodeSets)),
+      discretization_(Teuchos::rcp(new PeridigmNS::Discretization(nodeSets_))),
+      globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
   globalData_->set("discretization", &discretization_);
   Mistakes mistakes;
   for (const auto& [name, node] : deck["Compute Class Parameters"].entries()) {
@@ -96,13 +98,11 @@ std::vector<int> ComputeSet::fieldIds() const {
 
 void ComputeSet::initialize(Model& model) {
   const Discretization& points = model.discretization();
-  const auto nodeSets = Teuchos::rcp(new PeridigmNS::Discretization::NodeSets);
   for (const auto& [name, localIds] : points.nodeSets) {
-    std::vector<int>& globalIds = (*nodeSets)[name];
+    std::vector<int>& globalIds = (*nodeSets_)[name];
     for (const int id : localIds)
       if (id < points.nOwned) globalIds.push_back(points.globalIds[static_cast<std::size_t>(id)]);
   }
-  discretization_ = Teuchos::rcp(new PeridigmNS::Discretization(nodeSets));
   // A compute may add over ranks here, so its mistakes are those of all ranks: the same names are known to each.
   for (const Entry& entry : entries_) atPlace(entry.place, [&] { entry.compute->initialize(model.blocks()); });
 }

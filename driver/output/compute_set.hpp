@@ -43,6 +43,7 @@ class ComputeSet {
 
   std::vector<Entry> entries_;
   std::vector<std::string> globalLabels_;
+  Teuchos::RCP<PeridigmNS::Discretization::NodeSets> nodeSets_;  ///< filled as the run starts
   Teuchos::RCP<PeridigmNS::Discretization> discretization_;
   Teuchos::RCP<Teuchos::ParameterList> globalData_;
 };
