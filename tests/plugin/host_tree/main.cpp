@@ -1,0 +1,49 @@
+// Exit code: number of things that a host should find and does not.
+#include <iostream>
+
+#include "factories.hpp"
+
+namespace {
+
+int nMistakes = 0;
+
+void expect(bool isTrue, const char* what) {
+  if (isTrue) return;
+  std::cerr << "not true: " << what << "\n";
+  ++nMistakes;
+}
+
+bool isHosts(const Teuchos::RCP<PeridigmNS::Compute>& compute) {
+  return dynamic_cast<const HostCompute*>(compute.get()) != nullptr;
+}
+
+}  // namespace
+
+int main() {
+  Teuchos::ParameterList steel;
+  steel.set("Material Model", std::string("PDHE"));
+  steel.set("Young's Modulus", 200e9);
+  steel.set("Poisson's Ratio", 0.2);
+  steel.set("Density", 7800.0);
+  steel.set("Horizon", 0.003);
+  const auto material = createMaterial(steel);
+  expect(!material.is_null() && material->Name() == "PDHE", "PDHE is registered");
+
+  Teuchos::ParameterList hydrogen;
+  hydrogen.set("Damage Model", std::string("Hydrogen Critical Stretch"));
+  hydrogen.set("Critical Stretch", 0.01);
+  hydrogen.set("Saturation Concentration", 1.0);
+  const auto damage = createDamageModel(hydrogen);
+  expect(!damage.is_null() && damage->Name() == "Hydrogen Critical Stretch", "the damage models are registered");
+
+  steel.set("Material Model", std::string("Elastic"));
+  hydrogen.set("Damage Model", std::string("Johnson Cook"));
+  expect(createMaterial(steel).is_null() && createDamageModel(hydrogen).is_null(), "other names stay the host's");
+
+  // The host's own compute wins; names of fields are no computes; the others are this library's.
+  const auto computes = createComputes({"Displacement", "Kinetic_Energy", "Damage", "Broken_Bonds", "Strain_Energy"});
+  expect(computes.size() == 3, "three of the names are computes");
+  expect(computes.size() == 3 && isHosts(computes[0]) && !isHosts(computes[1]) && !isHosts(computes[2]),
+         "each compute is made once, by the one who knows it");
+  return nMistakes;
+}
