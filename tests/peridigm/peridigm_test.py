@@ -1,0 +1,175 @@
+#!/usr/bin/python3
+"""The plug-ins inside Peridigm against pdrun: the same deck and mesh in both, on 1 and 2 ranks.
+
+Needs a Peridigm that was built with these plug-ins (materials/README.md), which the environment variable
+PERIDIGM_EXECUTABLE names. Both programs add up the same terms in another order, and follow the same step formulas:
+what rounding leaves is below 1e-10 of the largest value, and 1e-8 where bonds break over 100 steps, since a change of
+one bond at another step would show as 1e-3. Solvers that iterate are given tolerances below that.
+"""
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from exodus import ExodusResult  # noqa: E402
+from scene import Result, SceneTest, lattice, pdrun_path, yaml  # noqa: E402
+
+SKIPPED = 77  # what CMakeLists.txt names as SKIP_RETURN_CODE
+PERIDIGM = os.environ.get("PERIDIGM_EXECUTABLE")
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np"]
+
+STEEL = {"Material Model": "PDHE", "Density": 7800.0, "Young's Modulus": 200e9, "Poisson's Ratio": 0.2,
+         "Volume Correction": "Ramp To Horizon"}
+SPACING = 1e-3
+HORIZON = 3.015 * SPACING
+
+
+class InPeridigm(SceneTest):
+    """Runs a deck in both programs and compares what they write last."""
+
+    def node_set(self, name, is_member):
+        """A file of node numbers, from 1."""
+        with open(self.path(name), "w") as file:
+            file.writelines(f"{i + 1}\n" for i in np.flatnonzero(is_member))
+        return name
+
+    def deck(self, material, conditions, solver, variables, frequency=1):
+        return yaml({"Peridigm": {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+            "Materials": {"Steel": material},
+            "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Horizon": HORIZON}},
+            "Boundary Conditions": conditions, "Solver": solver,
+            "Output": {"Output File Type": "ExodusII", "Output Filename": "result", "Output Frequency": frequency,
+                       "Output Variables": dict.fromkeys(variables, True)}}}) + "\n"
+
+    def run_program(self, program, deck, ranks):
+        """`deck`: text. Both programs read the same file."""
+        with open(self.path("deck.yaml"), "w") as file:
+            file.write(deck)
+        for old in os.listdir(self.folder):
+            if old.startswith("result.e"):
+                os.remove(self.path(old))
+        process = subprocess.run([*MPIRUN, str(ranks), program, "deck.yaml"], cwd=self.folder, capture_output=True,
+                                 text=True, timeout=280)
+        self.assertEqual(process.returncode, 0, process.stdout[-3000:] + process.stderr[-3000:])
+        return process
+
+    def compare(self, deck, tolerance, fields, histories=(), pdrun_deck=None):
+        """Decks write "result"; `pdrun_deck` where pdrun has another name for a solver of the same equations. Returns
+        the fields."""
+        for ranks in (1, 2):
+            self.run_program(PERIDIGM, deck, ranks)
+            theirs = ExodusResult(self.path("result"))
+            ours = Result(self.folder, "result", self.run_program(pdrun_path(), pdrun_deck or deck, ranks))
+            found = {label: (ours.field(label), theirs.field(label)) for label in fields}
+            if histories:
+                history = ours.history()
+                found.update({label: (history[label][-1:], np.array([theirs.globals[label]])) for label in histories})
+            for label, (ours_, theirs_) in found.items():
+                self.assertEqual(ours_.shape, theirs_.shape, label)
+                largest = np.abs(ours_).max()
+                self.assertGreater(largest, 0.0, label)
+                error = np.abs(ours_ - theirs_).max() / largest
+                print(f"{self.id().split('.')[-1]}, {ranks} rank(s): {label} agrees to {error:.1e}", flush=True)
+                self.assertLess(error, tolerance, f"{label} on {ranks} rank(s)")
+        return {label: ours.field(label) for label in fields}
+
+
+class Mechanics(InPeridigm):
+    def block(self):
+        """An irregular block, held and twisted at one end, whose other end flies off."""
+        points = lattice([12e-3, 7e-3, 6e-3], SPACING)
+        points += np.random.default_rng(7).uniform(-0.1, 0.1, points.shape) * SPACING
+        self.write_mesh(points, SPACING ** 3)
+        left = self.node_set("left.txt", points[:, 0] < HORIZON)
+        right = self.node_set("right.txt", points[:, 0] > 12e-3 - HORIZON)
+        return {"Left Node Set": left, "Right Node Set": right,
+                **{f"Hold {axis}": {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Coordinate": axis,
+                                    "Value": value}
+                   for axis, value in {"x": "0.0", "y": "2.0*t*z", "z": "-2.0*t*y"}.items()}}
+
+    def test_verlet(self):
+        for form in "Objective", "Linear":
+            with self.subTest(form):
+                conditions = self.block()
+                conditions["Fly"] = {"Type": "Initial Velocity", "Node Set": "Right Node Set", "Coordinate": "x",
+                                     "Value": "10.0"}
+                deck = self.deck({**STEEL, "Tangential Force": form, "Surface Correction": "Volume Method"}, conditions,
+                                 {"Final Time": 1.005e-5, "Verlet": {"Fixed dt": 1e-7}},
+                                 ["Displacement", "Force_Density", "Stored_Elastic_Energy_Density", "Strain_Energy"],
+                                 frequency=100)
+                self.compare(deck, 1e-10, ["Displacement", "Force_Density", "Stored_Elastic_Energy_Density"],
+                             ["Strain_Energy"])
+
+    def test_quasi_static(self):
+        conditions = self.block()
+        for axis, value in {"x": "0.1*t", "y": "0.0", "z": "0.0"}.items():
+            conditions[f"Pull {axis}"] = {"Type": "Prescribed Displacement", "Node Set": "Right Node Set",
+                                          "Coordinate": axis, "Value": value}
+        deck = self.deck(STEEL, conditions,
+                         {"Final Time": 1e-4, "QuasiStatic": {"Number of Load Steps": 2, "Relative Tolerance": 1e-12,
+                                                             "Belos Linear Solver": "BlockGMRES",
+                                                             "Belos Relative Tolerance": 1e-10,
+                                                             "Maximum Solver Iterations": 20}},
+                         ["Displacement", "Force_Density"])
+        self.compare(deck, 1e-10, ["Displacement", "Force_Density"])
+
+
+class Breakage(InPeridigm):
+    """The deck of materials/README.md: a plate with an edge crack is torn apart within 100 steps."""
+
+    def tear(self, changes=()):
+        width = 30e-3
+        points = lattice([50e-3, width], SPACING, [0.0, -width / 2])
+        self.write_mesh(points, SPACING ** 2, name="plate.txt")
+        self.node_set("top.txt", points[:, 1] > width / 2 - HORIZON)
+        self.node_set("bottom.txt", points[:, 1] < -width / 2 + HORIZON)
+        self.node_set("all.txt", points[:, 1] < width)
+        with open(sys.path[0] + "/../../materials/README.md") as file:
+            deck = re.search(r"```yaml\n(Peridigm:.*?)```", file.read(), re.DOTALL).group(1)
+        for old, new in (("Output Filename: plate", "Output Filename: result"), *changes):
+            self.assertIn(old, deck)
+            deck = deck.replace(old, new)
+        fields = self.compare(deck, 1e-8, ["Displacement", "Damage", "Temperature"], ["Crack_Area"])
+        self.assertGreater(np.count_nonzero(fields["Damage"] > 0.3), 20)
+
+    def test_hydrogen_critical_stretch(self):
+        self.tear()
+
+    def test_critical_stretch(self):
+        """Peridigm knows a damage model of this name itself, so it is Peridigm's against ours."""
+        self.tear([("Damage Model: Hydrogen Critical Stretch\n", "Damage Model: Critical Stretch\n"),
+                   ("      Concentration Field: Temperature\n", ""), ("      Saturation Concentration: 1.0\n", "")])
+
+
+class HydrogenDiffusion(InPeridigm):
+    def test_steady_state(self):
+        points = lattice([30e-3, 20e-3], SPACING)
+        self.write_mesh(points, SPACING ** 2)
+        conditions = {"Left Node Set": self.node_set("left.txt", points[:, 0] < HORIZON),
+                      "Right Node Set": self.node_set("right.txt", points[:, 0] > 30e-3 - HORIZON),
+                      "Left": {"Type": "Prescribed Temperature", "Node Set": "Left Node Set", "Value": "1.0 + 50.0*y"},
+                      "Right": {"Type": "Prescribed Temperature", "Node Set": "Right Node Set", "Value": "0.5"}}
+        material = {"Material Model": "PDHE", "Density": 7800.0, "Diffusivity": 1e-9,
+                    "Diffusing Field": "Temperature", "Plane Stress": True, "Volume Correction": "Ramp To Horizon"}
+        deck, pdrun_deck = (
+            self.deck(material, conditions, solver, ["Temperature"])
+            for solver in ({"Solve For Displacement": False, "Solve For Temperature": True,
+                            "ImplicitDiffusion": {"Number of Load Steps": 1, "Relative Tolerance": 1e-13,
+                                                  "Belos Linear Solver": "BlockGMRES",
+                                                  "Belos Relative Tolerance": 1e-12}, "Final Time": 1.0},
+                           # One step far longer than the time to settle, L^2/D = 1e6 s, leaves 1e-12 of its start.
+                           {"Diffusion": {"Field": "Temperature", "Method": "Implicit Euler", "Load Steps": 1},
+                            "Final Time": 1e18}))
+        self.compare(deck, 1e-10, ["Temperature"], pdrun_deck=pdrun_deck)
+
+
+if __name__ == "__main__":
+    if not PERIDIGM:
+        print("SKIPPED: PERIDIGM_EXECUTABLE names no Peridigm built with these plug-ins (materials/README.md)")
+        sys.exit(SKIPPED)
+    unittest.main()
