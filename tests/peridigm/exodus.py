@@ -50,7 +50,8 @@ class ExodusResult:
         return fields
 
     def field(self, label):
-        """[n] or [n, 3]."""
+        """[n], [n, 3] or [n, 9]."""
         if label in self.fields:
             return self.fields[label]
-        return np.column_stack([self.fields[label + axis] for axis in "XYZ"])
+        axes = "XYZ" if label + "X" in self.fields else [row + column for row in "XYZ" for column in "XYZ"]
+        return np.column_stack([self.fields[label + axis] for axis in axes])

@@ -37,11 +37,13 @@ class InPeridigm(SceneTest):
             file.writelines(f"{i + 1}\n" for i in np.flatnonzero(is_member))
         return name
 
-    def deck(self, material, conditions, solver, variables, frequency=1):
+    def deck(self, materials, conditions, solver, variables, frequency=1):
+        """`materials`: one a block."""
         return yaml({"Peridigm": {
             "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
-            "Materials": {"Steel": material},
-            "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Horizon": HORIZON}},
+            "Materials": {f"Of block {i}": material for i, material in enumerate(materials, 1)},
+            "Blocks": {f"Block {i}": {"Block Names": f"block_{i}", "Material": f"Of block {i}", "Horizon": HORIZON}
+                       for i in range(1, len(materials) + 1)},
             "Boundary Conditions": conditions, "Solver": solver,
             "Output": {"Output File Type": "ExodusII", "Output Filename": "result", "Output Frequency": frequency,
                        "Output Variables": dict.fromkeys(variables, True)}}}) + "\n"
@@ -80,11 +82,12 @@ class InPeridigm(SceneTest):
 
 
 class Mechanics(InPeridigm):
-    def block(self):
-        """An irregular block, held and twisted at one end, whose other end flies off."""
+    def block(self, boundary=np.inf):
+        """An irregular block, held and twisted at one end, whose other end flies off. Beyond x = `boundary` it is of
+        block_2."""
         points = lattice([12e-3, 7e-3, 6e-3], SPACING)
         points += np.random.default_rng(7).uniform(-0.1, 0.1, points.shape) * SPACING
-        self.write_mesh(points, SPACING ** 3)
+        self.write_mesh(points, SPACING ** 3, np.where(points[:, 0] < boundary, 1, 2))
         left = self.node_set("left.txt", points[:, 0] < HORIZON)
         right = self.node_set("right.txt", points[:, 0] > 12e-3 - HORIZON)
         return {"Left Node Set": left, "Right Node Set": right,
@@ -92,25 +95,31 @@ class Mechanics(InPeridigm):
                                     "Value": value}
                    for axis, value in {"x": "0.0", "y": "2.0*t*z", "z": "-2.0*t*y"}.items()}}
 
-    def test_verlet(self):
-        for form in "Objective", "Linear":
-            with self.subTest(form):
-                conditions = self.block()
-                conditions["Fly"] = {"Type": "Initial Velocity", "Node Set": "Right Node Set", "Coordinate": "x",
-                                     "Value": "10.0"}
-                deck = self.deck({**STEEL, "Tangential Force": form, "Surface Correction": "Volume Method"}, conditions,
-                                 {"Final Time": 1.005e-5, "Verlet": {"Fixed dt": 1e-7}},
-                                 ["Displacement", "Force_Density", "Stored_Elastic_Energy_Density", "Strain_Energy"],
-                                 frequency=100)
-                self.compare(deck, 1e-10, ["Displacement", "Force_Density", "Stored_Elastic_Energy_Density"],
-                             ["Strain_Energy"])
+    def fly(self, materials, boundary=np.inf):
+        conditions = self.block(boundary)
+        conditions["Fly"] = {"Type": "Initial Velocity", "Node Set": "Right Node Set", "Coordinate": "x",
+                             "Value": "10.0"}
+        fields = ["Displacement", "Force_Density", "Stored_Elastic_Energy_Density"]
+        deck = self.deck(materials, conditions, {"Final Time": 1.005e-5, "Verlet": {"Fixed dt": 1e-7}},
+                         fields + ["Strain_Energy"], frequency=100)
+        self.compare(deck, 1e-10, fields, ["Strain_Energy"])
+
+    def test_objective_form(self):
+        self.fly([{**STEEL, "Surface Correction": "Volume Method"}])
+
+    def test_linear_form(self):
+        self.fly([{**STEEL, "Tangential Force": "Linear", "Surface Correction": "Energy Method"}])
+
+    def test_two_blocks(self):
+        corrected = {**STEEL, "Surface Correction": "Volume Method"}
+        self.fly([corrected, {**corrected, "Young's Modulus": 50e9, "Density": 3000.0}], boundary=6.2e-3)
 
     def test_quasi_static(self):
         conditions = self.block()
         for axis, value in {"x": "0.1*t", "y": "0.0", "z": "0.0"}.items():
             conditions[f"Pull {axis}"] = {"Type": "Prescribed Displacement", "Node Set": "Right Node Set",
                                           "Coordinate": axis, "Value": value}
-        deck = self.deck(STEEL, conditions,
+        deck = self.deck([STEEL], conditions,
                          {"Final Time": 1e-4, "QuasiStatic": {"Number of Load Steps": 2, "Relative Tolerance": 1e-12,
                                                              "Belos Linear Solver": "BlockGMRES",
                                                              "Belos Relative Tolerance": 1e-10,
@@ -122,7 +131,7 @@ class Mechanics(InPeridigm):
 class Breakage(InPeridigm):
     """The deck of materials/README.md: a plate with an edge crack is torn apart within 100 steps."""
 
-    def tear(self, changes=()):
+    def tear(self, changes=(), fields=("Displacement", "Damage", "Temperature"), histories=("Crack_Area",)):
         width = 30e-3
         points = lattice([50e-3, width], SPACING, [0.0, -width / 2])
         self.write_mesh(points, SPACING ** 2, name="plate.txt")
@@ -134,8 +143,9 @@ class Breakage(InPeridigm):
         for old, new in (("Output Filename: plate", "Output Filename: result"), *changes):
             self.assertIn(old, deck)
             deck = deck.replace(old, new)
-        fields = self.compare(deck, 1e-8, ["Displacement", "Damage", "Temperature"], ["Crack_Area"])
-        self.assertGreater(np.count_nonzero(fields["Damage"] > 0.3), 20)
+        found = self.compare(deck, 1e-8, fields, histories)
+        if "Damage" in found:
+            self.assertGreater(np.count_nonzero(found["Damage"] > 0.3), 20)
 
     def test_hydrogen_critical_stretch(self):
         self.tear()
@@ -144,6 +154,26 @@ class Breakage(InPeridigm):
         """Peridigm knows a damage model of this name itself, so it is Peridigm's against ours."""
         self.tear([("Damage Model: Hydrogen Critical Stretch\n", "Damage Model: Critical Stretch\n"),
                    ("      Concentration Field: Temperature\n", ""), ("      Saturation Concentration: 1.0\n", "")])
+
+    def test_computes(self):
+        """All that Peridigm has not itself and that see this scene."""
+        plain = ["Strain_Energy", "Broken_Bonds", "Stored_Elastic_Energy_Density", "Bond_Strain"]
+        computes = {
+            "Coverage": {"Variable": "Temperature", "Saturation Concentration": 0.7},
+            "Crack_Length": {"Block": "block_1"},
+            "Field_Integral": {"Variable": "Damage"},
+            "Field_Maximum": {"Variable": "Velocity", "Component": "Y"},
+            "Field_Mean": {"Variable": "Displacement"},
+            "Field_Minimum": {"Variable": "Displacement", "Component": "Y"},
+            "J_Integral": {"Thickness": 1.0, "Inner Radius": 6.5e-3, "Outer Radius": 9.5e-3, "Tip X": 16.3e-3,
+                           "Plane Stress": True},
+            "Bond_Stress": {"Plane Stress": True}}
+        section = "  Compute Class Parameters:\n"
+        entries = yaml({"The " + name: {"Compute Class": name, **keys} for name, keys in computes.items()}, 2) + "\n"
+        names = "".join(f"      {name}: true\n" for name in plain + list(computes))
+        fields = ["Stored_Elastic_Energy_Density", "Bond_Strain", "Coverage", "Bond_Stress"]
+        self.tear([(section, section + entries), ("      Crack_Area: true\n", names)], fields,
+                  [name for name in plain + list(computes) if name not in fields])
 
 
 class HydrogenDiffusion(InPeridigm):
@@ -157,7 +187,7 @@ class HydrogenDiffusion(InPeridigm):
         material = {"Material Model": "PDHE", "Density": 7800.0, "Diffusivity": 1e-9,
                     "Diffusing Field": "Temperature", "Plane Stress": True, "Volume Correction": "Ramp To Horizon"}
         deck, pdrun_deck = (
-            self.deck(material, conditions, solver, ["Temperature"])
+            self.deck([material], conditions, solver, ["Temperature"])
             for solver in ({"Solve For Displacement": False, "Solve For Temperature": True,
                             "ImplicitDiffusion": {"Number of Load Steps": 1, "Relative Tolerance": 1e-13,
                                                   "Belos Linear Solver": "BlockGMRES",
