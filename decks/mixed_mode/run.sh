@@ -1,29 +1,29 @@
 #!/bin/bash
-# Mesh, all runs and the pictures of this scene, into results/mixed_mode.
+# Meshes, all runs and the pictures of this scene, into results/mixed_mode.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
-gmsh -v 2 -2 "$here/square.geo" -o "$here/square.msh"
-"$pdmesh" convert "$here/square.msh" "$here/square.txt" --at nodes --thickness 0.004 --horizon 0.002
-cd "$results"
 
-# Overrides that turn the crack of a deck to an angle (degrees) with the load along y.
-turned() {
-  awk -v angle="$1" 'BEGIN {
-    c = cos(angle * atan2(0, -1) / 180); s = sin(angle * atan2(0, -1) / 180); filter = "Discretization/Bond Filters/Pre-Crack/"
-    printf "--set\n%sNormal_X=%.12f\n--set\n%sNormal_Y=%.12f\n", filter, -c, filter, s
-    printf "--set\n%sLower_Left_Corner_X=%.12f\n--set\n%sLower_Left_Corner_Y=%.12f\n", filter, -0.01 * s, filter, -0.01 * c
-    printf "--set\n%sBottom_Unit_Vector_X=%.12f\n--set\n%sBottom_Unit_Vector_Y=%.12f\n", filter, s, filter, c }'
-}
-# Angle, and the load step at which the branches are long enough, about.
-for case in "90 600" "75 600" "60 620" "45 660" "30 800"; do
-  read -r angle steps <<<"$case"
-  mapfile -t overrides < <(turned "$angle")
-  "$pdrun" "$here/dry.yaml" --quiet --set "Output/Output Filename=dry_$angle" "${overrides[@]}" \
-    --set "Solver/Final Time=$(awk "BEGIN {print $steps / 1000}")" \
-    --set "Solver/Adaptive Dynamic Relaxation/Load Steps=$steps"
-  "$pdrun" "$here/hydrogen.yaml" --quiet --set "Output/Output Filename=hydrogen_$angle" "${overrides[@]}" \
-    --set "Solver/Final Time=$((20 * steps))" --set "Solver/Staggered/Load Steps=$steps"
+# Three lattices, turned by 0, 30 and 60 degrees and jittered, so that rows of points favour no direction.
+for mesh in 1 2 3; do
+  "$pdmesh" grid disc --radius 0.02 --spacing 0.00025 --jitter 0.2 --seed "$mesh" --thickness 0.004 --quiet \
+    -o "$results/lattice.txt"
+  awk -v turn="$((30 * mesh - 30))" '
+    BEGIN { c = cos(turn * atan2(0, -1) / 180); s = sin(turn * atan2(0, -1) / 180) }
+    /^#/ { print; next }
+    { printf "%.9f %.9f 0 %s %s\n", c * $1 - s * $2, s * $1 + c * $2, $4, $5 }' \
+    "$results/lattice.txt" >"$here/disc_$mesh.txt"
 done
-"$pdrun" "$here/shear.yaml" --quiet
+
+cd "$results"
+for mesh in 1 2 3; do
+  for case in 90 75 60 45 30 shear; do
+    # cases.py prints the displacements of a case: with the load t, and with 0.8 of the critical load.
+    mapfile -t growing < <("$here/cases.py" "$case" t)
+    mapfile -t constant < <("$here/cases.py" "$case" 0.8)
+    input=(--quiet --set "Discretization/Input Mesh File=disc_$mesh.txt")
+    "$pdrun" "$here/dry.yaml" "${input[@]}" "${growing[@]}" --set "Output/Output Filename=dry_${case}_$mesh"
+    "$pdrun" "$here/hydrogen.yaml" "${input[@]}" "${constant[@]}" --set "Output/Output Filename=hydrogen_${case}_$mesh"
+  done
+done
 "$here/plot.py" "$results"
