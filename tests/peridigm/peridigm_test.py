@@ -120,7 +120,7 @@ class Mechanics(InPeridigm):
             conditions[f"Pull {axis}"] = {"Type": "Prescribed Displacement", "Node Set": "Right Node Set",
                                           "Coordinate": axis, "Value": value}
         deck = self.deck([STEEL], conditions,
-                         {"Final Time": 1e-4, "QuasiStatic": {"Number of Load Steps": 2, "Relative Tolerance": 1e-12,
+                         {"Final Time": 1e-4, "QuasiStatic": {"Number of Load Steps": 2, "Relative Tolerance": 1e-10,
                                                              "Belos Linear Solver": "BlockGMRES",
                                                              "Belos Relative Tolerance": 1e-10,
                                                              "Maximum Solver Iterations": 20}},
