@@ -1,7 +1,6 @@
 #include "factories.hpp"
 
-#include "registry/plugins.hpp"
-#include "registry/unknown_compute.hpp"
+#include "registry/peridigm_factories.hpp"
 
 Teuchos::RCP<PeridigmNS::Material> createMaterial(const Teuchos::ParameterList& params) {
   const auto name = params.get<std::string>("Material Model");
@@ -11,7 +10,7 @@ Teuchos::RCP<PeridigmNS::Material> createMaterial(const Teuchos::ParameterList& 
 
 Teuchos::RCP<PeridigmNS::DamageModel> createDamageModel(const Teuchos::ParameterList& params) {
   const auto name = params.get<std::string>("Damage Model");
-  if (pd::DamageModelRegistry::self().has(name)) return pd::DamageModelRegistry::self().create(name, params);
+  if (pd::DamageModelRegistry::self().has(name)) return pd::keptDamageModel(name, params);
   return Teuchos::null;
 }
 

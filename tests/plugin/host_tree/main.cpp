@@ -36,6 +36,10 @@ int main() {
   const auto damage = createDamageModel(hydrogen);
   expect(!damage.is_null() && damage->Name() == "Hydrogen Critical Stretch", "the damage models are registered");
 
+  expect(createDamageModel(hydrogen).get() == damage.get(), "a damage model of the same parameters is made once");
+  hydrogen.set("Critical Stretch", 0.02);
+  expect(createDamageModel(hydrogen).get() != damage.get(), "one of other parameters is another one");
+
   steel.set("Material Model", std::string("Elastic"));
   hydrogen.set("Damage Model", std::string("Johnson Cook"));
   expect(createMaterial(steel).is_null() && createDamageModel(hydrogen).is_null(), "other names stay the host's");
