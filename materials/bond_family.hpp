@@ -62,7 +62,7 @@ void forEachBond(const Call& call, Visit visit) {
 
 /// A bond to a point of another block, whose constants may differ: each block adds half of its own pair force or flux
 /// to both ends, so that the pair stays balanced. Within a block both ends compute the same, and each adds its own part
-/// only.
+/// only (in the objective form of the mechanics: what is left without the rotations).
 struct InterfaceBond {
   int point, neighbor;
   std::size_t bond;

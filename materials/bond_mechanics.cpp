@@ -235,28 +235,20 @@ BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& vie
   cache.data.dimension = family_.dimension();
   cache.data.form = form_;
   cache.data.constants = constants_;
-  cache.data.strength =
-      kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
-        values[0] = strength(views, ReferenceBond(views.x, i, j), i, j);
-        if (foldsDamage) values[0] *= 1.0 - views.bondDamage[bond];
-        if (isOneSided() && views.blockId[i] != views.blockId[j]) values[0] *= 0.5;
-      });
-  if (isOneSided()) cache.interfaceBonds = findInterfaceBonds(call, views.blockId);
+  const auto strengthOf = [&](int i, int j, std::size_t bond) {
+    return strength(views, ReferenceBond(views.x, i, j), i, j) * (foldsDamage ? 1.0 - views.bondDamage[bond] : 1.0);
+  };
+  cache.data.strength = kernels::BondConstants(
+      cache.neighborhood, 1,
+      [&](int i, int j, std::size_t bond, double* values) { values[0] = strengthOf(i, j, bond); });
+  cache.interfaceBonds = findInterfaceBonds(call, views.blockId);
   const int dimension = family_.dimension();
-  cache.data.geometry = kernels::BondConstants(
-      cache.neighborhood, dimension + 2,
-      [&](int i, int j, std::size_t, double* values) {
-        const ReferenceBond bond(views.x, i, j);
-        for (int d = 0; d < dimension; ++d) values[d] = bond.xi[static_cast<std::size_t>(d)];
-        values[dimension] = 1.0 / bond.length;
+  cache.data.coefficients =
+      kernels::bondCoefficients(cache.neighborhood, cache.data, [&](int i, int j, std::size_t bond, double* values) {
+        const ReferenceBond reference(views.x, i, j);
+        for (int d = 0; d < dimension; ++d) values[d] = reference.xi[static_cast<std::size_t>(d)];
+        values[dimension] = strengthOf(i, j, bond);
         values[dimension + 1] = views.volume[j];
-      },
-      kernels::BondConstants::Keep::OnlyUniform, 1e-12,
-      // Else an undeformed bond would be strained by as much as the tolerance.
-      [&](double* values) {
-        double length2 = 0.0;
-        for (int d = 0; d < dimension; ++d) length2 += values[d] * values[d];
-        values[dimension] = 1.0 / std::sqrt(length2);
       });
   cache.reference.separate(views.x, views.nPoints, dimension);
   cache.volume.copy(views.volume, views.nPoints);
@@ -275,19 +267,20 @@ void BondMechanics::addForce(Cache& cache, const Views& views) const {
 
 void BondMechanics::addInterfaceForce(const Cache& cache, const Views& views) const {
   const bool isLinear = form_ == kernels::TangentialForm::Linear;
-  const double radial = constants_.normal - constants_.tangential;
+  const double normal = constants_.normal, tangential = constants_.tangential, radial = normal - tangential;
   for (const auto& [i, j, bond] : cache.interfaceBonds) {
     const double alive = views.bondDamage == nullptr ? 1.0 : 1.0 - views.bondDamage[bond];
     if (alive == 0.0) continue;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    const double half = 0.5 * alive * strength(views, reference, i, j) * views.volume[i];
+    const double half = 0.5 * alive * strength(views, reference, i, j);
     double along = 0.0;
     for (std::size_t d = 0; d < 3; ++d) along += (current.xi[d] - reference.xi[d]) * reference.xi[d];
     for (std::size_t d = 0; d < 3; ++d) {
       const double force = isLinear ? radial * along / std::pow(reference.length, 3) * reference.xi[d] +
-                                          constants_.tangential / reference.length * (current.xi[d] - reference.xi[d])
-                                    : radial * (1.0 / reference.length - 1.0 / current.length) * current.xi[d];
-      views.force[3 * static_cast<std::size_t>(j) + d] -= half * force;
+                                          tangential / reference.length * (current.xi[d] - reference.xi[d])
+                                    : (normal / reference.length - radial / current.length) * current.xi[d];
+      views.force[3 * static_cast<std::size_t>(i) + d] -= half * force * views.volume[j];
+      views.force[3 * static_cast<std::size_t>(j) + d] -= half * force * views.volume[i];
     }
   }
 }

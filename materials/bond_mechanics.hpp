@@ -48,9 +48,8 @@ class BondMechanics {
 
   Cache makeCache(const Call& call, const Views& views, bool foldsDamage) const;
   void addForce(Cache& cache, const Views& views) const;
-  /// Whether the kernel gives a bond's whole force to its point and none to its neighbour, which has its own.
-  bool isOneSided() const { return form_ == kernels::TangentialForm::Linear || constants_.tangential == 0.0; }
-  /// The neighbours' part of one-sided forces of bonds between blocks.
+  /// Moves half of what the kernel gave to the point of a bond between blocks, whose neighbour may have computed
+  /// another force, to the neighbour, with the opposite sign.
   void addInterfaceForce(const Cache& cache, const Views& views) const;
   /// g of a bond: influence x share of volume x surface factor.
   double strength(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;

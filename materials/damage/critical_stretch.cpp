@@ -132,8 +132,8 @@ bool CriticalStretch::findChunksToTest(const Cache& cache, const Fields& fields,
     }
     moved2 = std::max(moved2, distance2);
   }
-  for (std::size_t i = 0; i < cache.testedCoverage.size(); ++i)
-    changed = std::max(changed, std::abs(cache.coverage[i] - cache.testedCoverage[i]));
+  for (int i = 0; fields.stretch.coverage != nullptr && i < fields.nPoints; ++i)
+    changed = std::max(changed, std::abs(cache.coverage[0][i] - cache.testedCoverage[0][i]));
   // The last term is round-off of coordinates.
   const double reach = 2.0 * std::sqrt(moved2) + law_.steepest() * changed * cache.longestBond;
   const double needed = reach * (1.0 + 1e-9) + 1e-12 * cache.longestBond;
@@ -145,12 +145,6 @@ bool CriticalStretch::findChunksToTest(const Cache& cache, const Fields& fields,
     if (chunks.size() > most) return false;
   }
   return true;
-}
-
-void CriticalStretch::rememberTest(Cache& cache, const Fields& fields) const {
-  cache.slack = kernels::slackOfChunks(cache.neighborhood, cache.alive, fields.stretch, law_);
-  cache.testedPositions = cache.current;
-  if (fields.stretch.coverage != nullptr) cache.testedCoverage = cache.coverage;
 }
 
 void CriticalStretch::computeDamage(const double, const int numOwnedPoints, const int* ownedIDs,
@@ -185,8 +179,7 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
   const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
   cache.current.separate(y, nPoints, dimension);
   const bool hasCoverage = coverage(dataManager, cache.coverage);
-  const Fields fields{nPoints,
-                      {dimension, cache.reference, cache.current, hasCoverage ? cache.coverage.data() : nullptr}};
+  const Fields fields{nPoints, {dimension, cache.reference, cache.current, hasCoverage ? &cache.coverage : nullptr}};
 
   std::vector<std::size_t> chunks;
   const bool testsSome = findChunksToTest(cache, fields, chunks);
@@ -196,11 +189,14 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
       [&](const kernels::Chunk& chunk, int k, int lane) {
         const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
         if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) return;
-        bondDamage[neighborhood.firstBond(chunk, lane) + static_cast<std::size_t>(k)] = 1.0;
+        bondDamage[neighborhood.bond(chunk, k, lane)] = 1.0;
         changed.emplace_back(&chunk, lane);
       },
-      testsSome ? &chunks : nullptr);
-  if (!testsSome) rememberTest(cache, fields);
+      testsSome ? &chunks : nullptr, testsSome ? nullptr : &cache.slack);
+  if (!testsSome) {
+    cache.testedPositions = cache.current;
+    if (hasCoverage) cache.testedCoverage = cache.coverage;
+  }
   if (isSwapped) {
     countBrokenBonds(call, bondDamage, damage);
     return;

@@ -34,7 +34,7 @@ class CriticalStretch : public PeridigmNS::DamageModel {
   /// Parameters that give the critical stretch without hydrogen and the bounds.
   static void declareCommonParameters(ParameterDeclarations& declare);
   /// psi in [0, 1] of all local points, or false where the model has none.
-  virtual bool coverage(PeridigmNS::DataManager&, std::vector<double>&) const { return false; }
+  virtual bool coverage(PeridigmNS::DataManager&, kernels::PointArrays&) const { return false; }
 
   kernels::CriticalStretchLaw law_;
 
@@ -42,14 +42,12 @@ class CriticalStretch : public PeridigmNS::DamageModel {
   struct Cache {
     kernels::ChunkedNeighborhood neighborhood;
     kernels::AliveBonds alive;
-    kernels::PointArrays reference, current;
-    std::vector<double> coverage;
+    kernels::PointArrays reference, current, coverage;
     bool isPlane = false;
     double longestBond = 0.0;
     // What bonds looked like when all were last tested (see chunksToTest).
     std::vector<double> slack;
-    kernels::PointArrays testedPositions;
-    std::vector<double> testedCoverage;
+    kernels::PointArrays testedPositions, testedCoverage;
   };
   struct Fields;
 
@@ -57,7 +55,6 @@ class CriticalStretch : public PeridigmNS::DamageModel {
   /// twice the largest displacement since, nor its critical stretch have fallen by more than the largest change of
   /// coverage allows. Returns false where testing all again pays.
   bool findChunksToTest(const Cache& cache, const Fields& fields, std::vector<std::size_t>& chunks) const;
-  void rememberTest(Cache& cache, const Fields& fields) const;
 
   int modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_, noFailureId_;
   mutable NeighborhoodCache<Cache> caches_;

@@ -64,13 +64,13 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
  protected:
-  bool coverage(DataManager& dataManager, std::vector<double>& psi) const override {
+  bool coverage(DataManager& dataManager, kernels::PointArrays& psi) const override {
     const auto field = dataManager.getData(concentrationId_, Field::STEP_NP1);
     double* concentration = nullptr;
     field->ExtractView(&concentration);
-    const auto nPoints = static_cast<std::size_t>(field->MyLength());
-    psi.resize(nPoints + kernels::lanes, 0.0);
-    for (std::size_t i = 0; i < nPoints; ++i) psi[i] = std::clamp(concentration[i] / saturation_, 0.0, 1.0);
+    const int nPoints = field->MyLength();
+    psi.copy(concentration, nPoints);
+    for (int i = 0; i < nPoints; ++i) psi[0][i] = std::clamp(concentration[i] / saturation_, 0.0, 1.0);
     return true;
   }
 

@@ -2,12 +2,11 @@
 
 namespace pd::kernels {
 
-AliveBonds::AliveBonds(const ChunkedNeighborhood& neighborhood) : bits_(neighborhood.nEntries() / lanes, 0) {
+AliveBonds::AliveBonds(const ChunkedNeighborhood& neighborhood) {
+  bits_.reserve(neighborhood.nEntries());
   for (const Chunk& chunk : neighborhood.chunks()) {
-    unsigned char* bits = of(chunk);
-    for (int lane = 0; lane < chunk.nLanes; ++lane)
-      for (int k = 0; k < neighborhood.nNeighbors(chunk, lane); ++k)
-        bits[k] = static_cast<unsigned char>(bits[k] | (1u << lane));
+    const unsigned char* present = neighborhood.present(chunk);
+    bits_.insert(bits_.end(), present, present + chunk.nNeighbors);
     seen_.resize(chunk.points + lanes, 0.0);
   }
 }
@@ -23,12 +22,11 @@ bool AliveBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
         if (damage[points[lane]] == seen) continue;
         seen = damage[points[lane]];
       }
-      const double* ofPoint = bondDamage + neighborhood.firstBond(chunk, lane);
-      for (int k = 0; k < neighborhood.nNeighbors(chunk, lane); ++k) {
-        isWhole = isWhole && (ofPoint[k] == 0.0 || ofPoint[k] == 1.0);
+      neighborhood.forEachBond(chunk, lane, [&](int k, std::size_t bond) {
+        isWhole = isWhole && (bondDamage[bond] == 0.0 || bondDamage[bond] == 1.0);
         const unsigned bit = 1u << lane;
-        bits[k] = static_cast<unsigned char>(ofPoint[k] < 1.0 ? bits[k] | bit : bits[k] & ~bit);
-      }
+        bits[k] = static_cast<unsigned char>(bondDamage[bond] < 1.0 ? bits[k] | bit : bits[k] & ~bit);
+      });
     }
   }
   return isWhole;

@@ -21,9 +21,9 @@ class AliveBonds {
   /// 1).
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
 
-  /// One byte a neighbour k of the chunk; bit = lane. Zero in lanes that are unused or have fewer neighbours.
-  const unsigned char* of(const Chunk& chunk) const { return &bits_[chunk.entries / lanes]; }
-  unsigned char* of(const Chunk& chunk) { return &bits_[chunk.entries / lanes]; }
+  /// One byte an entry of the chunk; bit = lane. Zero where the lane has no such neighbour.
+  const unsigned char* of(const Chunk& chunk) const { return bits_.data() + chunk.entries; }
+  unsigned char* of(const Chunk& chunk) { return bits_.data() + chunk.entries; }
   std::size_t bytes() const { return bits_.size() + seen_.size() * sizeof(double); }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace pd::kernels {
@@ -9,20 +10,13 @@ namespace pd::kernels {
 namespace {
 
 constexpr int samplesOfList = 64;
-constexpr int shortestRun = 2;  ///< points; a contiguous chunk with idle lanes still beats gathering
+constexpr double leastUse = 0.35;  ///< of the lanes of a contiguous chunk; with fewer, gathering is as quick
 
 std::vector<int> sampleOf(const int* list, std::size_t size) {
   std::vector<int> sample;
   if (size == 0) return sample;
   for (std::size_t s = 0; s < samplesOfList; ++s) sample.push_back(list[s * (size - 1) / (samplesOfList - 1)]);
   return sample;
-}
-
-bool haveSameOffsets(const int* list, std::size_t a, std::size_t b, int pointA, int pointB) {
-  if (pointB != pointA + 1 || list[a] != list[b]) return false;
-  for (int k = 1; k <= list[a]; ++k)
-    if (list[b + static_cast<std::size_t>(k)] != list[a + static_cast<std::size_t>(k)] + 1) return false;
-  return true;
 }
 
 /// Replaces values that differ by round-off alone by one of them, so that the constants of a bond are the same from
@@ -45,73 +39,122 @@ class CanonicalValues {
 
 }  // namespace
 
+struct ChunkedNeighborhood::Lists {
+  const int* list;
+  const int* ownedIds;
+  std::vector<std::size_t> starts;  ///< of each point's count in `list`
+
+  int count(int p) const { return list[starts[std::size_t(p)]]; }
+  const int* neighbors(int p) const { return list + starts[std::size_t(p)] + 1; }
+  bool isSorted(int p) const { return std::is_sorted(neighbors(p), neighbors(p) + count(p)); }
+  bool hasOffsets(int p, const std::vector<int>& offsets) const {
+    const int* ids = neighbors(p);
+    for (int k = 0; k < count(p); ++k)
+      if (ids[k] - ownedIds[p] != offsets[std::size_t(k)]) return false;
+    return std::size_t(count(p)) == offsets.size();
+  }
+  /// The offsets of `nPoints` points from `first` on, in an order in which every point's list is; empty where there is
+  /// none, or where the points have too few in common.
+  std::vector<int> commonOffsets(int first, int nPoints) const {
+    std::vector<int> offsets;
+    for (int k = 0; k < count(first); ++k) offsets.push_back(neighbors(first)[k] - ownedIds[first]);
+    bool areSame = true, areSorted = isSorted(first);
+    for (int p = first + 1; p < first + nPoints; ++p) {
+      if (areSame && hasOffsets(p, offsets)) continue;
+      areSame = false;
+      areSorted = areSorted && isSorted(p);
+      if (!areSorted) return {};
+      std::vector<int> own, united;
+      for (int k = 0; k < count(p); ++k) own.push_back(neighbors(p)[k] - ownedIds[p]);
+      std::set_union(offsets.begin(), offsets.end(), own.begin(), own.end(), std::back_inserter(united));
+      offsets.swap(united);
+      // Early out for points that have nothing in common; the other lanes may yet fill up.
+      if (leastUse * double(offsets.size()) > double(count(first) + count(p))) return {};
+    }
+    double nBonds = 0.0;
+    for (int p = first; p < first + nPoints; ++p) nBonds += count(p);
+    return nBonds < leastUse * lanes * double(offsets.size()) ? std::vector<int>{} : offsets;
+  }
+};
+
 ChunkedNeighborhood::ChunkedNeighborhood(int nOwned, const int* ownedIds, const int* neighborhoodList)
     : nOwned_(nOwned), ownedIds_(ownedIds), list_(neighborhoodList) {
-  std::vector<std::size_t> starts;
-  starts.reserve(static_cast<std::size_t>(nOwned) + 1);
+  Lists lists{neighborhoodList, ownedIds, {}};
+  lists.starts.reserve(static_cast<std::size_t>(nOwned));
   for (int p = 0; p < nOwned; ++p) {
-    starts.push_back(listSize_);
+    lists.starts.push_back(listSize_);
     listSize_ += static_cast<std::size_t>(neighborhoodList[listSize_]) + 1;
   }
   sample_ = sampleOf(neighborhoodList, listSize_);
   nBonds_ = listSize_ - static_cast<std::size_t>(nOwned);
 
-  int p = 0;
-  std::vector<int> scattered;
-  const auto flush = [&](int end) {
-    for (int first = end - static_cast<int>(scattered.size()); first < end; first += lanes)
-      addChunk(starts, neighborhoodList, ownedIds, first, std::min(lanes, end - first), false);
-    scattered.clear();
-  };
-  while (p < nOwned) {
+  int firstScattered = 0;
+  for (int p = 0; p < nOwned;) {
     int end = p + 1;
-    while (end < nOwned && haveSameOffsets(neighborhoodList, starts[static_cast<std::size_t>(end) - 1],
-                                           starts[static_cast<std::size_t>(end)], ownedIds[end - 1], ownedIds[end]))
-      ++end;
-    if (end - p < shortestRun) {
-      scattered.push_back(p);
-      p = end;
-      continue;
+    while (end < nOwned && end < p + lanes && ownedIds[end] == ownedIds[end - 1] + 1) ++end;
+    const std::vector<int> offsets = lists.commonOffsets(p, end - p);
+    if (!offsets.empty()) {
+      addScattered(lists, firstScattered, p - firstScattered);
+      addContiguous(lists, p, end - p, offsets);
+      firstScattered = end;
     }
-    flush(p);
-    for (; p < end; p += lanes) addChunk(starts, neighborhoodList, ownedIds, p, std::min(lanes, end - p), true);
     p = end;
   }
-  flush(nOwned);
+  addScattered(lists, firstScattered, nOwned - firstScattered);
 }
 
-void ChunkedNeighborhood::addChunk(const std::vector<std::size_t>& starts, const int* list, const int* ownedIds,
-                                   int first, int count, bool isContiguous) {
-  Chunk chunk{ownedIds[first], count, 0, isContiguous, 0, pointIds_.size(), nEntries_};
+Chunk ChunkedNeighborhood::newChunk(const Lists& lists, int first, int count, bool isContiguous) {
+  Chunk chunk{lists.ownedIds[first], count, 0, isContiguous, true, 0, pointIds_.size(), present_.size()};
   for (int lane = 0; lane < lanes; ++lane) {
-    const bool isUsed = lane < count;
-    const auto position = static_cast<std::size_t>(first + (isUsed ? lane : 0));
-    pointIds_.push_back(ownedIds[position]);
-    firstBond_.push_back(starts[position] - position);
-    nNeighbors_.push_back(isUsed ? list[starts[position]] : 0);
+    const int p = first + (lane < count ? lane : 0);
+    pointIds_.push_back(lists.ownedIds[p]);
+    firstBond_.push_back(lists.starts[std::size_t(p)] - std::size_t(p));
+    nNeighbors_.push_back(lane < count ? lists.count(p) : 0);
     chunk.nNeighbors = std::max(chunk.nNeighbors, nNeighbors_.back());
   }
-  if (isContiguous) {
-    const int* neighbors = list + starts[static_cast<std::size_t>(first)] + 1;
-    const Chunk* previous = chunks_.empty() ? nullptr : &chunks_.back();
-    const auto isOffset = [&](int k) {
-      return offsets_[previous->indices + std::size_t(k)] == neighbors[k] - ownedIds[first];
-    };
-    bool canShare = previous != nullptr && previous->isContiguous && previous->nNeighbors == chunk.nNeighbors;
-    for (int k = 0; canShare && k < chunk.nNeighbors; ++k) canShare = isOffset(k);
-    chunk.indices = canShare ? previous->indices : offsets_.size();
-    for (int k = 0; !canShare && k < chunk.nNeighbors; ++k) offsets_.push_back(neighbors[k] - ownedIds[first]);
-  } else {
+  return chunk;
+}
+
+void ChunkedNeighborhood::finish(Chunk chunk) {
+  for (std::size_t k = chunk.entries; k < present_.size(); ++k) chunk.isFull = chunk.isFull && present_[k] == allLanes;
+  chunks_.push_back(chunk);
+}
+
+void ChunkedNeighborhood::addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets) {
+  Chunk chunk = newChunk(lists, first, count, true);
+  chunk.nNeighbors = static_cast<int>(offsets.size());
+  const Chunk* previous = chunks_.empty() ? nullptr : &chunks_.back();
+  const bool canShare = previous != nullptr && previous->isContiguous && previous->nNeighbors == chunk.nNeighbors &&
+                        std::equal(offsets.begin(), offsets.end(), offsets_.data() + previous->indices);
+  chunk.indices = canShare ? previous->indices : offsets_.size();
+  if (!canShare) offsets_.insert(offsets_.end(), offsets.begin(), offsets.end());
+  present_.resize(present_.size() + offsets.size(), 0);
+  for (int lane = 0; lane < count; ++lane) {
+    const int p = first + lane;
+    std::size_t k = 0;
+    for (int n = 0; n < lists.count(p); ++n, ++k) {
+      while (offsets[k] != lists.neighbors(p)[n] - lists.ownedIds[p]) ++k;
+      present_[chunk.entries + k] = static_cast<unsigned char>(present_[chunk.entries + k] | (1u << lane));
+    }
+  }
+  finish(chunk);
+}
+
+void ChunkedNeighborhood::addScattered(const Lists& lists, int first, int count) {
+  for (const int end = first + count; first < end; first += lanes) {
+    Chunk chunk = newChunk(lists, first, std::min(lanes, end - first), false);
     chunk.indices = neighborIds_.size();
-    for (int k = 0; k < chunk.nNeighbors; ++k)
+    for (int k = 0; k < chunk.nNeighbors; ++k) {
+      unsigned bits = 0;
       for (int lane = 0; lane < lanes; ++lane) {
         const bool isBond = k < nNeighbors_[chunk.points + std::size_t(lane)];
-        const std::size_t start = starts[static_cast<std::size_t>(first + (isBond ? lane : 0))];
-        neighborIds_.push_back(isBond ? list[start + 1 + std::size_t(k)] : pointIds_[chunk.points + std::size_t(lane)]);
+        neighborIds_.push_back(isBond ? lists.neighbors(first + lane)[k] : pointIds_[chunk.points + std::size_t(lane)]);
+        bits |= isBond ? 1u << lane : 0u;
       }
+      present_.push_back(static_cast<unsigned char>(bits));
+    }
+    finish(chunk);
   }
-  nEntries_ += static_cast<std::size_t>(chunk.nNeighbors) * lanes;
-  chunks_.push_back(chunk);
 }
 
 bool ChunkedNeighborhood::isFor(int nOwned, const int* ownedIds, const int* neighborhoodList) const {
@@ -119,15 +162,8 @@ bool ChunkedNeighborhood::isFor(int nOwned, const int* ownedIds, const int* neig
          (sample_.empty() || neighborhoodList[0] == sample_[0]) && sampleOf(neighborhoodList, listSize_) == sample_;
 }
 
-double ChunkedNeighborhood::contiguousShare() const {
-  std::size_t contiguous = 0;
-  for (const Chunk& chunk : chunks_)
-    if (chunk.isContiguous) contiguous += static_cast<std::size_t>(chunk.nLanes * chunk.nNeighbors);
-  return nBonds_ == 0 ? 0.0 : static_cast<double>(contiguous) / static_cast<double>(nBonds_);
-}
-
 std::size_t ChunkedNeighborhood::bytes() const {
-  return chunks_.size() * sizeof(Chunk) + firstBond_.size() * sizeof(std::size_t) +
+  return chunks_.size() * sizeof(Chunk) + firstBond_.size() * sizeof(std::size_t) + present_.size() +
          (offsets_.size() + neighborIds_.size() + pointIds_.size() + nNeighbors_.size()) * sizeof(int);
 }
 
@@ -135,42 +171,46 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                              const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep,
                              double tolerance, const std::function<void(double*)>& derive) {
   const auto w = static_cast<std::size_t>(width);
-  std::vector<double> one(w), all, shared, scale(w);
+  std::vector<double> one(w), all, first, lastFirst, scale(w);
   CanonicalValues canonical(tolerance);
   std::size_t lastUniform = 0;
-  std::size_t lastUniformSize = 0;
   for (const Chunk& chunk : neighborhood.chunks()) {
     const std::size_t count = static_cast<std::size_t>(chunk.nNeighbors) * w;
     all.assign(count * lanes, 0.0);
+    first.assign(count, 0.0);  // of the lanes that have the entry, the first one's constants
     std::fill(scale.begin(), scale.end(), 0.0);
+    const unsigned char* present = neighborhood.present(chunk);
     for (int lane = 0; lane < chunk.nLanes; ++lane)
-      for (int k = 0; k < neighborhood.nNeighbors(chunk, lane); ++k) {
-        fill(neighborhood.pointIds(chunk)[lane], neighborhood.neighbor(chunk, k, lane),
-             neighborhood.firstBond(chunk, lane) + static_cast<std::size_t>(k), one.data());
+      neighborhood.forEachBond(chunk, lane, [&](int k, std::size_t bond) {
+        fill(neighborhood.pointIds(chunk)[lane], neighborhood.neighbor(chunk, k, lane), bond, one.data());
+        const bool isFirst = (present[k] & ((1u << lane) - 1u)) == 0;
         for (std::size_t c = 0; c < w; ++c) {
-          all[(static_cast<std::size_t>(k) * w + c) * lanes + static_cast<std::size_t>(lane)] = one[c];
+          const std::size_t at = static_cast<std::size_t>(k) * w + c;
+          all[at * lanes + static_cast<std::size_t>(lane)] = one[c];
+          if (isFirst) first[at] = one[c];
           scale[c] = std::max(scale[c], std::abs(one[c]));
         }
-      }
+      });
+    const auto isClose = [&](double a, double b, std::size_t at) {
+      return std::abs(a - b) <= tolerance * scale[at % w];
+    };
     bool uniform = chunk.isContiguous;
-    for (std::size_t i = 0; uniform && i < count; ++i)
-      for (int lane = 1; uniform && lane < chunk.nLanes; ++lane)
-        uniform =
-            std::abs(all[i * lanes + static_cast<std::size_t>(lane)] - all[i * lanes]) <= tolerance * scale[i % w];
+    for (std::size_t i = 0; uniform && i < count * lanes; ++i) {
+      const bool isPresent = (present[i / lanes / w] >> (i % lanes)) & 1u;
+      uniform = !isPresent || isClose(all[i], first[i / lanes], i / lanes);
+    }
     isUniform_.push_back(uniform);
     if (!uniform) {
       start_.push_back(values_.size());
-      if (keep == Keep::OnlyUniform) continue;
-      values_.insert(values_.end(), all.begin(), all.end());
+      if (keep == Keep::All) values_.insert(values_.end(), all.begin(), all.end());
       continue;
     }
-    bool canShare = lastUniformSize == count;
-    for (std::size_t i = 0; canShare && i < count; ++i)
-      canShare = std::abs(all[i * lanes] - values_[lastUniform + i]) <= tolerance * scale[i % w];
+    bool canShare = lastFirst.size() == count;
+    for (std::size_t i = 0; canShare && i < count; ++i) canShare = isClose(first[i], lastFirst[i], i);
     if (!canShare) {
       lastUniform = values_.size();
-      lastUniformSize = count;
-      for (std::size_t i = 0; i < count; ++i) values_.push_back(canonical(all[i * lanes]));
+      lastFirst = first;
+      for (const double value : first) values_.push_back(canonical(value));
       for (std::size_t i = 0; derive && i < count; i += w) derive(&values_[lastUniform + i]);
     }
     start_.push_back(lastUniform);

@@ -10,20 +10,20 @@
 
 namespace pd::kernels {
 
-/// A chunk holds up to `lanes` points. In a contiguous chunk the points have consecutive local ids and neighbours at
-/// the same offsets (local id of the neighbour minus that of the point), so that the k-th neighbours of all lanes are
-/// contiguous in memory; most points of a lattice are in such chunks. Any other chunk lists the neighbour of every
-/// lane. Neighbour k of a point is the k-th in the flat list of the host, in either kind.
+/// A chunk holds up to `lanes` points. In a contiguous chunk the points have consecutive local ids, and entry k stands
+/// for the neighbours at one offset (local id of the neighbour minus that of the point), so that those of all lanes are
+/// contiguous in memory; a lane that has no such neighbour is left out by present(). Points of a lattice, also of a
+/// jittered one, are in such chunks. Any other chunk lists the neighbour of every lane.
 struct Chunk {
   int firstPoint;       ///< contiguous: local id of lane 0
   int nLanes;           ///< lanes in use
-  int nNeighbors;       ///< of the lane with most neighbours
+  int nNeighbors;       ///< entries
   bool isContiguous;    ///<
+  bool isFull;          ///< every lane has every entry
   std::size_t indices;  ///< contiguous: start of the nNeighbors offsets in offsets();
                         ///< else start of nNeighbors x lanes local ids in neighborIds() (own id where a lane has fewer)
   std::size_t points;   ///< start of the `lanes` local ids in pointIds() (lane 0's id in unused lanes)
-  std::size_t entries;  ///< number of (neighbour, lane) entries of all chunks before this one: where data kept an
-                        ///< entry each start; `entries / lanes` where data kept a neighbour each start
+  std::size_t entries;  ///< entries of all chunks before this one: where data kept an entry each start
 };
 
 class ChunkedNeighborhood {
@@ -36,30 +36,51 @@ class ChunkedNeighborhood {
   bool isFor(int nOwned, const int* ownedIds, const int* neighborhoodList) const;
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
-  const int* offsets(const Chunk& chunk) const { return &offsets_[chunk.indices]; }
-  const int* neighborIds(const Chunk& chunk) const { return &neighborIds_[chunk.indices]; }
-  const int* pointIds(const Chunk& chunk) const { return &pointIds_[chunk.points]; }
-  /// Position of a lane's first bond in the host's bond data (without counts), and its number of neighbours.
-  std::size_t firstBond(const Chunk& chunk, int lane) const { return firstBond_[chunk.points + std::size_t(lane)]; }
-  int nNeighbors(const Chunk& chunk, int lane) const { return nNeighbors_[chunk.points + std::size_t(lane)]; }
-  /// Local id of the k-th neighbour of a lane.
+  const int* offsets(const Chunk& chunk) const { return offsets_.data() + chunk.indices; }
+  const int* neighborIds(const Chunk& chunk) const { return neighborIds_.data() + chunk.indices; }
+  const int* pointIds(const Chunk& chunk) const { return pointIds_.data() + chunk.points; }
+  /// One byte an entry; bit = lane that has this neighbour.
+  const unsigned char* present(const Chunk& chunk) const { return present_.data() + chunk.entries; }
+
+  /// Local id of the neighbour of a lane at entry k.
   int neighbor(const Chunk& chunk, int k, int lane) const {
     return chunk.isContiguous ? chunk.firstPoint + lane + offsets(chunk)[k] : neighborIds(chunk)[k * lanes + lane];
   }
+  /// Position of a lane's first bond in the host's bond data (without counts), and its number of neighbours.
+  std::size_t firstBond(const Chunk& chunk, int lane) const { return firstBond_[chunk.points + std::size_t(lane)]; }
+  int nNeighbors(const Chunk& chunk, int lane) const { return nNeighbors_[chunk.points + std::size_t(lane)]; }
+  /// Position of the bond of a lane at entry k in the host's bond data.
+  std::size_t bond(const Chunk& chunk, int k, int lane) const {
+    std::size_t position = firstBond(chunk, lane);
+    const unsigned char* has = present(chunk);
+    for (int before = 0; before < k; ++before) position += (has[before] >> lane) & 1u;
+    return position;
+  }
+  /// Calls visit(k, bond) for every bond of a lane, in the host's order.
+  template <class Visit>
+  void forEachBond(const Chunk& chunk, int lane, Visit visit) const {
+    std::size_t position = firstBond(chunk, lane);
+    const unsigned char* has = present(chunk);
+    for (int k = 0; k < chunk.nNeighbors; ++k)
+      if ((has[k] >> lane) & 1u) visit(k, position++);
+  }
 
-  std::size_t nEntries() const { return nEntries_; }  ///< (neighbour, lane) entries of all chunks
-  std::size_t nBonds() const { return nBonds_; }      ///< directed bonds
-  double contiguousShare() const;                     ///< share of the bonds that are in contiguous chunks
+  std::size_t nEntries() const { return present_.size(); }  ///< of all chunks, `lanes` bonds each
+  std::size_t nBonds() const { return nBonds_; }            ///< directed bonds
   std::size_t bytes() const;
 
  private:
-  void addChunk(const std::vector<std::size_t>& listStarts, const int* list, const int* ownedIds, int first, int count,
-                bool isContiguous);
+  struct Lists;
+  void addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets);
+  void addScattered(const Lists& lists, int first, int count);
+  Chunk newChunk(const Lists& lists, int first, int count, bool isContiguous);
+  void finish(Chunk chunk);
 
   std::vector<Chunk> chunks_;
   std::vector<int> offsets_, neighborIds_, pointIds_, nNeighbors_;
+  std::vector<unsigned char> present_;
   std::vector<std::size_t> firstBond_;
-  std::size_t nEntries_ = 0, nBonds_ = 0;
+  std::size_t nBonds_ = 0;
   int nOwned_ = 0;
   const int* ownedIds_ = nullptr;
   const int* list_ = nullptr;
@@ -77,7 +98,7 @@ class BondConstants {
   /// `fill(point, neighbor, bond, values)` writes the constants of one bond; bond = position in the host's bond data.
   /// With `OnlyUniform`, chunks whose lanes differ keep nothing (of() must not be called for them).
   /// Values of uniform chunks are replaced by representatives within `tolerance`; `derive(values)`, where given, then
-  /// sets those constants of a bond that must fit the others to round-off.
+  /// replaces a bond's constants by what follows from them.
   enum class Keep { All, OnlyUniform };
   BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                 const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep = Keep::All,
@@ -85,8 +106,8 @@ class BondConstants {
 
   bool isUniform(std::size_t chunk) const { return isUniform_[chunk] != 0; }
   /// Uniform: width doubles a neighbour, [k * width + component].
-  /// Else: width vectors a neighbour, [(k * width + component) * lanes + lane]; zero where a lane has fewer neighbours.
-  const double* of(std::size_t chunk) const { return &values_[start_[chunk]]; }
+  /// Else: width vectors a neighbour, [(k * width + component) * lanes + lane]; zero where a lane has no neighbour.
+  const double* of(std::size_t chunk) const { return values_.data() + start_[chunk]; }
   std::size_t bytes() const { return values_.size() * sizeof(double) + start_.size() * (sizeof(std::size_t) + 1); }
 
  private:

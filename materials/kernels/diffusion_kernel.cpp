@@ -15,7 +15,7 @@ void addToPoints(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, co
   for (int lane = 0; lane < chunk.nLanes; ++lane) rate[points[lane]] += sum[static_cast<std::size_t>(lane)];
 }
 
-template <bool isContiguous, bool isUniform, bool isCut>
+template <bool isContiguous, bool isUniform, bool isMasked>
 Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, const unsigned char* bits,
               const Vector& own, const double* concentration) {
   Vector sum = 0.0;
@@ -24,41 +24,42 @@ Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, con
         isContiguous ? load(concentration + chunk.firstPoint + indices[k]) : gather(concentration, indices + k * lanes);
     const Vector weight = isUniform ? Vector(weights[k]) : load(weights + k * lanes);
     const Vector flux = weight * (other - own);
-    sum += isCut ? keep(flux, bits[k]) : flux;
+    sum += isMasked ? keep(flux, bits[k]) : flux;
   }
   return sum;
 }
 
-template <bool isCut>
-void addFlux(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
-             const double* concentration, double* rate) {
-  const auto& chunks = neighborhood.chunks();
-  for (std::size_t c = 0; c < chunks.size(); ++c) {
-    const Chunk& chunk = chunks[c];
-    const unsigned char* bits = isCut ? alive->of(chunk) : nullptr;
-    Vector sum;
-    if (chunk.isContiguous) {
-      const Vector own = load(concentration + chunk.firstPoint);
-      const int* offsets = neighborhood.offsets(chunk);
-      sum = weights.isUniform(c) ? fluxOf<true, true, isCut>(chunk, offsets, weights.of(c), bits, own, concentration)
-                                 : fluxOf<true, false, isCut>(chunk, offsets, weights.of(c), bits, own, concentration);
-    } else {
-      const Vector own = gather(concentration, neighborhood.pointIds(chunk));
-      sum =
-          fluxOf<false, false, isCut>(chunk, neighborhood.neighborIds(chunk), weights.of(c), bits, own, concentration);
-    }
-    addToPoints(neighborhood, chunk, sum, rate);
-  }
+template <bool isContiguous, bool isUniform>
+Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, const unsigned char* bits,
+              const Vector& own, const double* concentration) {
+  return bits != nullptr ? fluxOf<isContiguous, isUniform, true>(chunk, indices, weights, bits, own, concentration)
+                         : fluxOf<isContiguous, isUniform, false>(chunk, indices, weights, bits, own, concentration);
 }
 
 }  // namespace
 
 void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
                        const double* concentration, double* rate) {
-  if (alive == nullptr)
-    addFlux<false>(neighborhood, weights, alive, concentration, rate);
-  else
-    addFlux<true>(neighborhood, weights, alive, concentration, rate);
+  const auto& chunks = neighborhood.chunks();
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    const Chunk& chunk = chunks[c];
+    const bool isUniform = weights.isUniform(c);
+    // Where constants are kept a lane, they are zero in lanes that have no such neighbour.
+    const unsigned char* bits = alive != nullptr             ? alive->of(chunk)
+                                : isUniform && !chunk.isFull ? neighborhood.present(chunk)
+                                                             : nullptr;
+    Vector sum;
+    if (chunk.isContiguous) {
+      const Vector own = load(concentration + chunk.firstPoint);
+      const int* offsets = neighborhood.offsets(chunk);
+      sum = isUniform ? fluxOf<true, true>(chunk, offsets, weights.of(c), bits, own, concentration)
+                      : fluxOf<true, false>(chunk, offsets, weights.of(c), bits, own, concentration);
+    } else {
+      const Vector own = gather(concentration, neighborhood.pointIds(chunk));
+      sum = fluxOf<false, false>(chunk, neighborhood.neighborIds(chunk), weights.of(c), bits, own, concentration);
+    }
+    addToPoints(neighborhood, chunk, sum, rate);
+  }
 }
 
 }  // namespace pd::kernels

@@ -5,9 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <experimental/simd>
+#include <utility>
 #ifdef __AVX512F__
 #include <immintrin.h>
 #endif
+
+/// For what runs once a bond: a call would pass vectors through memory. The compiler's own estimate is too shy here.
+#define PD_EACH_BOND [[gnu::always_inline]] inline
+/// The same for lambdas, behind their parameters.
+#define PD_INLINED __attribute__((always_inline))
 
 namespace pd::kernels {
 
@@ -56,6 +62,15 @@ inline Vector keep(const Vector& vector, unsigned char bits) {
   return Vector([&](auto lane) { return (bits >> lane) & 1 ? static_cast<double>(vector[lane]) : 0.0; });
 }
 
+/// `vector` where the bit of a lane is set, `other` elsewhere.
+inline Vector choose(const Vector& vector, const Vector& other, unsigned char bits) {
+#ifdef __AVX512F__
+  if constexpr (lanes == 8)
+    return Vector(_mm512_mask_mov_pd(static_cast<__m512d>(other), bits, static_cast<__m512d>(vector)));
+#endif
+  return Vector([&](auto lane) { return static_cast<double>((bits >> lane) & 1 ? vector[lane] : other[lane]); });
+}
+
 /// Bits of the lanes where a > b.
 inline unsigned char greaterBits(const Vector& a, const Vector& b) {
 #ifdef __AVX512F__
@@ -66,6 +81,17 @@ inline unsigned char greaterBits(const Vector& a, const Vector& b) {
     if (a[static_cast<std::size_t>(lane)] > b[static_cast<std::size_t>(lane)])
       bits = static_cast<unsigned char>(bits | (1u << lane));
   return bits;
+}
+
+/// visit(0), ..., visit(n - 1) with constants that index arrays: a loop, even a short one, keeps arrays of vectors in
+/// memory.
+template <class Visit, int... i>
+PD_EACH_BOND void unrolled(std::integer_sequence<int, i...>, const Visit& visit) {
+  (visit(std::integral_constant<int, i>()), ...);
+}
+template <int n, class Visit>
+PD_EACH_BOND void unrolled(const Visit& visit) {
+  unrolled(std::make_integer_sequence<int, n>(), visit);
 }
 
 inline constexpr unsigned char allLanes = static_cast<unsigned char>((1u << lanes) - 1u);

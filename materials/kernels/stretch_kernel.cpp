@@ -8,7 +8,7 @@ namespace pd::kernels {
 namespace {
 
 template <class Scalar>
-Scalar stretchAt(const CriticalStretchLaw& law, const Scalar& psi) {
+PD_EACH_BOND Scalar stretchAt(const CriticalStretchLaw& law, const Scalar& psi) {
   using std::max;
   const auto& p = law.polynomial;
   const Scalar value = p[0] + psi * (p[1] + psi * (p[2] + psi * p[3]));
@@ -16,9 +16,9 @@ Scalar stretchAt(const CriticalStretchLaw& law, const Scalar& psi) {
   return law.stretch * (law.scalesEnergy ? squareRoot(factor) : factor);
 }
 
-/// Squared lengths of the k-th bonds of a chunk's lanes, and the largest stretch they may have.
+/// Squares of the lengths of the k-th bonds of a chunk's lanes, of today's and of those at which they break.
 struct BondLengths {
-  Vector reference2, current2, limit;
+  Vector current2, longest2, shortest2;
 };
 
 template <int D, bool isContiguous, bool hasCoverage>
@@ -26,42 +26,44 @@ class ChunkLengths {
  public:
   ChunkLengths(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, const StretchFields& fields,
                const CriticalStretchLaw& law)
-      : chunk_(chunk),
-        indices_(isContiguous ? neighborhood.offsets(chunk) : neighborhood.neighborIds(chunk)),
-        fields_(fields),
-        law_(law) {
+      : indices_(isContiguous ? neighborhood.offsets(chunk) : neighborhood.neighborIds(chunk)), law_(law) {
     const int* points = neighborhood.pointIds(chunk);
-    const auto atPoints = [&](const double* values) {
-      return isContiguous ? load(values + chunk.firstPoint) : gather(values, points);
-    };
+    const int first = isContiguous ? chunk.firstPoint : 0;
+    const auto own = [&](const double* values) { return isContiguous ? load(values) : gather(values, points); };
     for (int d = 0; d < D; ++d) {
-      x_[d] = atPoints(fields.reference[d]);
-      y_[d] = atPoints(fields.current[d]);
+      reference_[d] = fields.reference[d] + first;
+      current_[d] = fields.current[d] + first;
+      x_[d] = own(reference_[d]);
+      y_[d] = own(current_[d]);
     }
-    if constexpr (hasCoverage) psi_ = atPoints(fields.coverage);
-    limit_ = 1.0 + stretchAt(law, 0.0);
+    if constexpr (hasCoverage) {
+      coverage_ = (*fields.coverage)[0] + first;
+      psi_ = own(coverage_);
+    }
+    longestShare2_ = (1.0 + law.at(0.0)) * (1.0 + law.at(0.0));
+    shortestShare2_ = std::pow(1.0 - std::min(law.compressiveStretch, 1.0), 2);
   }
-  BondLengths operator()(int k) const {
-    BondLengths bond{0.0, 0.0, limit_};
+  PD_EACH_BOND BondLengths operator()(int k) const {
+    Vector reference2 = 0.0, current2 = 0.0;
     for (int d = 0; d < D; ++d) {
-      const Vector xi = atNeighbors(fields_.reference[d], k) - x_[d], y = atNeighbors(fields_.current[d], k) - y_[d];
-      bond.reference2 += xi * xi;
-      bond.current2 += y * y;
+      const Vector xi = atNeighbors(reference_[d], k) - x_[d], y = atNeighbors(current_[d], k) - y_[d];
+      reference2 += xi * xi;
+      current2 += y * y;
     }
-    if constexpr (hasCoverage)
-      bond.limit = 1.0 + stretchAt(law_, Vector(0.5 * (psi_ + atNeighbors(fields_.coverage, k))));
-    return bond;
+    if constexpr (!hasCoverage) return {current2, longestShare2_ * reference2, shortestShare2_ * reference2};
+    const Vector longest = 1.0 + stretchAt(law_, Vector(0.5 * (psi_ + atNeighbors(coverage_, k))));
+    return {current2, longest * longest * reference2, shortestShare2_ * reference2};
   }
 
  private:
-  Vector atNeighbors(const double* values, int k) const {
-    return isContiguous ? load(values + chunk_.firstPoint + indices_[k]) : gather(values, indices_ + k * lanes);
+  PD_EACH_BOND Vector atNeighbors(const double* values, int k) const {
+    return isContiguous ? load(values + indices_[k]) : gather(values, indices_ + k * lanes);
   }
-  const Chunk& chunk_;
   const int* indices_;
-  const StretchFields& fields_;
   const CriticalStretchLaw& law_;
-  Vector x_[D], y_[D], psi_ = 0.0, limit_;
+  const double *reference_[D], *current_[D], *coverage_ = nullptr;
+  Vector x_[D], y_[D], psi_ = 0.0;
+  double longestShare2_, shortestShare2_;
 };
 
 /// Calls visit(lengths of the chunk's bonds) with the type that fits chunk and fields.
@@ -79,6 +81,25 @@ void withLengthsOf(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, 
     visit(ChunkLengths<D, false, false>(neighborhood, chunk, fields, law));
 }
 
+/// Reports the bonds of a chunk that break, and returns its slack.
+template <bool limitsCompression, class Lengths, class OnBreak>
+double testChunk(const Chunk& chunk, const unsigned char* bits, const Lengths& lengthsOf, const OnBreak& onBreak) {
+  constexpr double endless = std::numeric_limits<double>::max();
+  Vector room2 = endless, longest2 = 0.0;
+  for (int k = 0; k < chunk.nNeighbors; ++k) {
+    const BondLengths bond = lengthsOf(k);
+    Vector room = bond.longest2 - bond.current2;
+    if constexpr (limitsCompression) room = min(room, bond.current2 - bond.shortest2);
+    const unsigned char isOver = bits[k] & greaterBits(Vector(0.0), room);
+    room2 = min(room2, choose(room, endless, bits[k]));
+    longest2 = max(longest2, bond.longest2);
+    for (int lane = 0, over = isOver; over != 0; ++lane, over >>= 1)
+      if (over & 1) onBreak(chunk, k, lane);
+  }
+  // a - b = (a^2 - b^2)/(a + b), with no length beyond the longest.
+  return 0.5 * stdx::hmin(room2) / std::sqrt(stdx::hmax(longest2));
+}
+
 template <class Visit>
 void withDimension(int dimension, Visit visit) {
   if (dimension == 1)
@@ -88,8 +109,6 @@ void withDimension(int dimension, Visit visit) {
   else
     visit(std::integral_constant<int, 3>());
 }
-
-double shortestShare(const CriticalStretchLaw& law) { return 1.0 - std::min(law.compressiveStretch, 1.0); }
 
 }  // namespace
 
@@ -112,55 +131,22 @@ double CriticalStretchLaw::steepest() const {
 void findOverstretchedBonds(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
                             const StretchFields& fields, const CriticalStretchLaw& law,
                             const std::function<void(const Chunk&, int, int)>& onBreak,
-                            const std::vector<std::size_t>* only) {
+                            const std::vector<std::size_t>* only, std::vector<double>* slack) {
   const bool limitsCompression = std::isfinite(law.compressiveStretch);
-  const double shortest2 = shortestShare(law) * shortestShare(law);
   const auto& chunks = neighborhood.chunks();
+  if (slack != nullptr) slack->resize(chunks.size());
   withDimension(fields.dimension, [&](auto dimension) {
     const std::size_t count = only == nullptr ? chunks.size() : only->size();
-    for (std::size_t c = 0; c < count; ++c) {
-      const Chunk& chunk = chunks[only == nullptr ? c : (*only)[c]];
-      const unsigned char* bits = alive.of(chunk);
-      withLengthsOf<decltype(dimension)::value>(neighborhood, chunk, fields, law, [&](const auto& lengthsOf) {
-        for (int k = 0; k < chunk.nNeighbors; ++k) {
-          if (bits[k] == 0) continue;
-          const BondLengths bond = lengthsOf(k);
-          unsigned over = bits[k] & greaterBits(bond.current2, bond.limit * bond.limit * bond.reference2);
-          if (limitsCompression) over |= bits[k] & greaterBits(shortest2 * bond.reference2, bond.current2);
-          for (int lane = 0; over != 0; ++lane, over >>= 1)
-            if (over & 1u) onBreak(chunk, k, lane);
-        }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t c = only == nullptr ? i : (*only)[i];
+      const unsigned char* bits = alive.of(chunks[c]);
+      withLengthsOf<decltype(dimension)::value>(neighborhood, chunks[c], fields, law, [&](const auto& lengthsOf) {
+        const double room = limitsCompression ? testChunk<true>(chunks[c], bits, lengthsOf, onBreak)
+                                              : testChunk<false>(chunks[c], bits, lengthsOf, onBreak);
+        if (slack != nullptr) (*slack)[c] = room;
       });
     }
   });
-}
-
-std::vector<double> slackOfChunks(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
-                                  const StretchFields& fields, const CriticalStretchLaw& law) {
-  constexpr double endless = std::numeric_limits<double>::max();
-  const bool limitsCompression = std::isfinite(law.compressiveStretch);
-  const double shortest = shortestShare(law);
-  std::vector<double> slack;
-  slack.reserve(neighborhood.chunks().size());
-  withDimension(fields.dimension, [&](auto dimension) {
-    for (const Chunk& chunk : neighborhood.chunks()) {
-      const unsigned char* bits = alive.of(chunk);
-      Vector smallest = endless;
-      withLengthsOf<decltype(dimension)::value>(neighborhood, chunk, fields, law, [&](const auto& lengthsOf) {
-        for (int k = 0; k < chunk.nNeighbors; ++k) {
-          if (bits[k] == 0) continue;
-          const BondLengths bond = lengthsOf(k);
-          const Vector reference = squareRoot(bond.reference2), current = squareRoot(bond.current2);
-          Vector room = bond.limit * reference - current;
-          if (limitsCompression) room = min(room, current - shortest * reference);
-          // Broken bonds have no limit.
-          smallest = min(smallest, keep(room, bits[k]) + keep(endless, static_cast<unsigned char>(~bits[k])));
-        }
-      });
-      slack.push_back(stdx::hmin(smallest));
-    }
-  });
-  return slack;
 }
 
 }  // namespace pd::kernels

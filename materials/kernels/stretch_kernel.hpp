@@ -27,25 +27,22 @@ struct CriticalStretchLaw {
   double steepest() const;
 };
 
-/// What the stretch of bonds is computed from. `coverage`: psi by local id, already in [0, 1], or null.
+/// What the stretch of bonds is computed from. `coverage`: component 0 is psi, already in [0, 1]; or null.
 struct StretchFields {
   int dimension;
   const PointArrays& reference;
   const PointArrays& current;
-  const double* coverage;
+  const PointArrays* coverage;
 };
 
 /// Calls onBreak(chunk, k, lane) for every unbroken bond of the chunks `only` (all where it is null) whose stretch
 /// exceeds the law's. The test compares squared lengths, and decides the same from both ends of a bond.
+/// `slack`, where given, becomes for each tested chunk a length (m) by which any of its other bonds must grow (or
+/// shrink, where compression breaks) at least before it breaks.
 void findOverstretchedBonds(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
                             const StretchFields& fields, const CriticalStretchLaw& law,
                             const std::function<void(const Chunk&, int, int)>& onBreak,
-                            const std::vector<std::size_t>* only = nullptr);
-
-/// For each chunk, the smallest length (m) by which any of its unbroken bonds would have to grow (or shrink, where
-/// compression breaks) to break. Negative where one is to break already.
-std::vector<double> slackOfChunks(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
-                                  const StretchFields& fields, const CriticalStretchLaw& law);
+                            const std::vector<std::size_t>* only, std::vector<double>* slack);
 
 }  // namespace pd::kernels
 

@@ -1,10 +1,20 @@
 #include "two_parameter_bond.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "rotation.hpp"
 
 namespace pd::kernels {
 
 namespace {
+
+enum class Form { BondBased, Linear, Objective };
+
+Form formOf(const BondForceData& data) {
+  if (data.form == TangentialForm::Linear) return Form::Linear;
+  return data.constants.tangential == 0.0 ? Form::BondBased : Form::Objective;
+}
 
 /// Arrays that all chunks read and write.
 struct Fields {
@@ -14,10 +24,51 @@ struct Fields {
   PointArrays& force;
 };
 
-/// One bond a lane.
+// The force density that a bond gives to its point is
+//   linear     a eta + b (eta.xi) xi                   a = k_t g V_j/|xi|,  b = (k_n - k_t) g V_j/|xi|^3
+//   otherwise  (a - b/|Y|) Y - turned V_j (R_i + R_j)  a = k_n g V_j/|xi|,  b = (k_n - k_t) g V_j
+// with turned = k_t/2 g xi/|xi|. The rotation is that of sum_j weighted Y^T, weighted = g V_j xi/|xi|.
+
+/// Constants of a bond of a uniform chunk: xi, a, b, weighted, turned.
 template <int D>
-struct Bonds {
-  Vector xi[D], eta[D], inverseLength, strength, volume;
+struct UniformBond {
+  static constexpr int width = 3 * D + 2;
+  const double* c;
+  PD_EACH_BOND double xi(int d) const { return c[d]; }
+  PD_EACH_BOND double a() const { return c[D]; }
+  PD_EACH_BOND double b() const { return c[D + 1]; }
+  PD_EACH_BOND double weighted(int d) const { return c[D + 2 + d]; }
+  PD_EACH_BOND double turned(int d) const { return c[2 * D + 2 + d]; }
+
+  /// Writes the constants from xi, g and V_j, which `c` begins with.
+  static void derive(const ElasticConstants& constants, Form form, double* c) {
+    const double g = c[D], volume = c[D + 1];
+    double length2 = 0.0;
+    for (int d = 0; d < D; ++d) length2 += c[d] * c[d];
+    const double perLength = g / std::sqrt(length2), radial = constants.normal - constants.tangential;
+    const bool isLinear = form == Form::Linear;
+    c[D] = (isLinear ? constants.tangential : constants.normal) * perLength * volume;
+    c[D + 1] = radial * (isLinear ? perLength / length2 : g) * volume;
+    for (int d = 0; d < D; ++d) {
+      c[D + 2 + d] = perLength * volume * c[d];
+      c[2 * D + 2 + d] = 0.5 * constants.tangential * perLength * c[d];
+    }
+  }
+};
+
+/// One bond a lane, gathered from the points; computes its constants.
+template <int D, Form form>
+struct GatheredBond {
+  Vector bond[D], elongation[D], perLength, inverseLength, volume;  ///< xi, eta, g/|xi|, 1/|xi|, V_j
+  double normal, tangential;                                        ///< k_n, k_t
+  PD_EACH_BOND const Vector& xi(int d) const { return bond[d]; }
+  PD_EACH_BOND Vector a() const { return (form == Form::Linear ? tangential : normal) * perLength * volume; }
+  PD_EACH_BOND Vector b() const {
+    const Vector radial = (normal - tangential) * perLength * volume;
+    return form == Form::Linear ? radial * inverseLength * inverseLength : radial / inverseLength;
+  }
+  PD_EACH_BOND Vector weighted(int d) const { return perLength * volume * bond[d]; }
+  PD_EACH_BOND Vector turned(int d) const { return 0.5 * tangential * perLength * bond[d]; }
 };
 
 /// Bonds of a chunk of a uniform lattice: constants broadcast, neighbours contiguous.
@@ -26,235 +77,289 @@ struct UniformChunk {
   static constexpr bool isContiguous = true;
   const Chunk& chunk;
   const int* indices;
-  const double *strength, *geometry;
-  const Fields& fields;
+  const double* coefficients;
+  const double* displacement[3];  ///< of the chunk's first point
   Vector own[D], volume;
 
-  Bonds<D> operator()(int k) const {
-    Bonds<D> bonds;
-    const double* constants = geometry + k * (D + 2);
-    const int at = chunk.firstPoint + indices[k];
-    for (int d = 0; d < D; ++d) {
-      bonds.xi[d] = constants[d];
-      bonds.eta[d] = load(fields.displacement[d] + at) - own[d];
-    }
-    bonds.inverseLength = constants[D];
-    bonds.volume = constants[D + 1];
-    bonds.strength = strength[k];
-    return bonds;
-  }
+  PD_EACH_BOND Vector eta(int k, int d) const { return load(displacement[d] + indices[k]) - own[d]; }
+  PD_EACH_BOND UniformBond<D> operator()(int k) const { return {coefficients + k * UniformBond<D>::width}; }
 };
 
-/// Any other chunk: geometry from the reference coordinates.
-template <int D, bool contiguous>
-struct GeneralChunk {
+/// Any other chunk.
+template <int D, Form form, bool contiguous>
+struct GatheredChunk {
   static constexpr bool isContiguous = contiguous;
   const Chunk& chunk;
   const int* indices;
-  const double* strength;
-  bool hasUniformStrength;
-  const Fields& fields;
-  Vector own[D], volume, ownReference[D];
+  const GatheredBond<D, form>* bonds;
+  Vector volume;
 
-  Vector neighbors(const double* values, int k) const {
-    return contiguous ? load(values + chunk.firstPoint + indices[k]) : gather(values, indices + k * lanes);
+  PD_EACH_BOND const Vector& eta(int k, int d) const { return bonds[k].elongation[d]; }
+  PD_EACH_BOND const GatheredBond<D, form>& operator()(int k) const { return bonds[k]; }
+};
+
+/// All bonds of a chunk, so that points are gathered once although forces pass several times over the bonds.
+template <int D, Form form, bool isContiguous>
+void gatherBonds(const Chunk& chunk, const int* indices, const int* points, const BondForceData& data, std::size_t c,
+                 const Fields& fields, std::vector<GatheredBond<D, form>>& bonds) {
+  bonds.resize(static_cast<std::size_t>(chunk.nNeighbors));
+  const double* strength = data.strength.of(c);
+  const bool hasUniformStrength = data.strength.isUniform(c);
+  Vector own[D], ownReference[D];
+  for (int d = 0; d < D; ++d) {
+    own[d] = gather(fields.displacement[d], points);
+    ownReference[d] = gather(fields.reference[d], points);
   }
-  Bonds<D> operator()(int k) const {
-    Bonds<D> bonds;
+  const auto neighbors = [&](const double* values, int k) {
+    return isContiguous ? load(values + chunk.firstPoint + indices[k]) : gather(values, indices + k * lanes);
+  };
+  for (int k = 0; k < chunk.nNeighbors; ++k) {
+    GatheredBond<D, form>& bond = bonds[static_cast<std::size_t>(k)];
     Vector length2 = 0.0;
-    for (int d = 0; d < D; ++d) {
-      bonds.xi[d] = neighbors(fields.reference[d], k) - ownReference[d];
-      bonds.eta[d] = neighbors(fields.displacement[d], k) - own[d];
-      length2 += bonds.xi[d] * bonds.xi[d];
-    }
-    bonds.inverseLength = inverseSquareRoot(length2);
-    bonds.volume = neighbors(fields.volume, k);
-    bonds.strength = hasUniformStrength ? Vector(strength[k]) : load(strength + k * lanes);
-    return bonds;
+    unrolled<D>([&](auto d) {
+      bond.bond[d] = neighbors(fields.reference[d], k) - ownReference[d];
+      bond.elongation[d] = neighbors(fields.displacement[d], k) - own[d];
+      length2 += bond.bond[d] * bond.bond[d];
+    });
+    bond.inverseLength = inverseSquareRoot(length2);
+    bond.volume = neighbors(fields.volume, k);
+    bond.perLength = (hasUniformStrength ? Vector(strength[k]) : load(strength + k * lanes)) * bond.inverseLength;
+    bond.normal = data.constants.normal;
+    bond.tangential = data.constants.tangential;
   }
-};
+}
 
-/// Rotation of every lane's neighbourhood, applied to bonds.
+template <bool isWhole>
+PD_EACH_BOND Vector keepUnbroken(const Vector& value, unsigned char bits) {
+  return isWhole ? value : keep(value, bits);
+}
+
+/// Rotation of every lane's neighbourhood, row by row, and the sum of weighted bonds.
 template <int D>
-struct Rotation;
-
-template <>
-struct Rotation<1> {
-  Vector apply(const Vector* xi, int) const { return xi[0]; }
-};
-template <>
-struct Rotation<2> {
-  PlaneRotation<Vector> r;
-  Vector apply(const Vector* xi, int d) const {
-    return d == 0 ? r.cosine * xi[0] - r.sine * xi[1] : r.sine * xi[0] + r.cosine * xi[1];
-  }
-};
-template <>
-struct Rotation<3> {
-  Matrix3<Vector> r;
-  Vector apply(const Vector* xi, int d) const {
-    const std::size_t row = 3 * static_cast<std::size_t>(d);
-    return r[row] * xi[0] + r[row + 1] * xi[1] + r[row + 2] * xi[2];
-  }
+struct Family {
+  Vector r[D * D], weighted[D];
 };
 
-template <int D, class BondsOf>
-Rotation<D> rotationOf(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf) {
-  if constexpr (D == 1) {
-    return {};
-  } else if constexpr (D == 2) {
-    Vector dot = 0.0, cross = 0.0;
-    for (int k = 0; k < chunk.nNeighbors; ++k) {
-      if (bits[k] == 0) continue;
-      const Bonds<D> b = bondsOf(k);
-      const Vector weight = b.strength * b.inverseLength * b.volume;
-      const Vector y0 = b.xi[0] + b.eta[0], y1 = b.xi[1] + b.eta[1];
-      dot += keep(weight * (y0 * b.xi[0] + y1 * b.xi[1]), bits[k]);
-      cross += keep(weight * (b.xi[0] * y1 - b.xi[1] * y0), bits[k]);
+template <int D, bool isWhole, class BondsOf>
+PD_EACH_BOND Family<D> familyOf(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf) {
+  Vector product[D * D], weighted[D];  // of Y weighted^T; the plane needs its trace and its skew part
+  unrolled<D * D>([&](auto i) PD_INLINED { product[i] = 0.0; });
+  unrolled<D>([&](auto d) PD_INLINED { weighted[d] = 0.0; });
+  const int nNeighbors = chunk.nNeighbors;
+  for (int k = 0; k < nNeighbors; ++k) {
+    const auto& bond = bondsOf(k);
+    Vector y[D], w[D];
+    unrolled<D>([&](auto d) PD_INLINED {
+      y[d] = bondsOf.eta(k, d) + bond.xi(d);
+      w[d] = keepUnbroken<isWhole>(bond.weighted(d), bits[k]);
+      weighted[d] += w[d];
+    });
+    if constexpr (D == 2) {
+      product[0] += w[0] * y[0];
+      product[1] += w[0] * y[1];
+      product[0] += w[1] * y[1];
+      product[1] -= w[1] * y[0];
+    } else {
+      unrolled<D * D>([&](auto i) PD_INLINED { product[i] += y[i / D] * w[i % D]; });
     }
-    return {planeRotation(dot, cross)};
+  }
+  Family<D> family;
+  unrolled<D>([&](auto d) PD_INLINED { family.weighted[d] = weighted[d]; });
+  if constexpr (D == 1) {
+    family.r[0] = 1.0;
+  } else if constexpr (D == 2) {
+    const PlaneRotation<Vector> plane = planeRotation(product[0], product[1]);
+    family.r[0] = family.r[3] = plane.cosine;
+    family.r[1] = -plane.sine;
+    family.r[2] = plane.sine;
   } else {
-    Matrix3<Vector> sum;
-    sum.fill(Vector(0.0));
-    for (int k = 0; k < chunk.nNeighbors; ++k) {
-      if (bits[k] == 0) continue;
-      const Bonds<D> b = bondsOf(k);
-      const Vector weight = keep(b.strength * b.inverseLength * b.volume, bits[k]);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vector y = weight * (b.xi[i] + b.eta[i]);
-        for (std::size_t j = 0; j < 3; ++j) sum[3 * i + j] += y * b.xi[j];
+    Matrix3<Vector> b;
+    std::copy(product, product + 9, b.begin());
+    // Lanes without a bond: any multiple of the identity.
+    const auto isEmpty = !(b[0] * b[0] + b[4] * b[4] + b[8] * b[8] > Vector(0.0));
+    for (const std::size_t i : {0, 4, 8}) stdx::where(isEmpty, b[i]) = Vector(1.0);
+    b = solidRotation(b);
+    std::copy(b.begin(), b.end(), family.r);
+  }
+  return family;
+}
+
+/// Sum over the bonds of their forces at their own points, without rotations.
+template <int D, Form form, bool isWhole, class BondsOf>
+PD_EACH_BOND void addOwnForces(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf, Vector* sum) {
+  Vector force[D];
+  unrolled<D>([&](auto d) PD_INLINED { force[d] = 0.0; });
+  const int nNeighbors = chunk.nNeighbors;
+  for (int k = 0; k < nNeighbors; ++k) {
+    const auto& bond = bondsOf(k);
+    Vector eta[D], y[D], square = 0.0, along = 0.0;
+    unrolled<D>([&](auto d) PD_INLINED {
+      eta[d] = bondsOf.eta(k, d);
+      y[d] = eta[d] + bond.xi(d);
+      square += y[d] * y[d];
+      along += eta[d] * bond.xi(d);
+    });
+    if constexpr (form == Form::Linear) {
+      const Vector a = keepUnbroken<isWhole>(Vector(bond.a()), bits[k]);
+      const Vector normal = keepUnbroken<isWhole>(bond.b() * along, bits[k]);
+      unrolled<D>([&](auto d) PD_INLINED { force[d] += a * eta[d] + normal * bond.xi(d); });
+    } else {
+      const Vector perY = keepUnbroken<isWhole>(bond.a() - bond.b() * inverseSquareRoot(square), bits[k]);
+      unrolled<D>([&](auto d) PD_INLINED { force[d] += perY * y[d]; });
+    }
+  }
+  unrolled<D>([&](auto d) PD_INLINED { sum[d] += force[d]; });
+}
+
+/// Adds V_i R_i turned of all bonds at the neighbours.
+template <int D, bool isWhole, class BondsOf>
+PD_EACH_BOND void addAtNeighbors(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf,
+                                 const Family<D>& family, PointArrays& force) {
+  Vector r[D * D];
+  double* at[D];
+  unrolled<D * D>([&](auto i) PD_INLINED { r[i] = family.r[i] * bondsOf.volume; });
+  unrolled<D>([&](auto d) PD_INLINED { at[d] = force[d] + (BondsOf::isContiguous ? chunk.firstPoint : 0); });
+  const int* indices = bondsOf.indices;
+  const int nNeighbors = chunk.nNeighbors;
+  // Bonds that follow each other share neighbours one lane apart: far between, so that no load waits for a store.
+  for (int first = 0; first < lanes; ++first)
+    for (int k = first; k < nNeighbors; k += lanes) {
+      const auto& bond = bondsOf(k);
+      Vector value[D];
+      unrolled<D>([&](auto d) PD_INLINED {
+        value[d] = r[D * d] * bond.turned(0);
+        if constexpr (D > 1) value[d] += r[D * d + 1] * bond.turned(1);
+        if constexpr (D > 2) value[d] += r[D * d + 2] * bond.turned(2);
+      });
+      if constexpr (BondsOf::isContiguous) {
+        const int offset = indices[k];
+        unrolled<D>([&](auto d) PD_INLINED {
+          store(load(at[d] + offset) + keepUnbroken<isWhole>(value[d], bits[k]), at[d] + offset);
+        });
+      } else {
+        const int* ids = indices + k * lanes;
+        unrolled<D>([&](auto d) PD_INLINED {
+          alignas(64) double values[lanes];
+          store(value[d], values);
+          for (int lane = 0; lane < lanes; ++lane)
+            if (isWhole || ((bits[k] >> lane) & 1)) at[d][ids[lane]] += values[lane];
+        });
       }
     }
-    // Lanes without a bond: any multiple of the identity.
-    const auto isEmpty = !(sum[0] * sum[0] + sum[4] * sum[4] + sum[8] * sum[8] > Vector(0.0));
-    for (const std::size_t i : {0, 4, 8}) stdx::where(isEmpty, sum[i]) = Vector(1.0);
-    return {solidRotation(sum)};
-  }
 }
 
-template <class BondsOf>
-void subtractAtNeighbors(const Chunk& chunk, const BondsOf& bondsOf, int k, unsigned char bits, const Vector& value,
-                         double* force) {
-  if constexpr (BondsOf::isContiguous) {
-    double* at = force + chunk.firstPoint + bondsOf.indices[k];
-    store(load(at) - value, at);
-  } else {
-    const int* ids = bondsOf.indices + k * lanes;
-    for (int lane = 0; lane < lanes; ++lane)
-      if ((bits >> lane) & 1) force[ids[lane]] -= value[static_cast<std::size_t>(lane)];
-  }
-}
-
-enum class Form { BondBased, Linear, Objective };
-
-template <int D, Form form, class BondsOf>
-void forceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, const BondForceData& data,
-                  const unsigned char* bits, const BondsOf& bondsOf, Fields& fields) {
-  const double half = form == Form::Objective ? 0.5 : 1.0;
-  const double radial = half * (data.constants.normal - data.constants.tangential);
-  const double tangential = half * data.constants.tangential;
-  Rotation<D> rotation;
-  if constexpr (form == Form::Objective) rotation = rotationOf<D>(chunk, bits, bondsOf);
-
+template <int D, Form form, bool isWhole, class BondsOf>
+void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, double tangential,
+                     const unsigned char* bits, const BondsOf& bondsOf, PointArrays& force) {
   Vector sum[D];
   for (int d = 0; d < D; ++d) sum[d] = 0.0;
-  for (int k = 0; k < chunk.nNeighbors; ++k) {
-    if (bits[k] == 0) continue;
-    const Bonds<D> b = bondsOf(k);
-    Vector t[D];
-    if constexpr (form == Form::Linear) {
-      Vector along = 0.0;
-      for (int d = 0; d < D; ++d) along += b.eta[d] * b.xi[d];
-      const Vector perLength = b.strength * b.inverseLength;
-      const Vector normal = radial * perLength * along * b.inverseLength * b.inverseLength;
-      for (int d = 0; d < D; ++d) t[d] = normal * b.xi[d] + tangential * perLength * b.eta[d];
-    } else {
-      Vector y[D], length2 = 0.0;
-      for (int d = 0; d < D; ++d) {
-        y[d] = b.xi[d] + b.eta[d];
-        length2 += y[d] * y[d];
-      }
-      const Vector alongY = radial * b.strength * (b.inverseLength - inverseSquareRoot(length2));
-      if constexpr (form == Form::BondBased) {
-        for (int d = 0; d < D; ++d) t[d] = alongY * y[d];
-      } else {
-        const Vector across = tangential * b.strength * b.inverseLength;
-        for (int d = 0; d < D; ++d) t[d] = alongY * y[d] + across * (y[d] - rotation.apply(b.xi, d));
-      }
-    }
-    for (int d = 0; d < D; ++d) {
-      sum[d] += keep(t[d] * b.volume, bits[k]);
-      if constexpr (form == Form::Objective)
-        subtractAtNeighbors(chunk, bondsOf, k, bits[k], keep(t[d] * bondsOf.volume, bits[k]), fields.force[d]);
-    }
+  addOwnForces<D, form, isWhole>(chunk, bits, bondsOf, sum);
+  if constexpr (form == Form::Objective) {
+    const Family<D> family = familyOf<D, isWhole>(chunk, bits, bondsOf);
+    for (int d = 0; d < D; ++d)
+      for (int e = 0; e < D; ++e) sum[d] -= 0.5 * tangential * family.r[D * d + e] * family.weighted[e];
+    addAtNeighbors<D, isWhole>(chunk, bits, bondsOf, family, force);
   }
   const int* points = neighborhood.pointIds(chunk);
-  for (int d = 0; d < D; ++d)
-    for (int lane = 0; lane < chunk.nLanes; ++lane)
-      fields.force[d][points[lane]] += sum[d][static_cast<std::size_t>(lane)];
+  for (int d = 0; d < D; ++d) {
+    alignas(64) double values[lanes];
+    store(sum[d], values);
+    for (int lane = 0; lane < chunk.nLanes; ++lane) force[d][points[lane]] += values[lane];
+  }
+}
+
+bool areAllWhole(const Chunk& chunk, const unsigned char* bits) {
+  unsigned char common = allLanes;
+  for (int k = 0; k < chunk.nNeighbors; ++k) common = static_cast<unsigned char>(common & bits[k]);
+  return common == allLanes;
 }
 
 template <int D, Form form>
 void addForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
               Fields fields) {
+  std::vector<GatheredBond<D, form>> gathered;
   const auto& chunks = neighborhood.chunks();
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     const Chunk& chunk = chunks[c];
     const unsigned char* bits = alive.of(chunk);
     const int* points = neighborhood.pointIds(chunk);
-    const auto fillOwn = [&](auto& bondsOf) {
-      for (int d = 0; d < D; ++d) bondsOf.own[d] = gather(fields.displacement[d], points);
-      bondsOf.volume = gather(fields.volume, points);
+    const auto add = [&](const auto& bondsOf) {
+      if (areAllWhole(chunk, bits))
+        addForceOfChunk<D, form, true>(neighborhood, chunk, data.constants.tangential, bits, bondsOf, fields.force);
+      else
+        addForceOfChunk<D, form, false>(neighborhood, chunk, data.constants.tangential, bits, bondsOf, fields.force);
     };
-    const auto fillGeneral = [&](auto& bondsOf) {
-      fillOwn(bondsOf);
-      for (int d = 0; d < D; ++d) bondsOf.ownReference[d] = gather(fields.reference[d], points);
+    const auto addGathered = [&](auto isContiguous, const int* indices) {
+      constexpr bool contiguous = decltype(isContiguous)::value;
+      gatherBonds<D, form, contiguous>(chunk, indices, points, data, c, fields, gathered);
+      add(GatheredChunk<D, form, contiguous>{chunk, indices, gathered.data(), gather(fields.volume, points)});
     };
-    const double* strength = data.strength.of(c);
-    const bool hasUniformStrength = data.strength.isUniform(c);
-    if (hasUniformStrength && data.geometry.isUniform(c)) {
-      UniformChunk<D> bondsOf{chunk, neighborhood.offsets(chunk), strength, data.geometry.of(c), fields, {}, {}};
+    if (data.coefficients.isUniform(c)) {
+      UniformChunk<D> bondsOf{chunk, neighborhood.offsets(chunk), data.coefficients.of(c), {}, {}, {}};
       // A contiguous load, so that unused lanes read the points that follow.
-      for (int d = 0; d < D; ++d) bondsOf.own[d] = load(fields.displacement[d] + chunk.firstPoint);
+      for (int d = 0; d < D; ++d) {
+        bondsOf.displacement[d] = fields.displacement[d] + chunk.firstPoint;
+        bondsOf.own[d] = load(bondsOf.displacement[d]);
+      }
       bondsOf.volume = load(fields.volume + chunk.firstPoint);
-      forceOfChunk<D, form>(neighborhood, chunk, data, bits, bondsOf, fields);
+      add(bondsOf);
     } else if (chunk.isContiguous) {
-      GeneralChunk<D, true> bondsOf{chunk, neighborhood.offsets(chunk), strength, hasUniformStrength, fields, {}, {},
-                                    {}};
-      fillGeneral(bondsOf);
-      forceOfChunk<D, form>(neighborhood, chunk, data, bits, bondsOf, fields);
+      addGathered(std::true_type(), neighborhood.offsets(chunk));
     } else {
-      GeneralChunk<D, false> bondsOf{
-          chunk, neighborhood.neighborIds(chunk), strength, hasUniformStrength, fields, {}, {}, {}};
-      fillGeneral(bondsOf);
-      forceOfChunk<D, form>(neighborhood, chunk, data, bits, bondsOf, fields);
+      addGathered(std::false_type(), neighborhood.neighborIds(chunk));
     }
   }
 }
 
-template <int D>
-void addForceOfDimension(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
-                         const Fields& fields) {
-  if (data.form == TangentialForm::Linear)
-    addForce<D, Form::Linear>(neighborhood, data, alive, fields);
-  else if (data.constants.tangential == 0.0)
-    addForce<D, Form::BondBased>(neighborhood, data, alive, fields);
+/// Calls visit(integral constants of dimension and form).
+template <class Visit>
+void withDimensionAndForm(const BondForceData& data, Visit visit) {
+  const auto withForm = [&](auto dimension) {
+    switch (formOf(data)) {
+      case Form::BondBased:
+        return visit(dimension, std::integral_constant<Form, Form::BondBased>());
+      case Form::Linear:
+        return visit(dimension, std::integral_constant<Form, Form::Linear>());
+      case Form::Objective:
+        return visit(dimension, std::integral_constant<Form, Form::Objective>());
+    }
+  };
+  if (data.dimension == 1)
+    withForm(std::integral_constant<int, 1>());
+  else if (data.dimension == 2)
+    withForm(std::integral_constant<int, 2>());
   else
-    addForce<D, Form::Objective>(neighborhood, data, alive, fields);
+    withForm(std::integral_constant<int, 3>());
 }
 
 }  // namespace
+
+BondConstants bondCoefficients(const ChunkedNeighborhood& neighborhood, const BondForceData& data,
+                               const std::function<void(int, int, std::size_t, double*)>& geometry) {
+  BondConstants result;
+  withDimensionAndForm(data, [&](auto dimension, auto form) {
+    constexpr int D = decltype(dimension)::value;
+    constexpr int width = UniformBond<D>::width;
+    result = BondConstants(
+        neighborhood, width,
+        [&](int i, int j, std::size_t bond, double* values) {
+          std::fill(values, values + width, 0.0);
+          geometry(i, j, bond, values);
+        },
+        BondConstants::Keep::OnlyUniform, 1e-12,
+        // From rounded xi, g and V: else an undeformed bond would be strained by as much as the tolerance.
+        [&](double* values) { UniformBond<D>::derive(data.constants, decltype(form)::value, values); });
+  });
+  return result;
+}
 
 void addTwoParameterForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
                           const PointArrays& reference, const PointArrays& displacement, const double* volume,
                           PointArrays& force) {
   const Fields fields{reference, displacement, volume, force};
-  if (data.dimension == 1)
-    addForceOfDimension<1>(neighborhood, data, alive, fields);
-  else if (data.dimension == 2)
-    addForceOfDimension<2>(neighborhood, data, alive, fields);
-  else
-    addForceOfDimension<3>(neighborhood, data, alive, fields);
+  withDimensionAndForm(data, [&](auto dimension, auto form) {
+    addForce<decltype(dimension)::value, decltype(form)::value>(neighborhood, data, alive, fields);
+  });
 }
 
 }  // namespace pd::kernels

@@ -12,6 +12,8 @@
 #ifndef PD_TWO_PARAMETER_BOND_HPP
 #define PD_TWO_PARAMETER_BOND_HPP
 
+#include <functional>
+
 #include "alive_bonds.hpp"
 #include "bond_constants.hpp"
 #include "chunked_neighborhood.hpp"
@@ -27,13 +29,18 @@ struct BondForceData {
   TangentialForm form = TangentialForm::Objective;
   ElasticConstants constants;  ///< k_n, k_t
   BondConstants strength;      ///< width 1: g
-  BondConstants geometry;      ///< width dimension + 2: xi, 1/|xi|, V_j; only in chunks where both are uniform
+  BondConstants coefficients;  ///< what bondCoefficients() makes; only in chunks where it is uniform
 };
 
+/// All constants of bonds of uniform chunks, from `geometry(point, neighbor, bond, values)`, which writes xi
+/// (`dimension` components), g and the volume of the neighbour. The latter three are taken from `data`.
+BondConstants bondCoefficients(const ChunkedNeighborhood& neighborhood, const BondForceData& data,
+                               const std::function<void(int, int, std::size_t, double*)>& geometry);
+
 /// Adds the force densities (N/m3) of all unbroken bonds to `force`: complete sums at the points of the neighbourhood
-/// in the linear form and for k_t = 0; else the half of each bond that belongs to the point's own neighbourhood, with
-/// the opposite forces at the neighbours, so that the sum over all points' calls is complete. `reference`,
-/// `displacement`, `volume`, `force` by local id.
+/// in the linear form and for k_t = 0. In the objective form the part -k_t g R_j xi/(2 |xi|) V_j of a bond is added by
+/// its neighbour's call instead, so that the sum over all points' calls is complete. `reference`, `displacement`,
+/// `volume`, `force` by local id.
 void addTwoParameterForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
                           const PointArrays& reference, const PointArrays& displacement, const double* volume,
                           PointArrays& force);
