@@ -45,15 +45,15 @@ PointSelection::PointSelection(const Teuchos::ParameterList& parameters, const C
   if (parameters.isParameter("Node Sets"))
     for (const std::string& name : parameters.get<Teuchos::Array<std::string>>("Node Sets"))
       nodeSetNames_.push_back(name);
-  if (nodeSetNames_.empty()) return;
-  if (globalData.is_null() || !globalData->isParameter("discretization"))
-    throw std::invalid_argument("this host hands no node sets to computes");
+  if (globalData.is_null() || !globalData->isParameter("discretization")) return;
   discretization_ = *globalData->get<Teuchos::RCP<PeridigmNS::Discretization>*>("discretization");
 }
 
 void PointSelection::initialize(const Blocks& blocks) {
   if (isAll()) return;
   std::unordered_set<int> members;
+  if (!nodeSetNames_.empty() && discretization_.is_null())
+    throw std::invalid_argument("this host hands no node sets to computes");
   if (!nodeSetNames_.empty()) members = membersOf(nodeSetNames_, *discretization_->getNodeSets());
 
   isSelected_.assign(blocks->size(), {});
