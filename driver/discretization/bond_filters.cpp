@@ -178,14 +178,16 @@ BondFilters::BondFilters(const Deck& deck, const MeshPoints& points, const NodeS
   const FilterReader reader(points, nodeSets);
   for (const auto& item : section["Bond Filters"].entries()) {
     try {
-      filters_.push_back({reader.read(item.second), item.second.flag("Count In Damage", false)});
+      filters_.push_back({reader.read(item.second), item.second.flag("Count In Damage", false), item.second.keyPlace(),
+                          item.second.path()});
     } catch (const DeckError& error) {
       deck.mistakes().add("", error.what());
     }
   }
   const std::string omitted = section.text("Omit Bonds Between Blocks", "None");
   if (omitted == "All")
-    filters_.push_back({std::make_unique<BlockFilter>(points), false});
+    filters_.push_back({std::make_unique<BlockFilter>(points), false, section["Omit Bonds Between Blocks"].keyPlace(),
+                        section["Omit Bonds Between Blocks"].path()});
   else if (omitted != "None")
     deck.mistakes().add(section["Omit Bonds Between Blocks"].place(),
                         "Omit Bonds Between Blocks must be None or All, not \"" + omitted + "\"");
@@ -197,14 +199,23 @@ bool BondFilters::canMark() const {
   return false;
 }
 
-BondFilters::Verdict BondFilters::judge(int a, int b) const {
+BondFilters::Verdict BondFilters::judge(int a, int b) {
   Verdict verdict = Verdict::keep;
-  for (const Entry& entry : filters_) {
-    if (!entry.filter->cuts(a, b)) continue;
-    if (!entry.countsInDamage) return Verdict::remove;
-    verdict = Verdict::mark;
+  for (Entry& entry : filters_) {
+    if ((verdict == Verdict::remove && entry.hasCut) || !entry.filter->cuts(a, b)) continue;
+    entry.hasCut = true;
+    if (!entry.countsInDamage)
+      verdict = Verdict::remove;
+    else if (verdict == Verdict::keep)
+      verdict = Verdict::mark;
   }
   return verdict;
+}
+
+void BondFilters::warnOfIdle(const Communicator& comm, Mistakes& warnings) const {
+  for (const Entry& entry : filters_)
+    if (!comm.any(entry.hasCut))
+      warnings.add(entry.place, entry.path + " cuts no bond; is it beside the body, or between points that have none?");
 }
 
 }  // namespace pd

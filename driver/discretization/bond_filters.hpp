@@ -3,9 +3,11 @@
 #define PD_BOND_FILTERS_HPP
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "../deck/deck.hpp"
+#include "../parallel/communicator.hpp"
 #include "node_sets.hpp"
 #include "text_mesh.hpp"
 
@@ -33,12 +35,17 @@ class BondFilters {
 
   bool empty() const { return filters_.empty(); }
   bool canMark() const;
-  Verdict judge(int a, int b) const;
+  /// Remembers which filters cut any bond.
+  Verdict judge(int a, int b);
+  /// Warns of each filter that cut no bond on any rank, which is seldom meant.
+  void warnOfIdle(const Communicator& comm, Mistakes& warnings) const;
 
  private:
   struct Entry {
     std::unique_ptr<BondFilter> filter;
     bool countsInDamage;
+    std::string place, path;  ///< in the deck
+    bool hasCut = false;
   };
   std::vector<Entry> filters_;
 };

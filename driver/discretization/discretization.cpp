@@ -138,7 +138,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const MeshPoints points = readMesh(deck, comm);
   const DeckNode section = deck["Discretization"];
   const NodeSets nodeSets = readNodeSets(deck, comm, points);
-  const BondFilters filters(deck, points, nodeSets);
+  BondFilters filters(deck, points, nodeSets);
 
   Discretization d;
   d.nGlobal = points.nRows;
@@ -160,6 +160,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(points.size());
   buildNeighborhoods(points, rule, filters, lineOrder(points.x, meanSpacing), partitionPoints(points.x, comm.mpi()),
                      comm.rank(), d);
+  filters.warnOfIdle(comm, deck.warnings());
   fillPoints(points, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);

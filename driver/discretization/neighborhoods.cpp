@@ -89,7 +89,7 @@ void numberLocally(const std::vector<int>& candidates, const std::vector<int>& o
 }
 
 /// Takes removed bonds out of the list and marks cut ones.
-void applyFilters(const BondFilters& filters, Discretization& d) {
+void applyFilters(BondFilters& filters, Discretization& d) {
   if (filters.empty()) return;
   const bool marks = filters.canMark();
   std::size_t out = 0;
@@ -112,7 +112,7 @@ void applyFilters(const BondFilters& filters, Discretization& d) {
 
 }  // namespace
 
-void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, const BondFilters& filters,
+void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, BondFilters& filters,
                         const std::vector<int>& order, const std::vector<int>& owner, int rank, Discretization& d) {
   const std::vector<int> candidates = candidatesOf(points, order, owner, rank, rule.widest());
   std::vector<int> ownedPositions;

@@ -14,7 +14,7 @@ namespace pd {
 /// Fills nOwned, nPoints, globalIds, neighborhoodList, neighborhoodStart, bondIsCut and shortestBond (of this rank).
 /// `order`: all points of the mesh in the order that local numbers follow; `owner`: rank of each point. Ghosts are
 /// the points of other ranks that are neighbours of owned points before bond filters remove any.
-void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, const BondFilters& filters,
+void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, BondFilters& filters,
                         const std::vector<int>& order, const std::vector<int>& owner, int rank,
                         Discretization& discretization);
 
