@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <optional>
@@ -111,6 +112,15 @@ void writeResolvedDeck(const Deck& deck, const Communicator& comm) {
   });
 }
 
+/// For output and computes that ask for the field; solvers keep forces of their own.
+void fillExternalForce(Model& model, const BoundaryConditions& conditions, double t) {
+  const char* const label = "External_Force_Density";
+  if (!model.hasField(label)) return;
+  double* force = model.field(label);
+  std::fill(force, force + 3 * static_cast<std::size_t>(model.nOwned()), 0.0);
+  conditions.addExternalForce(t, force);
+}
+
 /// The loop over all stages and their increments.
 class Run {
  public:
@@ -157,6 +167,7 @@ class Run {
         }
       });
       requireFinite(step);
+      fillExternalForce(model, simulation_.conditions, end);
       model.updateState();
       const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
@@ -226,6 +237,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     conditions.applyPrescribed(stages.front().startTime);
     for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
     if (model.hasMechanics()) model.updateCoordinates();
+    fillExternalForce(model, conditions, stages.front().startTime);
     model.updateState();
     output.write(model, 0, 0, stages.front().startTime, false);
   } else {

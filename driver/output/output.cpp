@@ -35,8 +35,10 @@ int driverField(const std::string& label) {
     if (label == known)
       return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::CONSTANT,
                                              label);
-  if (label == "Coordinates")
-    return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP, label);
+  for (const char* known : {"Coordinates", "External_Force_Density"})
+    if (label == known)
+      return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP,
+                                             label);
   return -1;
 }
 

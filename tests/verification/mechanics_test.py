@@ -65,6 +65,36 @@ class Patch(SceneTest):
             self.assertLess(self.error_of(ux, uy, nu, steps=10), 1e-7)
 
 
+class BodyForce(SceneTest):
+    def test_its_field_and_its_work(self):
+        # The load grows from b to 2 b while the plate moves from rest to u: the trapezoid of its work is 3/2 b V sum(u).
+        self.write_mesh(lattice([0.02, 0.01], 1e-3), 1e-6 * 4e-3)
+        loaded, load = "x > 0.015", 1e9
+        deck = plate_deck(
+            3.015e-3, 4e-3, {"Young's Modulus": E, "Poisson's Ratio": 0.29, "Density": 7850.0},
+            conditions={"Loaded Node Set": {"Expression": loaded}, "Held Node Set": {"Expression": "x < 0.004"},
+                        "Load": {"Type": "Body Force", "Node Set": "Loaded Node Set", "Coordinate": "x",
+                                 "Value": f"{load!r}*(1 + t)"},
+                        "Hold x": {"Type": "Prescribed Displacement", "Node Set": "Held Node Set", "Coordinate": "x",
+                                   "Value": 0.0},
+                        "Hold y": {"Type": "Prescribed Displacement", "Node Set": "Held Node Set", "Coordinate": "y",
+                                   "Value": 0.0}},
+            output={"Output Variables": ["Displacement", "External_Force_Density", "Work"]},
+            Compute_Class_Parameters={"Work": {"Compute Class": "External_Work", "Output Label": "Work"}})
+        is_loaded = lattice([0.02, 0.01], 1e-3)[:, 0] > 0.015
+        for solver in ({"QuasiStatic": {"Load Steps": 1}}, {"Adaptive Dynamic Relaxation": {"Load Steps": 1}}):
+            deck["Solver"] = {"Final Time": 1.0, **solver}
+            result = self.solve(deck)
+            for step, value in ((0, load), (1, 2 * load)):
+                expected = np.zeros((len(is_loaded), 3))
+                expected[is_loaded, 0] = value
+                np.testing.assert_array_equal(result.field("External_Force_Density", step), expected)
+            u = result.field("Displacement", 1)[is_loaded, 0]
+            self.assertGreater(u.min(), 0.0)
+            work = result.history()["Work"]
+            np.testing.assert_allclose(work, [0.0, 1.5 * load * 4e-9 * u.sum()], rtol=1e-12)
+
+
 class Moduli(SceneTest):
     """Energy of uniform strains at the centre of a plate: E and nu of the lattice."""
 
