@@ -14,8 +14,16 @@ namespace pd {
 
 std::string unfinishedName(const std::string& path) { return path + ".unfinished"; }
 
+std::string missingFolder(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty() || std::filesystem::exists(folder, error) || error) return "";
+  return "; its folder is not there: was it removed or renamed during the run?";
+}
+
 void throwFileError(const std::string& what, const std::string& path, int errorNumber) {
-  throw RunError("cannot " + what + " \"" + path + "\": " + std::generic_category().message(errorNumber));
+  throw RunError("cannot " + what + " \"" + path + "\": " + std::generic_category().message(errorNumber) +
+                 missingFolder(path));
 }
 
 namespace {

@@ -17,7 +17,10 @@ void finishFile(const std::string& path);
 /// makes anew, and small files written often. Throws RunError naming the path and the reason.
 void writeFileAtomically(const std::string& path, const std::string& content);
 
-/// Throws RunError "cannot <what> <path>: <reason of the system>".
+/// "; its folder is not there ..." where the folder of `path` does not exist; empty otherwise.
+std::string missingFolder(const std::string& path);
+
+/// Throws RunError "cannot <what> <path>: <reason of the system>", with missingFolder().
 [[noreturn]] void throwFileError(const std::string& what, const std::string& path, int errorNumber);
 
 /// Creates the folder that `path` lies in, and its parents. Throws RunError.

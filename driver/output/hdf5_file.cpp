@@ -7,6 +7,7 @@
 
 #include "../model/collective.hpp"
 #include "../model/model.hpp"
+#include "atomic_file.hpp"
 
 namespace pd {
 
@@ -93,7 +94,9 @@ Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
 
 void Hdf5File::require(bool isDone, const std::string& what) const {
   collectively(comm_, [&] {
-    if (!isDone) throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason() + freeSpace(path_));
+    if (!isDone)
+      throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason() + freeSpace(path_) +
+                     missingFolder(path_));
   });
 }
 

@@ -135,6 +135,23 @@ class Pdrun(unittest.TestCase):
             self.assertIn("the run cannot go on: ", done.stderr)
             self.assertLess(time.monotonic() - start, 60)  # all ranks leave: none waits for another
 
+    def test_a_run_whose_results_folder_goes_away_ends_with_a_message(self):
+        self.write("deck.yaml", DECK.replace("Safety Factor: 0.5", "Fixed dt: 1.0e-8").replace("1.0e-6", "1.0")
+                   .replace("Output Filename: results", "Output Filename: out/results").replace("1000", "100"))
+        for ranks in (1, 2):
+            launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)]
+            process = subprocess.Popen([*(launcher if ranks > 1 else []), PDRUN, "deck.yaml", "--quiet"],
+                                       cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(process.kill)
+            deadline = time.monotonic() + 60
+            while not os.path.exists(self.path("out/results.steps/000100.h5")) and time.monotonic() < deadline:
+                time.sleep(0.01)
+            os.rename(self.path("out"), self.path(f"moved{ranks}"))
+            _, message = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 3, message)
+            self.assertRegex(message, r'the run cannot go on: cannot .*"out/results.*: .*')
+            self.assertIn("its folder is not there: was it removed", message)
+
     def test_a_restart_from_nothing_is_refused(self):
         done = self.run_pdrun("deck.yaml", "--restart", "no_such_file.h5")
         self.assertIn(done.returncode, (2, 3))
