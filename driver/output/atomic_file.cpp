@@ -16,9 +16,10 @@ std::string unfinishedName(const std::string& path) { return path + ".unfinished
 
 std::string missingFolder(const std::string& path) {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (folder.empty() || std::filesystem::exists(folder, error) || error) return "";
-  return "; its folder is not there: was it removed or renamed during the run?";
+  // A working folder that was removed has no name any more.
+  const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
+  if (!error && (std::filesystem::exists(folder, error) || error)) return "";
+  return "; its folder is not there (was it removed or renamed?)";
 }
 
 void throwFileError(const std::string& what, const std::string& path, int errorNumber) {

@@ -44,12 +44,18 @@ herr_t rememberReason(hid_t stack, void*) {
 std::string freeSpace(const std::string& path) {
   std::error_code error;
   const auto folder = std::filesystem::absolute(path, error).parent_path();
+  if (error) return "";
   const std::uintmax_t bytes = std::filesystem::space(folder, error).available;
   constexpr std::uintmax_t little = 64 << 20;
   return error || bytes > little ? "" : "; the disk has " + std::to_string(bytes >> 10) + " KiB left";
 }
 
 Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator& comm) {
+  // Open MPI crashes where it cannot find its way to a file, so the way is tried first.
+  collectively(comm, [&] {
+    const std::string missing = missingFolder(path);
+    if (!missing.empty()) throw RunError("cannot open \"" + path + "\"" + missing);
+  });
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);

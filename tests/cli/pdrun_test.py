@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -135,22 +136,37 @@ class Pdrun(unittest.TestCase):
             self.assertIn("the run cannot go on: ", done.stderr)
             self.assertLess(time.monotonic() - start, 60)  # all ranks leave: none waits for another
 
-    def test_a_run_whose_results_folder_goes_away_ends_with_a_message(self):
+    def run_until_its_folder_goes_away(self, ranks, output, take_away):
+        """What the run says to it. `output`: its Output Filename."""
         self.write("deck.yaml", DECK.replace("Safety Factor: 0.5", "Fixed dt: 1.0e-8").replace("1.0e-6", "1.0")
-                   .replace("Output Filename: results", "Output Filename: out/results").replace("1000", "100"))
+                   .replace("Output Filename: results", f"Output Filename: {output}").replace("1000", "500"))
+        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)]
+        process = subprocess.Popen([*(launcher if ranks > 1 else []), PDRUN, "deck.yaml", "--quiet"],
+                                   cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + 60
+        while not os.path.exists(self.path(f"{output}.steps/000500.h5")) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        take_away()
+        _, message = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, message)
+        self.assertRegex(message, f'the run cannot go on: cannot .*"{output}')
+        self.assertIn("its folder is not there (was it removed", message)
+
+    def test_a_run_whose_results_folder_goes_away_ends_with_a_message(self):
         for ranks in (1, 2):
-            launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)]
-            process = subprocess.Popen([*(launcher if ranks > 1 else []), PDRUN, "deck.yaml", "--quiet"],
-                                       cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-            self.addCleanup(process.kill)
-            deadline = time.monotonic() + 60
-            while not os.path.exists(self.path("out/results.steps/000100.h5")) and time.monotonic() < deadline:
-                time.sleep(0.01)
-            os.rename(self.path("out"), self.path(f"moved{ranks}"))
-            _, message = process.communicate(timeout=60)
-            self.assertEqual(process.returncode, 3, message)
-            self.assertRegex(message, r'the run cannot go on: cannot .*"out/results.*: .*')
-            self.assertIn("its folder is not there: was it removed", message)
+            self.run_until_its_folder_goes_away(
+                ranks, "out/results", lambda: os.rename(self.path("out"), self.path(f"moved{ranks}")))
+
+    def test_a_run_whose_working_folder_goes_away_ends_with_a_message(self):
+        def remove():
+            while os.path.exists(self.folder.name):  # again where the run has just made a file
+                shutil.rmtree(self.folder.name, ignore_errors=True)
+
+        for ranks in (1, 2):
+            self.run_until_its_folder_goes_away(ranks, "results", remove)
+            os.mkdir(self.folder.name)
+            self.write("mesh.txt", mesh())
 
     def test_a_restart_from_nothing_is_refused(self):
         done = self.run_pdrun("deck.yaml", "--restart", "no_such_file.h5")
