@@ -7,6 +7,7 @@ import sys
 import time
 import unittest
 
+import h5py
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
@@ -187,6 +188,35 @@ class Restarts(PlateTest):
 
     def test_hydrogen_plate_of_two_ranks_goes_on_on_one(self):
         self.check(self.plate(), ["Displacement", "Damage", "Concentration"], ranks=2, ranks_after=1)
+
+    def test_relaxation_of_one_rank_goes_on_on_two(self):
+        # Everything is in the checkpoint: on the same rank it goes on to the last bit (above), and on two ranks it ends no
+        # further away than a run on two ranks that was never interrupted. What is left is the order of sums over ranks.
+        # Forces and velocities show more of it than displacements do, in proportion: a change of displacements by du
+        # changes a force density by no more than the absolute row sum of the stiffness over the volume, which is
+        # 4 / 1.21 of the relaxation's mass, times du (Gershgorin); a velocity is the difference of two displacements.
+        deck = self.plate()
+        for name, ranks in (("whole", 1), ("two_ranks", 2)):
+            self.solve({**deck, "Output": {**deck["Output"], "Output Filename": name}}, ranks=ranks)
+        expected, uninterrupted = self.checkpoint("whole"), self.checkpoint("two_ranks")
+        self.run_until_killed(deck, 1, 0.0)
+        self.solve(deck, ranks=2, arguments=["--restart", "result.checkpoint.h5"])
+        restarted = self.checkpoint("result")
+
+        change = 0.1 * ROUND_OFF  # measured: 2e-16 m, one rounding of the longest coordinate, after 400 load steps
+        stiffness = 4 / 1.21 * np.max(expected["Relaxation_Mass"])
+        bounds = {"Displacement": change, "Force_Density": stiffness * change, "Relaxation_Velocity": 2 * change,
+                  "Relaxation_Acceleration": 4 / 1.21 * change}
+        for label, bound in bounds.items():
+            for found in (uninterrupted, restarted):
+                self.assertLess(np.max(np.abs(found[label] - expected[label])), bound, label)
+        np.testing.assert_array_equal(restarted["Damage"], expected["Damage"])
+        np.testing.assert_allclose(restarted["Relaxation_Mass"], expected["Relaxation_Mass"], rtol=1e-14)
+
+    def checkpoint(self, name):
+        """Fields of points in the last checkpoint of a run."""
+        with h5py.File(self.path(name + ".checkpoint.h5")) as file:
+            return {label: np.array(values) for label, values in file["points"].items()}
 
     def test_error_controlled_diffusion_goes_on_to_the_last_bit(self):
         self.check(self.plate("RKL"), ["Displacement", "Damage", "Concentration"], delay=0.05)
