@@ -107,6 +107,19 @@ class Pdrun(unittest.TestCase):
         done = self.run_pdrun("deck.yaml", "--quiet")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
+    def test_quiet_linear_solvers_print_nothing(self):
+        rows = [f"{1e-3 * i} {1e-3 * j} 0.0 1 1.0e-9" for j in range(20) for i in range(40)]
+        self.write("mesh.txt", "\n".join(rows) + "\n")
+        self.write("deck.yaml", DECK.replace("Verlet: {Safety Factor: 0.5}", "QuasiStatic: {Linear Solver: CG}").replace(
+            'Push: {Type: Initial Velocity, Node Set: All Node Set, Coordinate: x, Value: "100*x"}',
+            'Side Node Set: {Expression: "x < 3.5e-3 || x > 35.5e-3"}\n'
+            '  Pull: {Type: Prescribed Displacement, Node Set: Side Node Set, Coordinate: x, Value: "1e3*x*t"}'))
+        for ranks in (1, 2):
+            for preconditioner in ("Multigrid", "ILU", "Jacobi"):
+                done = self.run_pdrun("deck.yaml", "--quiet", "--set",
+                                      f"Solver/QuasiStatic/Preconditioner={preconditioner}", ranks=ranks)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""), preconditioner)
+
     def test_check_runs_nothing(self):
         done = self.run_pdrun("--check", "deck.yaml")
         self.assertEqual((done.returncode, done.stdout), (0, "deck.yaml: no mistakes found\n"))

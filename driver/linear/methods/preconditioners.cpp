@@ -1,5 +1,6 @@
 #include <Ifpack2_Factory.hpp>
 #include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <Teuchos_oblackholestream.hpp>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -109,6 +110,8 @@ Teuchos::ParameterList symmetricGaussSeidel(int sweeps) {
 /// smoothed too, since a direct solve fails there (direct_solver.hpp).
 Teuchos::RCP<tpetra::Operator> makeMultigrid(const Teuchos::RCP<tpetra::Matrix>& matrix, int width,
                                              const Teuchos::RCP<tpetra::MultiVector>& nullspace) {
+  // Its verbosity covers not all that it prints.
+  MueLu::VerboseObject::SetMueLuOStream(Teuchos::fancyOStream(Teuchos::rcp(new Teuchos::oblackholestream)));
   Teuchos::ParameterList list;
   list.set("verbosity", "none");
   list.set("number of equations", width);
