@@ -90,7 +90,9 @@ BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager
     dataManager.getData(id, step)->ExtractView(&values);
     return values;
   };
-  ownsFirstPoint = dataManager.getOwnedScalarPointMap()->LID(0) != -1;
+  // Peridigm's finite-difference Jacobian hands no map of owned points.
+  const auto ownedPoints = dataManager.getOwnedScalarPointMap();
+  ownsFirstPoint = !ownedPoints.is_null() && ownedPoints->LID(0) != -1;
   nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
   x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
   y = view(owner.coordinatesId_, Field::STEP_NP1);
@@ -102,7 +104,8 @@ BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager
   if (dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1) &&
       dataManager.hasData(owner.damageId_, Field::STEP_NP1)) {
     bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
-    damage = view(owner.damageId_, Field::STEP_NP1);
+    // A host that keeps N and NP1 apart may break other bonds in a repeated step: as many, so that Damage tells nothing.
+    if (bondDamage == view(owner.bondDamageId_, Field::STEP_N)) damage = view(owner.damageId_, Field::STEP_NP1);
   }
 }
 
@@ -289,7 +292,7 @@ void BondMechanics::computeForce(const Call& call, DataManager& dataManager) con
   const Views views(*this, dataManager);
   std::fill(views.force, views.force + 3 * static_cast<std::size_t>(views.nPoints), 0.0);
   Cache& cache = caches_.of(call, views.x, [&](const Call& c) { return makeCache(c, views, false); });
-  if (views.damage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
+  if (views.bondDamage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
     // Bonds that are damaged in part: rare, and then their strength changes from call to call.
     caches_.clear();
     Cache partial = makeCache(call, views, true);

@@ -19,7 +19,7 @@ struct BondMechanics::Views {
   double* surfaceFactor = nullptr;
   const double* blockId = nullptr;
   const double* bondDamage = nullptr;
-  const double* damage = nullptr;
+  const double* damage = nullptr;  ///< null where it does not tell whether bonds of a point have broken since
 };
 
 }  // namespace pd

@@ -109,7 +109,9 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
   const double* damage = damageView(damageId_, dataManager);
   const double* bondDamage = damageView(bondDamageId_, dataManager);
   const bool isCut = damage != nullptr && bondDamage != nullptr;
-  if (isCut) cache.alive.refresh(cache.neighborhood, bondDamage, damage);
+  // As for forces: Damage tells which bonds have broken only where N and NP1 are one.
+  const bool isTold = isCut && bondDamage == view(dataManager, bondDamageId_, Field::STEP_N);
+  if (isCut) cache.alive.refresh(cache.neighborhood, bondDamage, isTold ? damage : nullptr);
   cache.concentration.copy(concentration, nPoints);
   kernels::addFluxDivergence(cache.neighborhood, cache.weights, isCut ? &cache.alive : nullptr, cache.concentration[0],
                              rate);

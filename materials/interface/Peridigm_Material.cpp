@@ -95,7 +95,7 @@ class Family {
     }
     for (const int id : ids_) globalIds.push_back(source.getOverlapScalarPointMap()->GID(id));
     const auto map = Teuchos::rcp(new PointMap(globalIds));
-    data.setMaps(Teuchos::rcp(new PointMap({globalIds[0]})), map, nNeighbors);
+    data.setMaps(Teuchos::null, map, nNeighbors);  // no owned points, as in Peridigm
     const std::vector<int> fieldIds = source.getFieldIds();
     data.allocateData(fieldIds);
     for (const int fieldId : fieldIds) copyField(fieldId, firstBond, source);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chunk_bonds.hpp"
 #include "rotation.hpp"
 
 namespace pd::kernels {
@@ -15,14 +16,6 @@ Form formOf(const BondForceData& data) {
   if (data.form == TangentialForm::Linear) return Form::Linear;
   return data.constants.tangential == 0.0 ? Form::BondBased : Form::Objective;
 }
-
-/// Arrays that all chunks read and write.
-struct Fields {
-  const PointArrays& reference;
-  const PointArrays& displacement;
-  const double* volume;
-  PointArrays& force;
-};
 
 // The force density that a bond gives to its point is
 //   linear     a eta + b (eta.xi) xi                   a = k_t g V_j/|xi|,  b = (k_n - k_t) g V_j/|xi|^3
@@ -56,83 +49,33 @@ struct UniformBond {
   }
 };
 
-/// One bond a lane, gathered from the points; computes its constants.
+/// Constants of one bond a lane.
 template <int D, Form form>
-struct GatheredBond {
-  Vector bond[D], elongation[D], perLength, inverseLength, volume;  ///< xi, eta, g/|xi|, 1/|xi|, V_j
-  double normal, tangential;                                        ///< k_n, k_t
-  PD_EACH_BOND const Vector& xi(int d) const { return bond[d]; }
-  PD_EACH_BOND Vector a() const { return (form == Form::Linear ? tangential : normal) * perLength * volume; }
+struct BondOfLanes {
+  const GatheredBond<D>& bond;
+  const ElasticConstants& constants;
+  PD_EACH_BOND const Vector& xi(int d) const { return bond.xi[d]; }
+  PD_EACH_BOND Vector a() const {
+    return (form == Form::Linear ? constants.tangential : constants.normal) * bond.perLength * bond.volume;
+  }
   PD_EACH_BOND Vector b() const {
-    const Vector radial = (normal - tangential) * perLength * volume;
-    return form == Form::Linear ? radial * inverseLength * inverseLength : radial / inverseLength;
+    const Vector radial = (constants.normal - constants.tangential) * bond.perLength * bond.volume;
+    return form == Form::Linear ? radial * bond.inverseLength * bond.inverseLength : radial * bond.length;
   }
-  PD_EACH_BOND Vector weighted(int d) const { return perLength * volume * bond[d]; }
-  PD_EACH_BOND Vector turned(int d) const { return 0.5 * tangential * perLength * bond[d]; }
+  PD_EACH_BOND Vector weighted(int d) const { return bond.perLength * bond.volume * bond.xi[d]; }
+  PD_EACH_BOND Vector turned(int d) const { return 0.5 * constants.tangential * bond.perLength * bond.xi[d]; }
 };
 
-/// Bonds of a chunk of a uniform lattice: constants broadcast, neighbours contiguous.
 template <int D>
-struct UniformChunk {
-  static constexpr bool isContiguous = true;
-  const Chunk& chunk;
-  const int* indices;
-  const double* coefficients;
-  const double* displacement[3];  ///< of the chunk's first point
-  Vector own[D], volume;
-
-  PD_EACH_BOND Vector eta(int k, int d) const { return load(displacement[d] + indices[k]) - own[d]; }
-  PD_EACH_BOND UniformBond<D> operator()(int k) const { return {coefficients + k * UniformBond<D>::width}; }
+struct ConstantsOfUniform {
+  PD_EACH_BOND UniformBond<D> operator()(const double* c) const { return {c}; }
 };
 
-/// Any other chunk.
-template <int D, Form form, bool contiguous>
-struct GatheredChunk {
-  static constexpr bool isContiguous = contiguous;
-  const Chunk& chunk;
-  const int* indices;
-  const GatheredBond<D, form>* bonds;
-  Vector volume;
-
-  PD_EACH_BOND const Vector& eta(int k, int d) const { return bonds[k].elongation[d]; }
-  PD_EACH_BOND const GatheredBond<D, form>& operator()(int k) const { return bonds[k]; }
+template <int D, Form form>
+struct ConstantsOfLanes {
+  const ElasticConstants& constants;
+  PD_EACH_BOND BondOfLanes<D, form> operator()(const GatheredBond<D>& bond) const { return {bond, constants}; }
 };
-
-/// All bonds of a chunk, so that points are gathered once although forces pass several times over the bonds.
-template <int D, Form form, bool isContiguous>
-void gatherBonds(const Chunk& chunk, const int* indices, const int* points, const BondForceData& data, std::size_t c,
-                 const Fields& fields, std::vector<GatheredBond<D, form>>& bonds) {
-  bonds.resize(static_cast<std::size_t>(chunk.nNeighbors));
-  const double* strength = data.strength.of(c);
-  const bool hasUniformStrength = data.strength.isUniform(c);
-  Vector own[D], ownReference[D];
-  for (int d = 0; d < D; ++d) {
-    own[d] = gather(fields.displacement[d], points);
-    ownReference[d] = gather(fields.reference[d], points);
-  }
-  const auto neighbors = [&](const double* values, int k) {
-    return isContiguous ? load(values + chunk.firstPoint + indices[k]) : gather(values, indices + k * lanes);
-  };
-  for (int k = 0; k < chunk.nNeighbors; ++k) {
-    GatheredBond<D, form>& bond = bonds[static_cast<std::size_t>(k)];
-    Vector length2 = 0.0;
-    unrolled<D>([&](auto d) {
-      bond.bond[d] = neighbors(fields.reference[d], k) - ownReference[d];
-      bond.elongation[d] = neighbors(fields.displacement[d], k) - own[d];
-      length2 += bond.bond[d] * bond.bond[d];
-    });
-    bond.inverseLength = inverseSquareRoot(length2);
-    bond.volume = neighbors(fields.volume, k);
-    bond.perLength = (hasUniformStrength ? Vector(strength[k]) : load(strength + k * lanes)) * bond.inverseLength;
-    bond.normal = data.constants.normal;
-    bond.tangential = data.constants.tangential;
-  }
-}
-
-template <bool isWhole>
-PD_EACH_BOND Vector keepUnbroken(const Vector& value, unsigned char bits) {
-  return isWhole ? value : keep(value, bits);
-}
 
 /// Rotation of every lane's neighbourhood, row by row, and the sum of weighted bonds.
 template <int D>
@@ -218,8 +161,7 @@ PD_EACH_BOND void addAtNeighbors(const Chunk& chunk, const unsigned char* bits, 
   Vector r[D * D];
   double* at[D];
   unrolled<D * D>([&](auto i) PD_INLINED { r[i] = family.r[i] * bondsOf.volume; });
-  unrolled<D>([&](auto d) PD_INLINED { at[d] = force[d] + (BondsOf::isContiguous ? chunk.firstPoint : 0); });
-  const int* indices = bondsOf.indices;
+  unrolled<D>([&](auto d) PD_INLINED { at[d] = bondsOf.valuesAtNeighbors(force[d]); });
   const int nNeighbors = chunk.nNeighbors;
   // Bonds that follow each other share neighbours one lane apart: far between, so that no load waits for a store.
   for (int first = 0; first < lanes; ++first)
@@ -231,20 +173,7 @@ PD_EACH_BOND void addAtNeighbors(const Chunk& chunk, const unsigned char* bits, 
         if constexpr (D > 1) value[d] += r[D * d + 1] * bond.turned(1);
         if constexpr (D > 2) value[d] += r[D * d + 2] * bond.turned(2);
       });
-      if constexpr (BondsOf::isContiguous) {
-        const int offset = indices[k];
-        unrolled<D>([&](auto d) PD_INLINED {
-          store(load(at[d] + offset) + keepUnbroken<isWhole>(value[d], bits[k]), at[d] + offset);
-        });
-      } else {
-        const int* ids = indices + k * lanes;
-        unrolled<D>([&](auto d) PD_INLINED {
-          alignas(64) double values[lanes];
-          store(value[d], values);
-          for (int lane = 0; lane < lanes; ++lane)
-            if (isWhole || ((bits[k] >> lane) & 1)) at[d][ids[lane]] += values[lane];
-        });
-      }
+      addToNeighbors<D, isWhole>(bondsOf, k, bits[k], value, at);
     }
 }
 
@@ -260,55 +189,18 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
       for (int e = 0; e < D; ++e) sum[d] -= 0.5 * tangential * family.r[D * d + e] * family.weighted[e];
     addAtNeighbors<D, isWhole>(chunk, bits, bondsOf, family, force);
   }
-  const int* points = neighborhood.pointIds(chunk);
-  for (int d = 0; d < D; ++d) {
-    alignas(64) double values[lanes];
-    store(sum[d], values);
-    for (int lane = 0; lane < chunk.nLanes; ++lane) force[d][points[lane]] += values[lane];
-  }
-}
-
-bool areAllWhole(const Chunk& chunk, const unsigned char* bits) {
-  unsigned char common = allLanes;
-  for (int k = 0; k < chunk.nNeighbors; ++k) common = static_cast<unsigned char>(common & bits[k]);
-  return common == allLanes;
+  addToPoints(neighborhood, chunk, sum, D, force);
 }
 
 template <int D, Form form>
 void addForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
-              Fields fields) {
-  std::vector<GatheredBond<D, form>> gathered;
-  const auto& chunks = neighborhood.chunks();
-  for (std::size_t c = 0; c < chunks.size(); ++c) {
-    const Chunk& chunk = chunks[c];
-    const unsigned char* bits = alive.of(chunk);
-    const int* points = neighborhood.pointIds(chunk);
-    const auto add = [&](const auto& bondsOf) {
-      if (areAllWhole(chunk, bits))
-        addForceOfChunk<D, form, true>(neighborhood, chunk, data.constants.tangential, bits, bondsOf, fields.force);
-      else
-        addForceOfChunk<D, form, false>(neighborhood, chunk, data.constants.tangential, bits, bondsOf, fields.force);
-    };
-    const auto addGathered = [&](auto isContiguous, const int* indices) {
-      constexpr bool contiguous = decltype(isContiguous)::value;
-      gatherBonds<D, form, contiguous>(chunk, indices, points, data, c, fields, gathered);
-      add(GatheredChunk<D, form, contiguous>{chunk, indices, gathered.data(), gather(fields.volume, points)});
-    };
-    if (data.coefficients.isUniform(c)) {
-      UniformChunk<D> bondsOf{chunk, neighborhood.offsets(chunk), data.coefficients.of(c), {}, {}, {}};
-      // A contiguous load, so that unused lanes read the points that follow.
-      for (int d = 0; d < D; ++d) {
-        bondsOf.displacement[d] = fields.displacement[d] + chunk.firstPoint;
-        bondsOf.own[d] = load(bondsOf.displacement[d]);
-      }
-      bondsOf.volume = load(fields.volume + chunk.firstPoint);
-      add(bondsOf);
-    } else if (chunk.isContiguous) {
-      addGathered(std::true_type(), neighborhood.offsets(chunk));
-    } else {
-      addGathered(std::false_type(), neighborhood.neighborIds(chunk));
-    }
-  }
+              const BondPoints& points, PointArrays& force) {
+  forEachChunkOfBonds<D, UniformBond<D>::width>(
+      neighborhood, data.strength, data.coefficients, alive, points, ConstantsOfUniform<D>(),
+      ConstantsOfLanes<D, form>{data.constants}, [&](auto isWhole, const Chunk& chunk, const auto& bondsOf) {
+        addForceOfChunk<D, form, decltype(isWhole)::value>(neighborhood, chunk, data.constants.tangential,
+                                                           alive.of(chunk), bondsOf, force);
+      });
 }
 
 /// Calls visit(integral constants of dimension and form).
@@ -356,9 +248,9 @@ BondConstants bondCoefficients(const ChunkedNeighborhood& neighborhood, const Bo
 void addTwoParameterForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
                           const PointArrays& reference, const PointArrays& displacement, const double* volume,
                           PointArrays& force) {
-  const Fields fields{reference, displacement, volume, force};
+  const BondPoints points{reference, displacement, volume};
   withDimensionAndForm(data, [&](auto dimension, auto form) {
-    addForce<decltype(dimension)::value, decltype(form)::value>(neighborhood, data, alive, fields);
+    addForce<decltype(dimension)::value, decltype(form)::value>(neighborhood, data, alive, points, force);
   });
 }
 

@@ -127,6 +127,24 @@ class Mechanics(InPeridigm):
                          ["Displacement", "Force_Density"])
         self.compare(deck, 1e-10, ["Displacement", "Force_Density"])
 
+    def test_finite_difference_jacobian(self):
+        """Peridigm's preconditioner of 3x3 blocks probes the material point by point."""
+        conditions = self.block()
+        conditions["Pull"] = {"Type": "Prescribed Displacement", "Node Set": "Right Node Set", "Coordinate": "x",
+                              "Value": "0.1*t"}
+        fields = ["Displacement"]
+        newton = {"Method": "Newton", "Newton": {"Linear Solver": {"Jacobian Operator": "Matrix-Free",
+                                                                   "Preconditioner": "User Defined",
+                                                                   "Tolerance": 1e-8, "Max Iterations": 500}}}
+        deck = self.deck([STEEL], conditions,
+                         {"Final Time": 1e-4, "Peridigm Preconditioner": "Block 3x3",
+                          "NOXQuasiStatic": {"Nonlinear Solver": "Line Search Based", "Number of Load Steps": 1,
+                                             "Max Solver Iterations": 100, "Relative Tolerance": 1e-9,
+                                             "Direction": newton, "Line Search": {"Method": "Polynomial"}}}, fields)
+        ours = self.deck([STEEL], conditions,
+                         {"Final Time": 1e-4, "QuasiStatic": {"Load Steps": 1, "Relative Tolerance": 1e-10}}, fields)
+        self.compare(deck, 1e-8, fields, pdrun_deck=ours)
+
 
 class Breakage(InPeridigm):
     """The deck of materials/README.md: a plate with an edge crack is torn apart within 100 steps."""
