@@ -51,16 +51,17 @@ std::string freeSpace(const std::string& path) {
 }
 
 Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator& comm) {
-  // Open MPI crashes where it cannot find its way to a file, so the way is tried first.
+  // Open MPI looks for the working folder of a relative path itself, and crashes where that was removed.
+  std::error_code error;
+  const std::string wholePath = std::filesystem::absolute(path, error).string();
   collectively(comm, [&] {
-    const std::string missing = missingFolder(path);
-    if (!missing.empty()) throw RunError("cannot open \"" + path + "\"" + missing);
+    if (error) throwFileError("open", path, error.value());
   });
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);
-  const hid_t file = mode == Hdf5File::Mode::Create ? H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
-                                                    : H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  const hid_t file = mode == Hdf5File::Mode::Create ? H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                                                    : H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access);
   return Hdf5Id(file, H5Fclose);
 }
 

@@ -140,7 +140,8 @@ class Benchmark:
     def speedup(self):
         """Time of the same steps on 1 rank over that on 2."""
         counts = (60, 30, 1) if self.is_quick else (448, 224, 1)
-        for name, body, steps in (("mechanics", scenes.breaking_body, 100), ("diffusion", scenes.diffusing_plate, 2000)):
+        bodies = (("mechanics", scenes.breaking_body, 100), ("diffusion", scenes.diffusing_plate, 2000))
+        for name, body, steps in bodies:
             content = body(counts, 10 if self.is_quick else steps)
             reports = [self.own_run(counts, content, ranks=ranks) for ranks in (1, 2)]
             work = [sum(phase["bond_updates"] for phase in report["phases"]) for report in reports]
@@ -151,8 +152,8 @@ class Benchmark:
 
     @staticmethod
     def _stepping_seconds(report):
-        """All phases but those that come once: a program's start and the reading of a mesh take as long as many steps of
-        diffusion, and no two runs take the same. A wait for the other rank is in the phase that exchanges ghosts."""
+        """All phases but those that come once: a program's start and the reading of a mesh take as long as many steps
+        of diffusion, and no two runs take the same. Waits for the other rank are in the phase that exchanges ghosts."""
         once = ("mesh and neighborhoods", "initialization", "output", "checkpoint")
         return sum(phase["seconds"] for phase in report["phases"] if phase["name"] not in once)
 

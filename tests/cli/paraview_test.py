@@ -105,7 +105,8 @@ class ParaView(unittest.TestCase):
         self.check(self.run_and_read())
 
     def test_results_of_two_ranks(self):
-        self.check(self.run_and_read("mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", "2"))
+        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", "2"]
+        self.check(self.run_and_read(*launcher))
 
 
 if __name__ == "__main__":

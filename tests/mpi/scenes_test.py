@@ -190,8 +190,8 @@ class Restarts(PlateTest):
         self.check(self.plate(), ["Displacement", "Damage", "Concentration"], ranks=2, ranks_after=1)
 
     def test_relaxation_of_one_rank_goes_on_on_two(self):
-        # Everything is in the checkpoint: on the same rank it goes on to the last bit (above), and on two ranks it ends no
-        # further away than a run on two ranks that was never interrupted. What is left is the order of sums over ranks.
+        # Everything is in the checkpoint: on the same rank it goes on to the last bit (above), and on two ranks it ends
+        # no further away than a run on two ranks that was never interrupted. What is left is the order of sums over ranks.
         # Forces and velocities show more of it than displacements do, in proportion: a change of displacements by du
         # changes a force density by no more than the absolute row sum of the stiffness over the volume, which is
         # 4 / 1.21 of the relaxation's mass, times du (Gershgorin); a velocity is the difference of two displacements.
