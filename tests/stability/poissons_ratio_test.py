@@ -99,7 +99,8 @@ class PoissonsRatio(SceneTest):
                                  ([6, 6, 6], {"Poisson's Ratio": 0.33})]:
             kinetic, strain, _ = self.shake(counts, material)
             self.assertLess(np.max(kinetic), 1.15, material)  # dt is below 0.35 of the limit
-            self.assertGreaterEqual(np.min(strain), 0.0, material)
+            # In units of the kinetic energy at first; sums of 1e2 to 1e3 bond energies of a body at rest round to 1e-13.
+            self.assertGreater(np.min(strain), -1e-12, material)
 
     def test_body_whose_edges_are_unstable_is_reported(self):
         # The lattice is stable, a free body of it is not: the smallest eigenvalue of its dense stiffness matrix is
