@@ -54,7 +54,9 @@ Results PointProbe::evaluate(const Material& material) {
     double* values = nullptr;
     const auto data = data_.getData(id, STEP_NP1);
     data->ExtractView(&values);
-    results[spec.label].assign(values, values + data->MyLength());
+    // Of element fields, those of neighbours are what load() brought; forces at neighbours are sums of this call.
+    const bool isOfOwner = spec.relation == PeridigmField::ELEMENT;
+    results[spec.label].assign(values, values + (isOfOwner ? 1 : data->MyLength()));
   }
   return results;
 }

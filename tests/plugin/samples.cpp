@@ -63,6 +63,9 @@ std::vector<Sample> materialSamples() {
   both.set("Diffusivity", 2.0);
   both.set("Diffusion Stops At Broken Bonds", true);
   samples.push_back({"MechanicsAndDiffusion", "PDHE", 2, both});
+  samples.push_back({"LinearPeridynamicSolid", "Elastic", 3, elastic(0.35)});
+  samples.push_back({"LinearPeridynamicSolidRamp", "Elastic", 3,
+                     withText(elastic(0.1), "Volume Correction", "Ramp Beyond Horizon")});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Statics of PDHE against exact solutions: patch tests, moduli of lattices, strips with free edges."""
+"""Statics of PDHE and Elastic against exact solutions: patch tests, moduli of lattices, strips with free edges."""
 import sys
 import unittest
 
@@ -63,6 +63,45 @@ class Patch(SceneTest):
         ux, uy = "(cos(0.5*t)-1)*x - sin(0.5*t)*y", "sin(0.5*t)*x + (cos(0.5*t)-1)*y"
         for nu in (0.1, 0.29):
             self.assertLess(self.error_of(ux, uy, nu, steps=10), 1e-7)
+
+
+class LinearPeridynamicSolid(SceneTest):
+    """Material Elastic on a cube that is deformed as a whole. Silling et al., J. Elasticity 88 (2007) 151: the dilatation
+    under a uniform expansion and its energy are exact in any neighbourhood, cut off or not."""
+
+    bulk, shear, spacing = 130e9, 60e9, 1e-3
+
+    def fields(self, *functions):
+        self.write_mesh(lattice([10e-3] * 3, self.spacing), self.spacing**3)
+        conditions = {"Whole Node Set": {"Expression": "x > -1"}}
+        for axis, function in zip("xyz", functions):
+            conditions[axis] = {"Type": "Prescribed Displacement", "Node Set": "Whole Node Set", "Coordinate": axis,
+                                "Value": function}
+        deck = plate_deck(3.015 * self.spacing, 1.0, conditions=conditions,
+                          solver={"Final Time": 1e-9, "Verlet": {"Fixed dt": 1e-9}},
+                          output={"Output Variables": ["Dilatation", "Stored_Elastic_Energy_Density"]})
+        del deck["Discretization"]["Thickness"]
+        deck["Materials"]["Steel"] = {"Material Model": "Elastic", "Density": 7850.0, "Bulk Modulus": self.bulk,
+                                      "Shear Modulus": self.shear}
+        result = self.solve(deck)
+        return result.field("Dilatation").ravel(), result.field("Stored_Elastic_Energy_Density").ravel()
+
+    def test_expansion(self):
+        strain = 1e-4
+        dilatation, energy = self.fields(*(f"{strain}*{axis}" for axis in "xyz"))
+        self.assertLess(np.max(np.abs(dilatation / (3 * strain) - 1.0)), 1e-9)
+        self.assertLess(np.max(np.abs(energy / (0.5 * self.bulk * (3 * strain) ** 2) - 1.0)), 1e-9)
+
+    def test_shear(self):
+        # Inside, where neighbourhoods are whole, the energy is the sum over the lattice: e = gamma x y/r, theta = 0.
+        dilatation, energy = self.fields("1e-4*y", "1e-4*x", "0*x")
+        offsets = np.array(np.meshgrid(*[np.arange(-3, 4)] * 3)).reshape(3, -1)
+        r2 = np.sum(offsets**2, axis=0)
+        x, y, r2 = offsets[0][(r2 > 0) & (r2 < 9.1)], offsets[1][(r2 > 0) & (r2 < 9.1)], r2[(r2 > 0) & (r2 < 9.1)]
+        expected = 7.5 * self.shear / np.sum(r2) * np.sum((2e-4 * x * y) ** 2 / r2)
+        centre = 5 * 100 + 5 * 10 + 5
+        self.assertLess(abs(dilatation[centre]), 1e-7)
+        self.assertLess(abs(energy[centre] / expected - 1.0), 1e-3)
 
 
 class BodyForce(SceneTest):

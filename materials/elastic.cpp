@@ -1,0 +1,225 @@
+#include "elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "Peridigm_Field.hpp"
+#include "Peridigm_InfluenceFunction.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+using PeridigmNS::FieldManager;
+namespace Field = PeridigmNS::PeridigmField;
+
+namespace {
+
+Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
+  ParameterDeclarations declarations;
+  Elastic::declareParameters(declarations);
+  return declarations.complete(params, "material Elastic");
+}
+
+constexpr const char* moduli[] = {"Bulk Modulus", "Shear Modulus", "Young's Modulus", "Poisson's Ratio"};
+
+}  // namespace
+
+void Elastic::declareParameters(ParameterDeclarations& declare) {
+  declare.text("Material Model", "Name of this model.").defaultTo("Elastic");
+  declare.real("Density", "kg/m3", "Mass density.").positive().required();
+  declare.real("Bulk Modulus", "Pa", "Bulk modulus; two of the four elastic constants are given.").positive();
+  declare.real("Shear Modulus", "Pa", "Shear modulus.").positive();
+  declare.real("Young's Modulus", "Pa", "Young's modulus.").positive();
+  declare.real("Poisson's Ratio", "1", "Poisson's ratio.").strictlyBetween(-1.0, 0.5);
+  declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  declare
+      .text("Volume Correction",
+            "Which share of a neighbour's cell counts near the horizon: all of it up to the horizon (None, as in "
+            "Peridigm), or linear between horizon -/+ half a spacing (Ramp Beyond Horizon; needs neighbours up to "
+            "there), or the same but nothing beyond the horizon (Ramp To Horizon).")
+      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+      .defaultTo("None");
+  declare.flag("Apply Automatic Differentiation Jacobian",
+               "Accepted for decks of Peridigm, where it chooses between two ways to the same tangent.");
+  declare.real("Finite Difference Probe Length", "m", "Step of the finite-difference tangent.").positive();
+}
+
+Elastic::Elastic(const Teuchos::ParameterList& given) : Material(given) {
+  const Teuchos::ParameterList params = completed(given);
+  const auto nModuli =
+      std::count_if(std::begin(moduli), std::end(moduli), [&](const char* name) { return params.isParameter(name); });
+  if (nModuli != 2)
+    throw std::invalid_argument(
+        "material Elastic: give two of \"Bulk Modulus\", \"Shear Modulus\", \"Young's Modulus\", \"Poisson's Ratio\"");
+  if (!params.isParameter("Horizon"))
+    throw std::invalid_argument("material Elastic: \"Horizon\" is missing (the block gives it to its material)");
+  density_ = params.get<double>("Density");
+  bulkModulus_ = calculateBulkModulus(params);
+  shearModulus_ = calculateShearModulus(params);
+  horizon_ = params.get<double>("Horizon");
+  const std::string rule = params.get<std::string>("Volume Correction");
+  if (rule == "Ramp Beyond Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampBeyondHorizon;
+  if (rule == "Ramp To Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampToHorizon;
+  if (params.isParameter("Finite Difference Probe Length"))
+    m_finiteDifferenceProbeLength = params.get<double>("Finite Difference Probe Length");
+
+  FieldManager& fields = FieldManager::self();
+  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
+  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
+  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
+  weightedVolumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Weighted_Volume");
+  dilatationId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Dilatation");
+  forceDensityId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Force_Density");
+  // Not asked for: a damage model of the block brings them.
+  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
+  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
+  energyId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Stored_Elastic_Energy_Density");
+}
+
+std::vector<int> Elastic::FieldIds() const {
+  return {modelCoordinatesId_, coordinatesId_, volumeId_, weightedVolumeId_, dilatationId_, forceDensityId_};
+}
+
+struct Elastic::Views {
+  int nPoints;
+  const double *x, *y, *volume, *bondDamage = nullptr, *damage = nullptr;
+  double *weightedVolume, *dilatation, *force;
+
+  Views(const Elastic& owner, DataManager& dataManager) {
+    const auto view = [&](int id, Field::Step step) {
+      double* values = nullptr;
+      dataManager.getData(id, step)->ExtractView(&values);
+      return values;
+    };
+    nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
+    x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
+    y = view(owner.coordinatesId_, Field::STEP_NP1);
+    volume = view(owner.volumeId_, Field::STEP_NONE);
+    weightedVolume = view(owner.weightedVolumeId_, Field::STEP_NONE);
+    dilatation = view(owner.dilatationId_, Field::STEP_NP1);
+    force = view(owner.forceDensityId_, Field::STEP_NP1);
+    if (!dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1)) return;
+    bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
+    // Where N and NP1 are apart, Damage does not tell which bonds broke in a repeated step (bond_mechanics.cpp).
+    if (dataManager.hasData(owner.damageId_, Field::STEP_NP1) && bondDamage == view(owner.bondDamageId_, Field::STEP_N))
+      damage = view(owner.damageId_, Field::STEP_NP1);
+  }
+  double unbroken(std::size_t bond) const { return bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]; }
+};
+
+double Elastic::influence(const ReferenceBond& bond, double volume, double neighborVolume) const {
+  const double spacing = 0.5 * (std::cbrt(volume) + std::cbrt(neighborVolume));
+  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, horizon_) *
+         kernels::volumeShare(volumeCorrection_, bond.length, horizon_, spacing);
+}
+
+void Elastic::initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                         DataManager& dataManager) {
+  const Views views(*this, dataManager);
+  caches_.clear();
+  for (int p = 0; p < numOwnedPoints; ++p) views.weightedVolume[ownedIDs[p]] = 0.0;
+  forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
+    const ReferenceBond bond(views.x, i, j);
+    views.weightedVolume[i] +=
+        influence(bond, views.volume[i], views.volume[j]) * bond.length * bond.length * views.volume[j];
+  });
+}
+
+Elastic::Cache Elastic::makeCache(const Call& call, const Views& views) const {
+  Cache cache;
+  cache.neighborhood = kernels::ChunkedNeighborhood(call.nOwned, call.ownedIds, call.neighborhoodList);
+  cache.alive = kernels::AliveBonds(cache.neighborhood);
+  cache.data.bulkModulus = bulkModulus_;
+  cache.data.shearModulus = shearModulus_;
+  cache.data.influence = kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
+    values[0] = influence(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]);
+  });
+  cache.data.coefficients =
+      kernels::solidCoefficients(cache.neighborhood, [&](int i, int j, std::size_t, double* values) {
+        const ReferenceBond bond(views.x, i, j);
+        std::copy(bond.xi.begin(), bond.xi.end(), values);
+        values[3] = influence(bond, views.volume[i], views.volume[j]);
+        values[4] = views.volume[j];
+      });
+  cache.reference.separate(views.x, views.nPoints, 3);
+  cache.volume.copy(views.volume, views.nPoints);
+  return cache;
+}
+
+void Elastic::computeForce(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                           DataManager& dataManager) const {
+  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
+  const Views views(*this, dataManager);
+  std::fill(views.force, views.force + 3 * static_cast<std::size_t>(views.nPoints), 0.0);
+  Cache& cache = caches_.of(call, views.x, [&](const Call& c) { return makeCache(c, views); });
+  if (views.bondDamage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
+    caches_.clear();
+    addForceOfDamagedBonds(call, views);
+    return;
+  }
+  cache.displacement.separateDifference(views.y, views.x, views.nPoints, 3);
+  cache.force.zero(views.nPoints, 3);
+  kernels::addSolidForce(cache.neighborhood, cache.data, cache.alive,
+                         {cache.reference, cache.displacement, cache.volume[0]}, views.weightedVolume, views.dilatation,
+                         cache.force);
+  cache.force.addTo(views.force, views.nPoints, 3);
+}
+
+std::vector<double> Elastic::dilatations(const Call& call, const Views& views) const {
+  std::vector<double> theta(static_cast<std::size_t>(views.nPoints), 0.0);
+  forEachBond(call, [&](int i, int j, std::size_t bond) {
+    if (views.weightedVolume[i] == 0.0) return;
+    const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
+    theta[static_cast<std::size_t>(i)] += 3.0 / views.weightedVolume[i] * views.unbroken(bond) *
+                                          influence(reference, views.volume[i], views.volume[j]) * reference.length *
+                                          (current.length - reference.length) * views.volume[j];
+  });
+  return theta;
+}
+
+void Elastic::addForceOfDamagedBonds(const Call& call, const Views& views) const {
+  const std::vector<double> theta = dilatations(call, views);
+  forEachBond(call, [&](int i, int j, std::size_t bond) {
+    const double unbroken = views.unbroken(bond);
+    if (unbroken == 0.0 || views.weightedVolume[i] == 0.0) return;
+    const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
+    const double state =
+        unbroken * influence(reference, views.volume[i], views.volume[j]) / views.weightedVolume[i] *
+        ((3.0 * bulkModulus_ - 5.0 * shearModulus_) * theta[static_cast<std::size_t>(i)] * reference.length +
+         unbroken * 15.0 * shearModulus_ * (current.length - reference.length));
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double force = state * current.xi[d] / current.length;
+      views.force[3 * static_cast<std::size_t>(i) + d] += force * views.volume[j];
+      views.force[3 * static_cast<std::size_t>(j) + d] -= force * views.volume[i];
+    }
+  });
+  for (int p = 0; p < call.nOwned; ++p)
+    views.dilatation[call.ownedIds[p]] = theta[static_cast<std::size_t>(call.ownedIds[p])];
+}
+
+void Elastic::computeStoredElasticEnergyDensity(const double, const int numOwnedPoints, const int* ownedIDs,
+                                                const int* neighborhoodList, DataManager& dataManager) const {
+  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
+  const Views views(*this, dataManager);
+  double* energy = nullptr;
+  dataManager.getData(energyId_, Field::STEP_NONE)->ExtractView(&energy);
+  const std::vector<double> theta = dilatations(call, views);
+  for (int p = 0; p < numOwnedPoints; ++p) {
+    const double own = theta[static_cast<std::size_t>(ownedIDs[p])];
+    energy[ownedIDs[p]] = 0.5 * bulkModulus_ * own * own;
+  }
+  forEachBond(call, [&](int i, int j, std::size_t bond) {
+    if (views.weightedVolume[i] == 0.0) return;
+    const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
+    const double deviation =
+        current.length - reference.length - theta[static_cast<std::size_t>(i)] * reference.length / 3.0;
+    energy[i] += 7.5 * shearModulus_ / views.weightedVolume[i] * views.unbroken(bond) *
+                 influence(reference, views.volume[i], views.volume[j]) * deviation * deviation * views.volume[j];
+  });
+}
+
+PD_REGISTER_MATERIAL(Elastic, "Elastic", "Linear peridynamic solid: ordinary state-based elasticity in 3D.")
+
+}  // namespace pd

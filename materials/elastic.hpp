@@ -1,0 +1,64 @@
+// The linear peridynamic solid, under Peridigm's name "Elastic".
+#ifndef PD_ELASTIC_HPP
+#define PD_ELASTIC_HPP
+
+#include <string>
+#include <vector>
+
+#include "Peridigm_DataManager.hpp"
+#include "Peridigm_Material.hpp"
+#include "bond_family.hpp"
+#include "linear_peridynamic_solid.hpp"
+
+namespace pd {
+
+/// Ordinary state-based elasticity in 3D, for any Poisson's ratio (formulas: kernels/linear_peridynamic_solid.hpp).
+class Elastic : public PeridigmNS::Material {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit Elastic(const Teuchos::ParameterList& params);
+
+  std::string Name() const override { return "Elastic"; }
+  double Density() const override { return density_; }
+  double BulkModulus() const override { return bulkModulus_; }
+  double ShearModulus() const override { return shearModulus_; }
+  std::vector<int> FieldIds() const override;
+
+  /// Computes Weighted_Volume.
+  void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                  PeridigmNS::DataManager& dataManager) override;
+  /// Force_Density and Dilatation.
+  void computeForce(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                    PeridigmNS::DataManager& dataManager) const override;
+  /// W = K/2 theta^2 + 15 G/(2 m) sum w (e - theta |xi|/3)^2 V.
+  void computeStoredElasticEnergyDensity(const double, const int numOwnedPoints, const int* ownedIDs,
+                                         const int* neighborhoodList,
+                                         PeridigmNS::DataManager& dataManager) const override;
+
+ private:
+  struct Cache {
+    kernels::ChunkedNeighborhood neighborhood;
+    kernels::SolidBondData data;
+    kernels::AliveBonds alive;
+    kernels::PointArrays reference, volume, displacement, force;
+  };
+  struct Views;
+
+  Cache makeCache(const Call& call, const Views& views) const;
+  /// Influence function x share of the neighbour's volume.
+  double influence(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  /// The same as the kernel, bond by bond, with bonds that are damaged in part.
+  void addForceOfDamagedBonds(const Call& call, const Views& views) const;
+  /// theta of owned points, in their order. Bonds that are damaged by d count 1 - d.
+  std::vector<double> dilatations(const Call& call, const Views& views) const;
+
+  double density_ = 0.0, bulkModulus_ = 0.0, shearModulus_ = 0.0, horizon_ = 0.0;
+  kernels::VolumeCorrection volumeCorrection_ = kernels::VolumeCorrection::None;
+  int modelCoordinatesId_, coordinatesId_, volumeId_, weightedVolumeId_, dilatationId_, forceDensityId_, bondDamageId_,
+      damageId_, energyId_;
+  mutable NeighborhoodCache<Cache> caches_;
+};
+
+}  // namespace pd
+
+#endif
