@@ -26,7 +26,10 @@ struct BondFamily {
   BondFamily(const Teuchos::ParameterList& params, const std::string& owner);
 
   int dimension() const { return kernels::dimensionOf(section.geometry); }
-  double spacing(double volume) const { return kernels::spacingOf(volume, section); }
+  double spacing(double volume) const {
+    if (volume != lastVolume) lastSpacing = kernels::spacingOf(lastVolume = volume, section);
+    return lastSpacing;
+  }
   /// Share of the cell of either end that the other one sees; the same from both ends.
   double share(double distance, double volume, double neighborVolume) const {
     return kernels::volumeShare(volumeCorrection, distance, horizon, 0.5 * (spacing(volume) + spacing(neighborVolume)));
@@ -34,6 +37,9 @@ struct BondFamily {
   /// Spacing of a uniform lattice, for rescaled constants. Throws std::invalid_argument where spacings differ by more
   /// than 1 %.
   double latticeSpacing(const Call& call, const double* volume, const std::string& owner) const;
+
+  // Neighbours mostly have one volume, and roots take time.
+  mutable double lastVolume = 0.0, lastSpacing = 0.0;
 };
 
 /// The bond from `point` to `neighbor` in the reference configuration.

@@ -104,7 +104,8 @@ BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager
   if (dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1) &&
       dataManager.hasData(owner.damageId_, Field::STEP_NP1)) {
     bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
-    // A host that keeps N and NP1 apart may break other bonds in a repeated step: as many, so that Damage tells nothing.
+    // A host that keeps N and NP1 apart may break other bonds in a repeated step: as many, so that Damage tells
+    // nothing.
     if (bondDamage == view(owner.bondDamageId_, Field::STEP_N)) damage = view(owner.damageId_, Field::STEP_NP1);
   }
 }

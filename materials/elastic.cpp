@@ -110,7 +110,9 @@ struct Elastic::Views {
 };
 
 double Elastic::influence(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  const double spacing = 0.5 * (std::cbrt(volume) + std::cbrt(neighborVolume));
+  const double spacing = volumeCorrection_ == kernels::VolumeCorrection::None
+                             ? 0.0  // without a ramp it does not matter
+                             : 0.5 * (std::cbrt(volume) + std::cbrt(neighborVolume));
   return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, horizon_) *
          kernels::volumeShare(volumeCorrection_, bond.length, horizon_, spacing);
 }

@@ -183,14 +183,20 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
 
   std::vector<std::size_t> chunks;
   const bool testsSome = findChunksToTest(cache, fields, chunks);
-  std::vector<std::pair<const kernels::Chunk*, int>> changed;
+  struct Changed {
+    const kernels::Chunk* chunk;
+    unsigned lanes;  ///< bits
+  };
+  std::vector<Changed> changed;
   kernels::findOverstretchedBonds(
       neighborhood, cache.alive, fields.stretch, law_,
       [&](const kernels::Chunk& chunk, int k, int lane) {
         const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
         if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) return;
         bondDamage[neighborhood.bond(chunk, k, lane)] = 1.0;
-        changed.emplace_back(&chunk, lane);
+        cache.alive.markBroken(chunk, k, lane);
+        if (changed.empty() || changed.back().chunk != &chunk) changed.push_back({&chunk, 0u});
+        changed.back().lanes |= 1u << lane;
       },
       testsSome ? &chunks : nullptr, testsSome ? nullptr : &cache.slack);
   if (!testsSome) {
@@ -201,10 +207,14 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
     countBrokenBonds(call, bondDamage, damage);
     return;
   }
-  for (const auto& [chunk, lane] : changed) {
-    const double* bonds = bondDamage + neighborhood.firstBond(*chunk, lane);
-    damage[neighborhood.pointIds(*chunk)[lane]] = brokenShare(bonds, neighborhood.nNeighbors(*chunk, lane));
-  }
+  for (const auto& [chunk, lanes] : changed)
+    for (int lane = 0; lane < kernels::lanes; ++lane) {
+      if (((lanes >> lane) & 1u) == 0) continue;
+      const double* bonds = bondDamage + neighborhood.firstBond(*chunk, lane);
+      const double share = brokenShare(bonds, neighborhood.nNeighbors(*chunk, lane));
+      damage[neighborhood.pointIds(*chunk)[lane]] = share;
+      cache.alive.markSeen(*chunk, lane, share);
+    }
 }
 
 PD_REGISTER_DAMAGE_MODEL(CriticalStretch, "Critical Stretch", "Bonds break at a critical stretch or fracture energy.")

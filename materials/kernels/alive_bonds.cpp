@@ -22,11 +22,15 @@ bool AliveBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
         if (damage[points[lane]] == seen) continue;
         seen = damage[points[lane]];
       }
-      neighborhood.forEachBond(chunk, lane, [&](int k, std::size_t bond) {
-        isWhole = isWhole && (bondDamage[bond] == 0.0 || bondDamage[bond] == 1.0);
-        const unsigned bit = 1u << lane;
-        bits[k] = static_cast<unsigned char>(bondDamage[bond] < 1.0 ? bits[k] | bit : bits[k] & ~bit);
-      });
+      const unsigned bit = 1u << lane;
+      const unsigned char* present = neighborhood.present(chunk);
+      const double* next = bondDamage + neighborhood.firstBond(chunk, lane);
+      for (int k = 0; k < chunk.nNeighbors; ++k) {
+        if ((present[k] & bit) == 0) continue;
+        const double value = *next++;
+        isWhole = isWhole && (value == 0.0 || value == 1.0);
+        bits[k] = static_cast<unsigned char>((bits[k] & ~bit) | (value < 1.0 ? bit : 0u));
+      }
     }
   }
   return isWhole;

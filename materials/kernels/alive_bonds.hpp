@@ -21,6 +21,15 @@ class AliveBonds {
   /// 1).
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
 
+  /// What a damage model does itself need not be read again: a bond that it breaks, and the Damage of the point then.
+  void markBroken(const Chunk& chunk, int k, int lane) {
+    unsigned char& bits = of(chunk)[k];
+    bits = static_cast<unsigned char>(bits & ~(1u << lane));
+  }
+  void markSeen(const Chunk& chunk, int lane, double damage) {
+    seen_[chunk.points + static_cast<std::size_t>(lane)] = damage;
+  }
+
   /// One byte an entry of the chunk; bit = lane. Zero where the lane has no such neighbour.
   const unsigned char* of(const Chunk& chunk) const { return bits_.data() + chunk.entries; }
   unsigned char* of(const Chunk& chunk) { return bits_.data() + chunk.entries; }
