@@ -75,8 +75,8 @@ class Pdrun(unittest.TestCase):
     def test_list_names_every_kind(self):
         done = self.run_pdrun("--list")
         self.assertEqual(done.returncode, 0)
-        for text in ("Materials\n  PDHE", "Damage models\n", "  Critical Stretch ", "Computes\n", "Solvers\n", "  Verlet ",
-                     "Methods of the solver Diffusion\n", "Initial and boundary conditions\n", "Bond filters\n",
+        for text in ("Materials\n", "  PDHE ", "Damage models\n", "  Critical Stretch ", "Computes\n", "Solvers\n",
+                     "  Verlet ", "Methods of the solver Diffusion\n", "Initial and boundary conditions\n", "Bond filters\n",
                      "Sections of a deck\n"):
             self.assertIn(text, done.stdout)
 
