@@ -66,6 +66,11 @@ std::vector<Sample> materialSamples() {
   samples.push_back({"LinearPeridynamicSolid", "Elastic", 3, elastic(0.35)});
   samples.push_back({"LinearPeridynamicSolidRamp", "Elastic", 3,
                      withText(elastic(0.1), "Volume Correction", "Ramp Beyond Horizon")});
+  Teuchos::ParameterList bondBased = elastic(0.25);
+  bondBased.remove("Poisson's Ratio");
+  samples.push_back({"BondBasedOfPeridigm", "Elastic Bond Based", 3, bondBased});
+  samples.push_back({"BondBasedPlateOfPeridigm", "Elastic Bond Based", 2,
+                     with(with(bondBased, "Plane Stress", true), "Height", thickness)});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;
