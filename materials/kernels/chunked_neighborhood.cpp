@@ -48,10 +48,11 @@ struct ChunkedNeighborhood::Lists {
   const int* neighbors(int p) const { return list + starts[std::size_t(p)] + 1; }
   bool isSorted(int p) const { return std::is_sorted(neighbors(p), neighbors(p) + count(p)); }
   bool hasOffsets(int p, const std::vector<int>& offsets) const {
+    if (std::size_t(count(p)) != offsets.size()) return false;
     const int* ids = neighbors(p);
     for (int k = 0; k < count(p); ++k)
       if (ids[k] - ownedIds[p] != offsets[std::size_t(k)]) return false;
-    return std::size_t(count(p)) == offsets.size();
+    return true;
   }
   /// The offsets of `nPoints` points from `first` on, in an order in which every point's list is; empty where there is
   /// none, or where the points have too few in common.
