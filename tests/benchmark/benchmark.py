@@ -128,19 +128,20 @@ class Benchmark:
         return np.linalg.norm(field - reference) / np.linalg.norm(reference)
 
     def mechanics(self):
-        """Whole runs of bodies that move and break: bonds over the time of the force and of the test for breakage."""
+        """Whole runs of bodies that move and break: bonds over the time of a force and of a test for breakage."""
         plane, solid = ((60, 30, 1), (12, 12, 12)) if self.is_quick else ((155, 77, 1), (46, 46, 46))
         for name, counts, steps in (("2d", plane, 1000), ("3d", solid, 200)):
             report = self.own_run(counts, scenes.breaking_body(counts, 20 if self.is_quick else steps))
-            phases = {phase["name"]: phase for phase in report["phases"]}
-            seconds = phases["force"]["seconds"] + phases["damage"]["seconds"]
-            self.add(f"mechanics_breaking_bond_updates_per_s_{name}", phases["force"]["bond_updates"] / seconds, "1/s")
+            # Forces are evaluated more often than breakage, for the critical time step.
+            seconds_an_update = sum(phase["seconds"] / phase["bond_updates"] for phase in report["phases"]
+                                    if phase["name"] in ("force", "damage"))
+            self.add(f"mechanics_breaking_bond_updates_per_s_{name}", 1.0 / seconds_an_update, "1/s")
             self.add(f"bytes_per_bond_breaking_{name}", report["bytes_per_bond"], "B")
 
     def speedup(self):
         """Time of the same steps on 1 rank over that on 2."""
         counts = (60, 30, 1) if self.is_quick else (448, 224, 1)
-        bodies = (("mechanics", scenes.breaking_body, 100), ("diffusion", scenes.diffusing_plate, 2000))
+        bodies = (("mechanics", scenes.breaking_body, 250), ("diffusion", scenes.diffusing_plate, 2000))
         for name, body, steps in bodies:
             content = body(counts, 10 if self.is_quick else steps)
             reports = [self.own_run(counts, content, ranks=ranks) for ranks in (1, 2)]
