@@ -40,7 +40,7 @@ int main() {
   hydrogen.set("Critical Stretch", 0.02);
   expect(createDamageModel(hydrogen).get() != damage.get(), "one of other parameters is another one");
 
-  steel.set("Material Model", std::string("Elastic"));
+  steel.set("Material Model", std::string("Viscoelastic"));
   hydrogen.set("Damage Model", std::string("Johnson Cook"));
   expect(createMaterial(steel).is_null() && createDamageModel(hydrogen).is_null(), "other names stay the host's");
 
