@@ -85,29 +85,18 @@ std::vector<int> BondMechanics::fieldIdsForSynchronizationAfterInitialize() cons
 }
 
 BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager) {
-  const auto view = [&](int id, Field::Step step) {
-    double* values = nullptr;
-    dataManager.getData(id, step)->ExtractView(&values);
-    return values;
-  };
   // Peridigm's finite-difference Jacobian hands no map of owned points.
   const auto ownedPoints = dataManager.getOwnedScalarPointMap();
   ownsFirstPoint = !ownedPoints.is_null() && ownedPoints->LID(0) != -1;
   nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
-  x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
-  y = view(owner.coordinatesId_, Field::STEP_NP1);
-  volume = view(owner.volumeId_, Field::STEP_NONE);
-  blockId = view(owner.blockId_, Field::STEP_NONE);
-  force = view(owner.forceDensityId_, Field::STEP_NP1);
-  if (owner.surfaceVolumeId_ >= 0) familyVolume = view(owner.surfaceVolumeId_, Field::STEP_NONE);
-  if (owner.surfaceFactorId_ >= 0) surfaceFactor = view(owner.surfaceFactorId_, Field::STEP_NONE);
-  if (dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1) &&
-      dataManager.hasData(owner.damageId_, Field::STEP_NP1)) {
-    bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
-    // A host that keeps N and NP1 apart may break other bonds in a repeated step: as many, so that Damage tells
-    // nothing.
-    if (bondDamage == view(owner.bondDamageId_, Field::STEP_N)) damage = view(owner.damageId_, Field::STEP_NP1);
-  }
+  x = view(dataManager, owner.modelCoordinatesId_, Field::STEP_NONE);
+  y = view(dataManager, owner.coordinatesId_, Field::STEP_NP1);
+  volume = view(dataManager, owner.volumeId_, Field::STEP_NONE);
+  blockId = view(dataManager, owner.blockId_, Field::STEP_NONE);
+  force = view(dataManager, owner.forceDensityId_, Field::STEP_NP1);
+  if (owner.surfaceVolumeId_ >= 0) familyVolume = view(dataManager, owner.surfaceVolumeId_, Field::STEP_NONE);
+  if (owner.surfaceFactorId_ >= 0) surfaceFactor = view(dataManager, owner.surfaceFactorId_, Field::STEP_NONE);
+  damaged = damageViews(dataManager, owner.bondDamageId_, owner.damageId_);
 }
 
 void BondMechanics::initialize(const Call& call, DataManager& dataManager) {
@@ -240,7 +229,8 @@ BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& vie
   cache.data.form = form_;
   cache.data.constants = constants_;
   const auto strengthOf = [&](int i, int j, std::size_t bond) {
-    return strength(views, ReferenceBond(views.x, i, j), i, j) * (foldsDamage ? 1.0 - views.bondDamage[bond] : 1.0);
+    return strength(views, ReferenceBond(views.x, i, j), i, j) *
+           (foldsDamage ? 1.0 - views.damaged.bondDamage[bond] : 1.0);
   };
   cache.data.strength = kernels::BondConstants(
       cache.neighborhood, 1,
@@ -273,7 +263,7 @@ void BondMechanics::addInterfaceForce(const Cache& cache, const Views& views) co
   const bool isLinear = form_ == kernels::TangentialForm::Linear;
   const double normal = constants_.normal, tangential = constants_.tangential, radial = normal - tangential;
   for (const auto& [i, j, bond] : cache.interfaceBonds) {
-    const double alive = views.bondDamage == nullptr ? 1.0 : 1.0 - views.bondDamage[bond];
+    const double alive = views.damaged.bondDamage == nullptr ? 1.0 : 1.0 - views.damaged.bondDamage[bond];
     if (alive == 0.0) continue;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
     const double half = 0.5 * alive * strength(views, reference, i, j);
@@ -293,7 +283,8 @@ void BondMechanics::computeForce(const Call& call, DataManager& dataManager) con
   const Views views(*this, dataManager);
   std::fill(views.force, views.force + 3 * static_cast<std::size_t>(views.nPoints), 0.0);
   Cache& cache = caches_.of(call, views.x, [&](const Call& c) { return makeCache(c, views, false); });
-  if (views.bondDamage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
+  if (views.damaged.bondDamage != nullptr &&
+      !cache.alive.refresh(cache.neighborhood, views.damaged.bondDamage, views.damaged.damage)) {
     // Bonds that are damaged in part: rare, and then their strength changes from call to call.
     caches_.clear();
     Cache partial = makeCache(call, views, true);

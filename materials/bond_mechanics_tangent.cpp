@@ -160,7 +160,7 @@ void BondMechanics::forEachFamily(const Call& call, const Views& views, Visit vi
       const int j = call.neighborhoodList[at++];
       const ReferenceBond reference(views.x, i, j);
       CurrentBond bond{j, reference.xi, {}, reference.length, strength(views, reference, i, j), views.volume[j]};
-      if (views.bondDamage != nullptr) bond.strength *= 1.0 - views.bondDamage[bondIndex];
+      if (views.damaged.bondDamage != nullptr) bond.strength *= 1.0 - views.damaged.bondDamage[bondIndex];
       if (bond.strength == 0.0) continue;
       for (std::size_t d = 0; d < 3; ++d)
         bond.y[d] = views.y[3 * static_cast<std::size_t>(j) + d] - views.y[3 * static_cast<std::size_t>(i) + d];

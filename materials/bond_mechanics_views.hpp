@@ -3,6 +3,7 @@
 #define PD_BOND_MECHANICS_VIEWS_HPP
 
 #include "bond_mechanics.hpp"
+#include "field_views.hpp"
 
 namespace pd {
 
@@ -18,8 +19,7 @@ struct BondMechanics::Views {
   double* familyVolume = nullptr;
   double* surfaceFactor = nullptr;
   const double* blockId = nullptr;
-  const double* bondDamage = nullptr;
-  const double* damage = nullptr;  ///< null where it does not tell whether bonds of a point have broken since
+  DamageViews damaged;
 };
 
 }  // namespace pd

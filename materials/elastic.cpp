@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "Peridigm_Field.hpp"
 #include "Peridigm_InfluenceFunction.hpp"
+#include "field_views.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -84,29 +84,23 @@ std::vector<int> Elastic::FieldIds() const {
 
 struct Elastic::Views {
   int nPoints;
-  const double *x, *y, *volume, *bondDamage = nullptr, *damage = nullptr;
+  const double *x, *y, *volume;
+  DamageViews damaged;
   double *weightedVolume, *dilatation, *force;
 
   Views(const Elastic& owner, DataManager& dataManager) {
-    const auto view = [&](int id, Field::Step step) {
-      double* values = nullptr;
-      dataManager.getData(id, step)->ExtractView(&values);
-      return values;
-    };
     nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
-    x = view(owner.modelCoordinatesId_, Field::STEP_NONE);
-    y = view(owner.coordinatesId_, Field::STEP_NP1);
-    volume = view(owner.volumeId_, Field::STEP_NONE);
-    weightedVolume = view(owner.weightedVolumeId_, Field::STEP_NONE);
-    dilatation = view(owner.dilatationId_, Field::STEP_NP1);
-    force = view(owner.forceDensityId_, Field::STEP_NP1);
-    if (!dataManager.hasData(owner.bondDamageId_, Field::STEP_NP1)) return;
-    bondDamage = view(owner.bondDamageId_, Field::STEP_NP1);
-    // Where N and NP1 are apart, Damage does not tell which bonds broke in a repeated step (bond_mechanics.cpp).
-    if (dataManager.hasData(owner.damageId_, Field::STEP_NP1) && bondDamage == view(owner.bondDamageId_, Field::STEP_N))
-      damage = view(owner.damageId_, Field::STEP_NP1);
+    x = view(dataManager, owner.modelCoordinatesId_, Field::STEP_NONE);
+    y = view(dataManager, owner.coordinatesId_, Field::STEP_NP1);
+    volume = view(dataManager, owner.volumeId_, Field::STEP_NONE);
+    weightedVolume = view(dataManager, owner.weightedVolumeId_, Field::STEP_NONE);
+    dilatation = view(dataManager, owner.dilatationId_, Field::STEP_NP1);
+    force = view(dataManager, owner.forceDensityId_, Field::STEP_NP1);
+    damaged = damageViews(dataManager, owner.bondDamageId_, owner.damageId_);
   }
-  double unbroken(std::size_t bond) const { return bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]; }
+  double unbroken(std::size_t bond) const {
+    return damaged.bondDamage == nullptr ? 1.0 : 1.0 - damaged.bondDamage[bond];
+  }
 };
 
 double Elastic::influence(const ReferenceBond& bond, double volume, double neighborVolume) const {
@@ -156,7 +150,8 @@ void Elastic::computeForce(const double, const int numOwnedPoints, const int* ow
   const Views views(*this, dataManager);
   std::fill(views.force, views.force + 3 * static_cast<std::size_t>(views.nPoints), 0.0);
   Cache& cache = caches_.of(call, views.x, [&](const Call& c) { return makeCache(c, views); });
-  if (views.bondDamage != nullptr && !cache.alive.refresh(cache.neighborhood, views.bondDamage, views.damage)) {
+  if (views.damaged.bondDamage != nullptr &&
+      !cache.alive.refresh(cache.neighborhood, views.damaged.bondDamage, views.damaged.damage)) {
     caches_.clear();
     addForceOfDamagedBonds(call, views);
     return;

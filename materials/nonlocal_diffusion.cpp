@@ -11,15 +11,7 @@ using PeridigmNS::DataManager;
 using PeridigmNS::FieldManager;
 namespace Field = PeridigmNS::PeridigmField;
 
-namespace {
-
-double* view(DataManager& dataManager, int id, Field::Step step) {
-  double* values = nullptr;
-  dataManager.getData(id, step)->ExtractView(&values);
-  return values;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void NonlocalDiffusion::declareParameters(ParameterDeclarations& declare) {
   declare.real("Diffusivity", "m2/s", "Diffusivity; give it to switch diffusion on.").positive();
@@ -72,9 +64,8 @@ double NonlocalDiffusion::weight(const ReferenceBond& bond, double volume, doubl
          family_.share(bond.length, volume, neighborVolume);
 }
 
-const double* NonlocalDiffusion::damageView(int id, DataManager& dataManager) const {
-  return stopsAtBrokenBonds_ && dataManager.hasData(id, Field::STEP_NP1) ? view(dataManager, id, Field::STEP_NP1)
-                                                                         : nullptr;
+DamageViews NonlocalDiffusion::cuts(DataManager& dataManager) const {
+  return stopsAtBrokenBonds_ ? damageViews(dataManager, bondDamageId_, damageId_) : DamageViews();
 }
 
 void NonlocalDiffusion::addInterfaceFlux(const Cache& cache, const double* x, const double* volume,
@@ -106,23 +97,20 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
     if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
     return made;
   });
-  const double* damage = damageView(damageId_, dataManager);
-  const double* bondDamage = damageView(bondDamageId_, dataManager);
-  const bool isCut = damage != nullptr && bondDamage != nullptr;
-  // As for forces: Damage tells which bonds have broken only where N and NP1 are one.
-  const bool isTold = isCut && bondDamage == view(dataManager, bondDamageId_, Field::STEP_N);
-  if (isCut) cache.alive.refresh(cache.neighborhood, bondDamage, isTold ? damage : nullptr);
+  const auto [bondDamage, damage] = cuts(dataManager);
+  const bool isCut = bondDamage != nullptr;
+  if (isCut) cache.alive.refresh(cache.neighborhood, bondDamage, damage);
   cache.concentration.copy(concentration, nPoints);
   kernels::addFluxDivergence(cache.neighborhood, cache.weights, isCut ? &cache.alive : nullptr, cache.concentration[0],
                              rate);
-  addInterfaceFlux(cache, x, volume, concentration, isCut ? bondDamage : nullptr, rate);
+  addInterfaceFlux(cache, x, volume, concentration, bondDamage, rate);
 }
 
 void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManager,
                                         PeridigmNS::SerialMatrix& jacobian) const {
   const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
   const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
-  const double* bondDamage = damageView(bondDamageId_, dataManager);
+  const double* bondDamage = cuts(dataManager).bondDamage;
   const double* blockId = view(dataManager, blockId_, Field::STEP_NONE);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();

@@ -10,6 +10,7 @@
 #include "alive_bonds.hpp"
 #include "bond_family.hpp"
 #include "diffusion_kernel.hpp"
+#include "field_views.hpp"
 #include "point_arrays.hpp"
 
 namespace pd {
@@ -42,8 +43,8 @@ class NonlocalDiffusion {
   /// The neighbours' part of the flux of bonds between blocks. `bondDamage`: null where no bond is cut.
   void addInterfaceFlux(const Cache& cache, const double* x, const double* volume, const double* concentration,
                         const double* bondDamage, double* rate) const;
-  /// Bond_Damage and Damage where broken bonds carry no flux; null otherwise.
-  const double* damageView(int id, PeridigmNS::DataManager& dataManager) const;
+  /// Broken bonds, where they carry no flux.
+  DamageViews cuts(PeridigmNS::DataManager& dataManager) const;
 
   std::string owner_;
   BondFamily family_;

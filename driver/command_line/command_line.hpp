@@ -14,7 +14,7 @@ struct CommandLine {
   Action action = Action::Run;
   RunOptions options;
   std::string studyFile;  ///< of Study and CheckStudy
-  std::string text;  ///< of Print: help, version, list or explanation
+  std::string text;       ///< of Print: help, version, list or explanation
 };
 
 /// Throws DeckError, with the remedy, for arguments that make no sense.

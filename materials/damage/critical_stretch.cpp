@@ -6,6 +6,7 @@
 #include "Peridigm_InfluenceFunction.hpp"
 #include "bond_constants.hpp"
 #include "bond_family.hpp"
+#include "field_views.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -31,12 +32,6 @@ double stretchFrom(const Teuchos::ParameterList& params) {
   return kernels::criticalStretch(section, params.get<double>("Young's Modulus"), params.get<double>("Poisson's Ratio"),
                                   params.get<double>("Fracture Energy"), params.get<double>("Horizon"),
                                   PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
-}
-
-double* view(DataManager& dataManager, int id, Field::Step step) {
-  double* values = nullptr;
-  dataManager.getData(id, step)->ExtractView(&values);
-  return values;
 }
 
 double brokenShare(const double* bondDamage, int count) {

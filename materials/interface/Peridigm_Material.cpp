@@ -69,7 +69,8 @@ void Material::computeJacobian(const double dt, const int numOwnedPoints, const 
 
 namespace {
 
-/// The scalar field whose flux divergence is among the fields of a material; Peridigm's Temperature where there is none.
+/// The scalar field whose flux divergence is among the fields of a material; Peridigm's Temperature where there is
+/// none.
 std::string diffusingField(const std::vector<int>& fieldIds) {
   FieldManager& fields = FieldManager::self();
   const auto isUsed = [&](const std::string& label) {

@@ -109,17 +109,6 @@ PD_EACH_BOND void addToNeighbors(const BondsOf& bondsOf, int k, unsigned char bi
   }
 }
 
-/// Adds the lanes in use to the points of the chunk.
-inline void addToPoints(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, const Vector* sum, int dimension,
-                        PointArrays& values) {
-  const int* points = neighborhood.pointIds(chunk);
-  for (int d = 0; d < dimension; ++d) {
-    alignas(64) double added[lanes];
-    store(sum[d], added);
-    for (int lane = 0; lane < chunk.nLanes; ++lane) values[d][points[lane]] += added[lane];
-  }
-}
-
 inline bool areAllWhole(const Chunk& chunk, const unsigned char* bits) {
   unsigned char common = allLanes;
   for (int k = 0; k < chunk.nNeighbors; ++k) common = static_cast<unsigned char>(common & bits[k]);

@@ -88,6 +88,18 @@ class ChunkedNeighborhood {
   std::vector<int> sample_;
 };
 
+/// Adds the lanes in use to `values`, by local id, at the points of the chunk.
+inline void addToPoints(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, const Vector& sum,
+                        double* values) {
+  if (chunk.isContiguous && chunk.nLanes == lanes) {
+    double* own = values + chunk.firstPoint;
+    store(load(own) + sum, own);
+    return;
+  }
+  const int* points = neighborhood.pointIds(chunk);
+  for (int lane = 0; lane < chunk.nLanes; ++lane) values[points[lane]] += sum[static_cast<std::size_t>(lane)];
+}
+
 /// Constants of bonds, `width` doubles each, in the order of the chunks. Where all lanes of a contiguous chunk have the
 /// same constants (to `tolerance`, relative to the largest of each component), one set a neighbour is kept for the
 /// whole chunk, and chunks that agree share it: on a uniform lattice the constants of a whole row take no more room

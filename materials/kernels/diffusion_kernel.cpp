@@ -4,17 +4,6 @@ namespace pd::kernels {
 
 namespace {
 
-/// Adds the lanes in use to the points of the chunk.
-void addToPoints(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, const Vector& sum, double* rate) {
-  if (chunk.isContiguous && chunk.nLanes == lanes) {
-    double* own = rate + chunk.firstPoint;
-    store(load(own) + sum, own);
-    return;
-  }
-  const int* points = neighborhood.pointIds(chunk);
-  for (int lane = 0; lane < chunk.nLanes; ++lane) rate[points[lane]] += sum[static_cast<std::size_t>(lane)];
-}
-
 template <bool isContiguous, bool isUniform, bool isMasked>
 Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, const unsigned char* bits,
               const Vector& own, const double* concentration) {

@@ -101,7 +101,7 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
       });
       addToNeighbors<3, isWhole>(bondsOf, k, bits[k], value, at);
     }
-  addToPoints(neighborhood, chunk, sum, 3, force);
+  for (int d = 0; d < 3; ++d) addToPoints(neighborhood, chunk, sum[d], force[d]);
   for (int lane = 0; lane < chunk.nLanes; ++lane) dilatation[ids[lane]] = theta[static_cast<std::size_t>(lane)];
 }
 

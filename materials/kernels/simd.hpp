@@ -94,6 +94,17 @@ PD_EACH_BOND void unrolled(const Visit& visit) {
   unrolled(std::make_integer_sequence<int, n>(), visit);
 }
 
+/// Calls visit(dimension) with the integral constant 1, 2 or 3.
+template <class Visit>
+void withDimension(int dimension, const Visit& visit) {
+  if (dimension == 1)
+    visit(std::integral_constant<int, 1>());
+  else if (dimension == 2)
+    visit(std::integral_constant<int, 2>());
+  else
+    visit(std::integral_constant<int, 3>());
+}
+
 inline constexpr unsigned char allLanes = static_cast<unsigned char>((1u << lanes) - 1u);
 
 }  // namespace pd::kernels

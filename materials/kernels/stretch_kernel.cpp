@@ -100,16 +100,6 @@ double testChunk(const Chunk& chunk, const unsigned char* bits, const Lengths& l
   return 0.5 * stdx::hmin(room2) / std::sqrt(stdx::hmax(longest2));
 }
 
-template <class Visit>
-void withDimension(int dimension, Visit visit) {
-  if (dimension == 1)
-    visit(std::integral_constant<int, 1>());
-  else if (dimension == 2)
-    visit(std::integral_constant<int, 2>());
-  else
-    visit(std::integral_constant<int, 3>());
-}
-
 }  // namespace
 
 double CriticalStretchLaw::at(double psi) const { return stretchAt(*this, std::clamp(psi, 0.0, 1.0)); }

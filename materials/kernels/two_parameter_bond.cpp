@@ -189,7 +189,7 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
       for (int e = 0; e < D; ++e) sum[d] -= 0.5 * tangential * family.r[D * d + e] * family.weighted[e];
     addAtNeighbors<D, isWhole>(chunk, bits, bondsOf, family, force);
   }
-  addToPoints(neighborhood, chunk, sum, D, force);
+  for (int d = 0; d < D; ++d) addToPoints(neighborhood, chunk, sum[d], force[d]);
 }
 
 template <int D, Form form>
@@ -206,7 +206,7 @@ void addForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data
 /// Calls visit(integral constants of dimension and form).
 template <class Visit>
 void withDimensionAndForm(const BondForceData& data, Visit visit) {
-  const auto withForm = [&](auto dimension) {
+  withDimension(data.dimension, [&](auto dimension) {
     switch (formOf(data)) {
       case Form::BondBased:
         return visit(dimension, std::integral_constant<Form, Form::BondBased>());
@@ -215,13 +215,7 @@ void withDimensionAndForm(const BondForceData& data, Visit visit) {
       case Form::Objective:
         return visit(dimension, std::integral_constant<Form, Form::Objective>());
     }
-  };
-  if (data.dimension == 1)
-    withForm(std::integral_constant<int, 1>());
-  else if (data.dimension == 2)
-    withForm(std::integral_constant<int, 2>());
-  else
-    withForm(std::integral_constant<int, 3>());
+  });
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ std::vector<Sample> materialSamples() {
   both.set("Diffusion Stops At Broken Bonds", true);
   samples.push_back({"MechanicsAndDiffusion", "PDHE", 2, both});
   samples.push_back({"LinearPeridynamicSolid", "Elastic", 3, elastic(0.35)});
-  samples.push_back({"LinearPeridynamicSolidRamp", "Elastic", 3,
-                     withText(elastic(0.1), "Volume Correction", "Ramp Beyond Horizon")});
+  samples.push_back(
+      {"LinearPeridynamicSolidRamp", "Elastic", 3, withText(elastic(0.1), "Volume Correction", "Ramp Beyond Horizon")});
   Teuchos::ParameterList bondBased = elastic(0.25);
   bondBased.remove("Poisson's Ratio");
   samples.push_back({"BondBasedOfPeridigm", "Elastic Bond Based", 3, bondBased});

@@ -90,7 +90,7 @@ std::vector<double> referenceRelaxation(int nIterations, double end) {
 }
 
 TEST_F(RelaxationTest, DampingIsOneGlobalNumber) {
-  // A number per rank would change the path (Peridynamics.jl issue 288: by 1.5 to 4.5 %).
+  // A number per rank would change the path.
   SolverScene scene(comm, chain, pull("0.11"));
   const auto solver = scene.make("Adaptive Dynamic Relaxation", "{Iterations Per Load Step: 37}");
   scene.start("Displacement", [](double, double) { return 0.0; });

@@ -1,0 +1,35 @@
+// Plain pointers to the fields of a block.
+#ifndef PD_FIELD_VIEWS_HPP
+#define PD_FIELD_VIEWS_HPP
+
+#include "Peridigm_DataManager.hpp"
+#include "Peridigm_Field.hpp"
+
+namespace pd {
+
+inline double* view(PeridigmNS::DataManager& dataManager, int id, PeridigmNS::PeridigmField::Step step) {
+  double* values = nullptr;
+  dataManager.getData(id, step)->ExtractView(&values);
+  return values;
+}
+
+/// What a material sees of the damage model of its block, at NP1.
+struct DamageViews {
+  const double* bondDamage = nullptr;  ///< null where the block has no damage model
+  /// Damage where it tells which points' bonds have broken since the last call, else null. A host that keeps N and NP1
+  /// apart may break other bonds in a repeated step, but as many.
+  const double* damage = nullptr;
+};
+
+inline DamageViews damageViews(PeridigmNS::DataManager& dataManager, int bondDamageId, int damageId) {
+  using namespace PeridigmNS::PeridigmField;
+  DamageViews views;
+  if (!dataManager.hasData(bondDamageId, STEP_NP1) || !dataManager.hasData(damageId, STEP_NP1)) return views;
+  views.bondDamage = view(dataManager, bondDamageId, STEP_NP1);
+  if (views.bondDamage == view(dataManager, bondDamageId, STEP_N)) views.damage = view(dataManager, damageId, STEP_NP1);
+  return views;
+}
+
+}  // namespace pd
+
+#endif
