@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Jumps of 1 : 1000 between blocks, and bodies of 1e-9 m and of 1e3 m."""
+"""Jumps of 1 : 1000 and of the horizon between blocks, and bodies of 1e-9 m and of 1e3 m."""
 import sys
 import unittest
 
@@ -87,6 +87,36 @@ class JumpBetweenBlocks(SceneTest):
             total = self.solve(deck).history()["Total"]
             # Explicit: to round-off. Implicit: to the tolerance of its linear solver.
             self.assertLess(np.max(np.abs(total / total[0] - 1.0)), 1e-8 if method == "TR-BDF2" else 1e-12, method)
+
+
+class JumpOfTheHorizon(SceneTest):
+    """A free plate whose halves have different horizons, so that their lists of neighbours differ at the border."""
+
+    def test_momentum_is_conserved_across_it(self):
+        spacing, thickness = 1e-3, 2e-3
+        x = lattice([0.040, 0.012], spacing)
+        self.write_mesh(x, spacing**2 * thickness, 1 + (x[:, 0] > 0.020))
+        for form, poissons_ratio in (("Objective", 0.2), ("Objective", 1 / 3), ("Linear", 0.2)):
+            deck = plate_deck(
+                3.015 * spacing, thickness,
+                {"Young's Modulus": 200e9, "Poisson's Ratio": poissons_ratio, "Density": 7800.0,
+                 "Tangential Force": form},
+                conditions={"All Node Set": {"Expression": "x > -1"},
+                            "Start": {"Type": "Initial Velocity", "Node Set": "All Node Set", "Coordinate": "x",
+                                      "Value": "20*sin(150*x)"}},
+                solver={"Final Time": 2e-5, "Verlet": {}},
+                output={"Output Variables": ["Velocity"], "Output Frequency": 1000})
+            deck["Blocks"]["Other"] = {"Block Names": "block_2", "Material": "Steel", "Horizon": 4.015 * spacing}
+            expected = None
+            for ranks in (1, 2):
+                result = self.solve(deck, ranks=ranks)
+                start, end = result.field("Velocity", 0), result.field("Velocity")
+                self.assertGreater(np.max(np.abs(end - start)), 10.0)  # waves have crossed the border
+                change = np.max(np.abs(np.sum(end - start, axis=0))) / np.sum(np.abs(start))
+                self.assertLess(change, 1e-11, f"{form}, {poissons_ratio}, {ranks} ranks")
+                if expected is not None:
+                    self.assertLess(np.max(np.abs(end - expected)), 1e-10 * np.max(np.abs(expected)))
+                expected = end
 
 
 class Scales(SceneTest):
