@@ -19,7 +19,7 @@ packages=(
   # distributed vectors, linear solvers, partition, files
   libopenmpi-dev openmpi-bin trilinos-all-dev libptscotch-dev libhdf5-openmpi-dev
   # decks, functions, command line, text, search, random numbers
-  libyaml-cpp-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
+  libyaml-cpp-dev libtinyxml2-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
   # tests and benchmarks
   libgtest-dev libbenchmark-dev
   # meshes and pictures

@@ -57,7 +57,7 @@ std::optional<bool> parseFlag(const std::string& text) {
 
 std::string DeckNode::Data::placeOf(int atLine, int atColumn) const {
   if (atLine == 0) return *source;
-  return *source + ":" + std::to_string(atLine) + ":" + std::to_string(atColumn);
+  return *source + ":" + std::to_string(atLine) + (atColumn == 0 ? "" : ":" + std::to_string(atColumn));
 }
 
 DeckNode::Data* DeckNode::Data::entry(const std::string& key) const {
@@ -94,7 +94,7 @@ std::string shown(const DeckNode::Data& node) {
       break;
   }
   const std::string text = node.scalar.size() > 60 ? node.scalar.substr(0, 57) + "..." : node.scalar;
-  return "\"" + text + "\"";
+  return (node.xmlType.empty() ? "" : "the " + node.xmlType + " ") + "\"" + text + "\"";
 }
 
 [[noreturn]] void refuse(const DeckNode::Data& node, const std::string& expected) {
@@ -113,6 +113,7 @@ bool DeckNode::isMap() const { return data_ && (data_->kind == Kind::Map || data
 bool DeckNode::isSequence() const { return data_ && data_->kind == Kind::Sequence; }
 bool DeckNode::isScalar() const { return data_ && data_->kind == Kind::Scalar; }
 bool DeckNode::isQuoted() const { return data_ && data_->isQuoted; }
+std::string DeckNode::xmlType() const { return data_ ? data_->xmlType : ""; }
 
 DeckNode DeckNode::operator[](const std::string& key) const {
   if (!data_) return {};
@@ -201,7 +202,7 @@ void Mistakes::sort(const std::string& fileName) {
   const auto lineOf = [&](const std::string& text) {
     int line = std::numeric_limits<int>::max(), column = line;
     if (text.compare(0, fileName.size() + 1, fileName + ":") == 0)
-      if (std::sscanf(text.c_str() + fileName.size() + 1, "%d:%d", &line, &column) != 2)
+      if (std::sscanf(text.c_str() + fileName.size() + 1, "%d:%d", &line, &column) == 0)
         line = column = std::numeric_limits<int>::max();
     return std::make_pair(line, column);
   };
@@ -222,9 +223,6 @@ std::string readFile(const std::string& fileName) {
   if (!file)
     throw DeckError(fileName + ": cannot be read (" +
                     (errno == 0 ? std::string("unknown reason") : std::strerror(errno)) + ")");
-  if (std::filesystem::path(fileName).extension() == ".xml")
-    throw DeckError(fileName +
-                    ": decks are YAML here; rewrite this XML parameter list as YAML (same names, same tree)");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -279,13 +277,16 @@ void applyOverride(DeckNode::Data& root, const std::string& text) {
 }  // namespace
 
 Deck Deck::read(const std::string& fileName, const std::vector<std::string>& overrides) {
-  std::shared_ptr<DeckNode::Data> root = readYaml(readFile(fileName), fileName, true);
+  const bool isXml = std::filesystem::path(fileName).extension() == ".xml";
+  const std::string text = readFile(fileName);
+  std::shared_ptr<DeckNode::Data> root = isXml ? readXml(text, fileName) : readYaml(text, fileName, true);
   if (!root || root->kind == Kind::Null) throw DeckError(fileName + ": is empty");
   if (root->kind != Kind::Map)
     throw DeckError(root->placeOf(root->line, root->column) +
                     ": a deck is a list of sections, as in \"Solver:\" with its keys indented below it");
   Deck deck;
   deck.fileName_ = fileName;
+  deck.isPeridigmDeck_ = isXml;
   if (root->entries.size() == 1 && root->entries.front().first == "Peridigm") {
     deck.isPeridigmDeck_ = true;
     root = root->entries.front().second;
@@ -294,8 +295,8 @@ Deck Deck::read(const std::string& fileName, const std::vector<std::string>& ove
   }
   root->setPath("");
   Mistakes mistakes;
-  for (const std::string& text : overrides) try {
-      applyOverride(*root, text);
+  for (const std::string& change : overrides) try {
+      applyOverride(*root, change);
       root->setPath("");
     } catch (const DeckError& error) {
       mistakes.add("", error.what());

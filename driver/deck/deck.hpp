@@ -1,4 +1,5 @@
-// A deck: a tree of YAML values that know their place in the file, checked against the declarations of the plug-ins.
+// A deck: a tree of values from YAML or XML that know their place in the file, checked against the declarations of the
+// plug-ins.
 #ifndef PD_DECK_HPP
 #define PD_DECK_HPP
 
@@ -23,7 +24,9 @@ class DeckNode {
   bool isMap() const;  ///< a key without a value counts as an empty map
   bool isSequence() const;
   bool isScalar() const;
-  bool isQuoted() const;  ///< a scalar in quotes, or a block of text
+  bool isQuoted() const;  ///< a scalar in quotes, or a block of text; in XML a string
+  /// The type that XML gives a scalar: "int", "double", "bool" or "string"; empty in YAML.
+  std::string xmlType() const;
 
   /// The entry of a map; a node that does not exist where there is none.
   DeckNode operator[](const std::string& key) const;
@@ -31,7 +34,7 @@ class DeckNode {
   std::vector<std::pair<std::string, DeckNode>> entries() const;
   std::vector<DeckNode> items() const;
 
-  /// "plate.yaml:12:5" of the value; keyPlace() of its key.
+  /// "plate.yaml:12:5" of the value ("plate.xml:12" in XML); keyPlace() of its key.
   std::string place() const;
   std::string keyPlace() const;
   /// "Blocks/My Block/Horizon".
@@ -83,8 +86,9 @@ class Mistakes {
 
 class Deck {
  public:
-  /// Reads the file, applies overrides of the form "Solver/Final Time=1.0" (value in YAML), and removes one root key
-  /// "Peridigm" where there is one. Throws DeckError on unreadable YAML.
+  /// Reads the file, XML where its name ends in ".xml" and YAML else, applies overrides of the form
+  /// "Solver/Final Time=1.0" (value in YAML), and removes one root key "Peridigm" where there is one. Throws DeckError
+  /// on a file that cannot be read.
   static Deck read(const std::string& fileName, const std::vector<std::string>& overrides = {});
 
   DeckNode root() const { return root_; }
@@ -93,7 +97,8 @@ class Deck {
   /// Folder of the deck; relative file names in it start here.
   std::string directory() const;
   std::string resolvePath(const std::string& fileName) const;
-  /// Whether the deck had the root key `Peridigm`: then Peridigm's defaults hold (driver/deck/sections.hpp).
+  /// Whether the deck is in XML or has the root key `Peridigm`: then Peridigm's defaults hold
+  /// (driver/deck/sections.hpp).
   bool isPeridigmDeck() const { return isPeridigmDeck_; }
   Mistakes& mistakes() const { return *mistakes_; }
   /// What a run puts up with but its user should know.

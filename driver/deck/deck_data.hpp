@@ -18,8 +18,9 @@ struct DeckNode::Data {
   Kind kind = Kind::Null;
   std::string scalar;
   bool isQuoted = false;
+  std::string xmlType;                        ///< "int", "double", "bool" or "string" in XML; empty in YAML
   std::shared_ptr<const std::string> source;  ///< file name, or the text of the override
-  int line = 0, column = 0;                   ///< from 1; 0 where the source has no lines (overrides)
+  int line = 0, column = 0;                   ///< from 1; 0 where they are not known (overrides; columns in XML)
   int keyLine = 0, keyColumn = 0;
   std::string path;
   std::vector<std::pair<std::string, std::shared_ptr<Data>>> entries;
@@ -35,6 +36,10 @@ struct DeckNode::Data {
 /// The tree of a YAML text. `source` names it in messages; with `hasLines` they add line and column. Throws DeckError
 /// with all duplicate keys and the syntax error, if there is one.
 std::shared_ptr<DeckNode::Data> readYaml(const std::string& text, const std::string& source, bool hasLines);
+
+/// The tree of an XML text: a Teuchos parameter list, `int`, `double`, `bool` and `string` checked against the values.
+/// Nothing for a text without elements. Throws DeckError with all mistakes, by line.
+std::shared_ptr<DeckNode::Data> readXml(const std::string& text, const std::string& source);
 
 /// A finite decimal number written as in C, or nothing.
 std::optional<double> parseReal(const std::string& text);

@@ -70,6 +70,7 @@ class SectionReader {
     std::string found = "nothing";
     if (value.isSequence()) found = "a list";
     if (value.isMap() && !value.entries().empty()) found = "a section";
+    if (!value.xmlType().empty()) return hasXmlType(value, parameter);
     if (value.isScalar()) {
       if (hasForm(value.text()) && (mayBeQuoted || !value.isQuoted())) return true;
       const std::string text = value.text();
@@ -79,6 +80,23 @@ class SectionReader {
         found += text.find_first_of(".eE") == std::string::npos ? " (too large)" : " (write it without a point)";
     }
     mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not " + found);
+    return false;
+  }
+
+  /// XML says the type of each value; the reader has seen that the value is of it.
+  bool hasXmlType(const DeckNode& value, const Parameter& parameter) {
+    const std::string type = value.xmlType();
+    const std::string wanted = parameter.type == ParameterType::Real      ? "double"
+                               : parameter.type == ParameterType::Integer ? "int"
+                               : parameter.type == ParameterType::Flag    ? "bool"
+                                                                          : "string";
+    if (type == wanted || (type == "int" && wanted == "double")) {
+      if (!value.text().empty()) return true;
+      mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not empty");
+      return false;
+    }
+    mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not the " + type + " \"" +
+                                     value.text() + "\"; write type=\"" + wanted + "\"");
     return false;
   }
 
