@@ -85,6 +85,8 @@ def _add_convert(commands):
     command.add_argument("--layer-depth", action="append", default=[], metavar="[GROUP=]D",
                          help="node sets of groups take the points within D metres of the group; without it those of "
                               "the elements that have the group as a side (--at nodes: its nodes)")
+    command.add_argument("--blocks", metavar="GROUP,GROUP...",
+                         help="groups that are blocks, where groups overlap; the others become node sets")
     command.add_argument("--block-field", metavar="NAME", help="element data that numbers the blocks")
     _add_common(command)
     command.set_defaults(run=_convert)
@@ -126,7 +128,8 @@ def _add_grid(commands):
 def _convert(options):
     _positive(options, "scale", "thickness", "horizon")
     depths = _layer_depths(options.layer_depth)
-    mesh = read_mesh(options.mesh, options.block_field)
+    blocks = None if options.blocks is None else [name.strip() for name in options.blocks.split(",")]
+    mesh = read_mesh(options.mesh, options.block_field, blocks)
     result = convert(mesh, options.at == "nodes", options.thickness, options.scale)
     points = result.points
     unknown = set(depths) - {None} - {group.name for group in mesh.groups}
@@ -136,11 +139,15 @@ def _convert(options):
     for group in mesh.groups:
         points.node_sets[group.name] = group_points(result, group, depths.get(group.name, depths.get(None)))
     facts = [f"mesh volume {result.mesh_volume:.12g} m3, points' volume differs by "
-             f"{abs(points.volume.sum() / result.mesh_volume - 1):.1e} of it"]
+             f"{abs(points.volume.sum() / result.mesh_volume - 1):.1e} of it"] + mesh.notes
     warnings = []
     if result.slivers:
-        warnings.append(f"{result.slivers} elements are slivers (volume below a twentieth of their size's); points "
-                        "there lie close together, and stable steps get small")
+        warnings.append(f"{result.slivers} elements are slivers (volume below a twentieth of that of an element with "
+                        "equal edges as long as their longest); points there lie close together, and stable steps get "
+                        "small: mesh more evenly")
+    if result.stretch > 2:
+        warnings.append(f"elements are stretched (edges up to {result.longest_edge:.4g} m): points lie farther apart "
+                        f"along them than their volumes tell, 3 spacings need a horizon of {3 * result.longest_edge:.4g} m")
     if mesh.dimension == 2 and options.thickness is None:
         warnings.append("no --thickness given: the volumes are those of a plate 1 m thick")
     _finish(options, points, facts, warnings,

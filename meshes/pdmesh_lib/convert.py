@@ -3,7 +3,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.spatial import cKDTree
 
-from .elements import ELEMENTS, LINEAR, integrate
+from .elements import ELEMENTS, LINEAR, REGULAR_VOLUME, edges, integrate
 from .errors import MeshError
 from .points import Points
 
@@ -18,6 +18,7 @@ class Conversion:
         self.mesh_node_of_point = element_of_point if at_nodes else None
         self.mesh_volume = mesh_volume  # signed by nothing, thickness included
         self.slivers = 0
+        self.stretch, self.longest_edge = 1.0, 0.0  # median over the elements; what 99 % of them do not exceed (m)
 
 
 def convert(mesh, at_nodes=False, thickness=None, scale=1.0):
@@ -27,7 +28,7 @@ def convert(mesh, at_nodes=False, thickness=None, scale=1.0):
     measure = 1.0 if thickness is None else thickness
     nodes = mesh.nodes * scale
     volumes, centroids, shares = [], [], []
-    slivers = 0
+    slivers, stretches, longest = 0, [], []
     for kind, connectivity, _ in mesh.cells:
         part = [_integrate_part(kind, connectivity[i:i + _CHUNK], nodes, i)
                 for i in range(0, len(connectivity), _CHUNK)]
@@ -35,6 +36,8 @@ def convert(mesh, at_nodes=False, thickness=None, scale=1.0):
         centroids.append(np.concatenate([p[1] for p in part]))
         shares.append(np.concatenate([p[2] for p in part]) * measure)
         slivers += sum(p[3] for p in part)
+        stretches += [p[4] for p in part]
+        longest += [p[5] for p in part]
     blocks = [block for _, _, block in mesh.cells]
     total = float(sum(volume.sum() for volume in volumes))
     z = nodes[mesh.cells[0][1][0, 0]]
@@ -49,6 +52,8 @@ def convert(mesh, at_nodes=False, thickness=None, scale=1.0):
     points.block_names = {number: name for number, name in mesh.block_names.items() if number in set(np.unique(block))}
     result = Conversion(points, mesh, at_nodes, used, total)
     result.slivers, result.nodes = slivers, nodes
+    result.stretch = float(np.median(np.concatenate(stretches)))
+    result.longest_edge = float(np.quantile(np.concatenate(longest), 0.99))
     return result
 
 
@@ -59,16 +64,18 @@ def _integrate_part(kind, connectivity, nodes, first):
     if folds.any():
         raise MeshError(f"{np.count_nonzero(folds)} {kind} elements fold over themselves, the first is number "
                         f"{first + int(np.flatnonzero(folds)[0]) + 1} of its kind; repair the mesh")
-    # The largest extent stands for the longest edge; a unit square or cube gives 1.
-    extent = np.ptp(coordinates, axis=1).max(axis=1)
-    empty = ~(np.abs(volume) > 1e-14 * extent ** dimension)
+    longest = np.zeros(len(coordinates))
+    for i, j in edges(kind):
+        np.maximum(longest, np.linalg.norm(coordinates[:, i] - coordinates[:, j], axis=1), out=longest)
+    size = np.abs(volume) / REGULAR_VOLUME[LINEAR.get(kind, kind)]
+    empty = ~(size > 1e-14 * longest ** dimension)
     if empty.any():
         raise MeshError(f"{np.count_nonzero(empty)} {kind} elements have no volume, the first is number "
                         f"{first + int(np.flatnonzero(empty)[0]) + 1} of its kind; remove them")
-    regular = {"triangle": 0.5, "tetra": 1 / 6, "wedge": 0.5}.get(LINEAR.get(kind, kind), 1.0)
-    is_sliver = (np.abs(volume) / (regular * extent ** dimension)) < 0.05
+    # 1 where all edges are equal.
+    stretch = longest / size ** (1 / dimension)
     sign = np.sign(volume)
-    return volume * sign, centroid, share * sign[:, None], int(is_sliver.sum())
+    return volume * sign, centroid, share * sign[:, None], int((stretch ** dimension > 20).sum()), stretch, longest
 
 
 def _points_at_nodes(mesh, nodes, shares):
@@ -89,8 +96,8 @@ def _points_at_nodes(mesh, nodes, shares):
 
 def group_points(conversion, group, depth=None):
     """Indices of the points of a group: within `depth` of its elements, or, without a depth, its nodes (points at
-    nodes) or the points of the elements that have one of its elements as a side."""
-    if depth is not None:
+    nodes) or the points of the elements that have one of its elements as a side. Solid groups: of their elements."""
+    if depth is not None and not group.is_solid:
         return _within(conversion.points.x, _simplices(conversion.nodes, group), depth)
     if conversion.at_nodes:
         return np.flatnonzero(np.isin(conversion.mesh_node_of_point, group.corner_nodes()))

@@ -23,11 +23,14 @@ def lattice(size, spacing, origin, measure=1.0):
     for d in range(len(size), 3):
         x[:, d] = origin[d]
     volume = np.full(len(x), float(np.prod(steps)) * measure)
-    return Points(x, np.ones(len(x), int), volume, len(size), measure), steps
+    points = Points(x, np.ones(len(x), int), volume, len(size), measure)
+    points.steps = steps
+    return points, steps
 
 
 def keep(points, mask):
     kept = Points(points.x[mask], points.block[mask], points.volume[mask], points.dimension, points.measure)
+    kept.steps = points.steps
     if len(kept) == 0:
         raise MeshError("nothing is left of the shape: everything was cut away")
     return kept

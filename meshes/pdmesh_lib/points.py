@@ -17,6 +17,7 @@ class Points:
         self.dimension, self.measure = dimension, measure
         self.node_sets = {}
         self.block_names = {}
+        self.steps = None  # of a lattice, one a direction (m)
 
     def __len__(self):
         return len(self.x)
@@ -24,6 +25,10 @@ class Points:
     def spacing(self):
         """Edge of the cube (square, segment) of each point's volume."""
         return (self.volume / self.measure) ** (1.0 / self.dimension)
+
+    def widest_spacing(self):
+        """What the horizon must span three times: the widest step of a lattice."""
+        return self.spacing() if self.steps is None else np.full(len(self.x), float(max(self.steps)))
 
 
 def dimension_of(x):
@@ -153,14 +158,16 @@ def report(points, horizon=None):
         bad = np.flatnonzero(nearest < 0.2 * spacing)
         warnings.append(f"{len(bad)} points are nearer to a neighbour than a fifth of their spacing, the first is "
                         f"number {bad[0] + 1}: explicit steps get small there")
-    coarse = float(np.quantile(spacing, 0.99))
-    facts.append(f"fitting horizon {3.015 * coarse:.4g} m (3.015 times the spacing of the coarsest hundredth)")
+    widest = points.widest_spacing()
+    coarse = float(np.quantile(widest, 0.99))
+    facts.append(f"fitting horizon {3.015 * coarse:.4g} m (3.015 times "
+                 + ("the spacing of the coarsest hundredth)" if points.steps is None else "the widest step)"))
     if horizon is not None:
         sample = np.random.default_rng(0).choice(len(points), min(len(points), 2000), replace=False)
         counts = tree.query_ball_point(points.x[sample], horizon * (1 + 1e-10), return_length=True) - 1
         facts.append(f"horizon {horizon:.6g} m: {horizon / spacing.mean():.3g} mean spacings, {counts.min()} .. mean "
                      f"{counts.mean():.1f} .. {counts.max()} neighbours")
-        thin = int(np.count_nonzero(spacing * 3 > horizon * (1 + 1e-9)))
+        thin = int(np.count_nonzero(widest * 3 > horizon * (1 + 1e-9)))
         if thin:
             warnings.append(f"the horizon is shorter than 3 spacings at {thin} points ({100 * thin / len(points):.1f} "
                             f"%): crack paths then follow the mesh; refine, or use {3.015 * coarse:.4g} m")

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Tests of meshes/pdmesh on what Gmsh really writes: volumes and first moments against independent computations."""
+import re
 import subprocess
 import sys
 import tempfile
@@ -146,6 +147,15 @@ class PdmeshTest(unittest.TestCase):
         self.assertEqual(run.returncode, expect, run.stdout + run.stderr)
         return run.stdout, run.stderr
 
+    def cut_short(self, name, length):
+        (self.folder / f"short_{name}").write_text((self.folder / name).read_text()[:length])
+        return f"short_{name}"
+
+    def with_other_nodes(self, name):
+        text = re.sub(r"^(\d+ 2 2 7 1 .*) \d+$", r"\1 99999", (self.folder / name).read_text(), flags=re.M)
+        (self.folder / "other.msh").write_text(text)
+        return "other.msh"
+
     def convert(self, mesh, *arguments):
         self.pdmesh("convert", mesh, "points.txt", *arguments)
         return Result(self.folder / "points.txt")
@@ -160,7 +170,8 @@ class PdmeshTest(unittest.TestCase):
     # Volumes and first moments
 
     def test_plane_elements_fill_the_rectangle(self):
-        for options in ([], ["-format", "msh22"], ["-bin"], ["-setnumber", "Mesh.RecombineAll", "1"]):
+        for options in ([], ["-format", "msh22"], ["-format", "msh40"], ["-bin"], ["-format", "msh22", "-bin"],
+                        ["-setnumber", "Mesh.RecombineAll", "1"]):
             for at in ("centroids", "nodes"):
                 with self.subTest(options=options, at=at):
                     mesh = self.gmsh(SQUARE, 2, *options)
@@ -175,6 +186,29 @@ class PdmeshTest(unittest.TestCase):
                     mesh = self.gmsh(BOX % recombine, 3)
                     self.assertIn(kind, {block.type for block in meshio.read(mesh).cells})
                     self.check(self.convert(mesh, "--at", at), 6.0, [3.0, 6.0, 9.0])
+
+    def test_nodes_take_the_integral_of_their_shape_function(self):
+        # One distorted quad and one distorted hexahedron: the share of corner i is the integral of its (bi-, trilinear)
+        # shape function, here by Gauss points of a higher order than pdmesh takes, without its shape functions.
+        random = np.random.default_rng(7)
+        for dimension, kind in ((2, "quad"), (3, "hexahedron")):
+            turn = [(0, 0), (1, 0), (1, 1), (0, 1)]
+            signs = np.array(turn if dimension == 2 else [c + (z,) for z in (0, 1) for c in turn], float)
+            corners = np.zeros((len(signs), 3))
+            corners[:, :dimension] = signs + random.uniform(-0.2, 0.2, signs.shape)
+            meshio.write(self.folder / "one.vtu", meshio.Mesh(corners, [(kind, np.arange(len(signs))[None])]))
+            expected = np.zeros(len(signs))
+            gauss, weights = np.polynomial.legendre.leggauss(7)
+            for index in np.ndindex(*[7] * dimension):
+                xi = (gauss[list(index)] + 1) / 2
+                factors = np.where(signs == 1, xi, 1 - xi)
+                gradient = np.stack([(2 * signs[:, d] - 1) * np.delete(factors, d, axis=1).prod(axis=1)
+                                     for d in range(dimension)])
+                jacobian = gradient @ corners[:, :dimension]
+                expected += factors.prod(axis=1) * np.linalg.det(jacobian) * np.prod(weights[list(index)] / 2)
+            result = self.convert("one.vtu", "--at", "nodes")
+            np.testing.assert_allclose(result.volume, expected, rtol=TOLERANCE)
+            self.assertGreater(np.ptp(expected), 0.1 * expected.mean())  # an average would be far off
 
     def test_pyramids_fill_the_cube(self):
         # Six pyramids from the faces of the unit cube to its centre, one base corner moved: the bases are not planar,
@@ -247,6 +281,45 @@ class PdmeshTest(unittest.TestCase):
             self.assertTrue(np.all((result.x[:, 0] < 1) == (result.block == 7)))
             self.assertAlmostEqual(result.volume[result.block == 3].sum(), 1.0, delta=1e-12)
 
+    def test_groups_that_overlap_become_node_sets(self):
+        # In format 2.2 Gmsh writes an element once for each of its groups.
+        text = SQUARE + 'Physical Surface("both", 20) = {1, 2};\n'
+        for options in ([], ["-format", "msh22"]):
+            with self.subTest(options=options):
+                result = self.convert(self.gmsh(text, 2, *options), "--layer-depth", "0.1")
+                self.assertEqual(set(result.block), {3, 7})
+                self.check(result, 2.0, [2.0, 1.0])
+                np.testing.assert_array_equal(self.node_set("both"), np.arange(len(result.x)))
+                result = self.convert("mesh.msh", "--blocks", "both")
+                self.assertEqual(set(result.block), {20})
+                np.testing.assert_array_equal(self.node_set("soft"), np.flatnonzero(result.x[:, 0] < 1))
+
+    def test_elements_in_no_group_and_groups_without_a_name(self):
+        text = SQUARE.replace('Physical Surface("stiff", 3) = {2};', "Mesh.SaveAll = 1;").replace(
+            'Physical Curve("left", 12) = {4};', 'Physical Curve("soft", 30) = {-4}; Physical Curve(31) = {5};')
+        result = self.convert(self.gmsh(text, 2))
+        np.testing.assert_array_equal(result.block, np.where(result.x[:, 0] < 1, 7, 8))
+        self.assertLess(result.x[self.node_set("soft"), 0].max(), 0.1)  # the curve, not the surface of the same name
+        self.assertLess(result.x[self.node_set("group_1d_31"), 1].max(), 0.1)
+
+    def test_mixed_element_types_in_both_formats(self):
+        # Wedges on the left, hexahedra on the right of a common face.
+        text = SQUARE.split("Physical")[0] + """
+        Transfinite Surface {2}; Recombine Surface {2};
+        c[] = Extrude {0, 0, 3} { Surface{1}; Layers{5}; Recombine; };
+        d[] = Extrude {0, 0, 3} { Surface{2}; Layers{5}; Recombine; };
+        Physical Volume("left", 4) = {c[1]}; Physical Volume("right", 2) = {d[1]};
+        """
+        tables = []
+        for options in ([], ["-format", "msh22"]):
+            mesh = self.gmsh(text, 3, *options)
+            self.assertLessEqual({"wedge", "hexahedron"}, {block.type for block in meshio.read(mesh).cells})
+            result = self.convert(mesh)
+            self.check(result, 6.0, [6.0, 3.0, 9.0])
+            np.testing.assert_array_equal(result.block, np.where(result.x[:, 0] < 1, 4, 2))
+            tables.append(result.table[np.lexsort(result.x.T)])
+        np.testing.assert_array_equal(tables[0], tables[1])
+
     def test_groups_become_node_sets_of_adjacent_elements(self):
         mesh = self.gmsh(SQUARE, 2, "-setnumber", "Mesh.RecombineAll", "0")
         result = self.convert(mesh)
@@ -295,10 +368,44 @@ class PdmeshTest(unittest.TestCase):
         expected = self.convert(mesh).table
         source = meshio.read(mesh)
         solid = meshio.Mesh(source.points, [b for b in source.cells if b.type == "hexahedron"])
-        for name in ("box.vtu", "box.inp", "box.vtk", "box.xdmf"):
+        for name in ("box.vtu", "box.inp", "box.vtk", "box.xdmf", "box.e"):
             with self.subTest(name=name):
                 solid.write(self.folder / name)
                 np.testing.assert_allclose(self.convert(name).table, expected, rtol=1e-12, atol=1e-12)
+
+    def test_exodus_blocks_node_sets_and_side_sets(self):
+        import netCDF4
+        # Two hexahedra of second order side by side along x, in Exodus' order of nodes: the upright edges before those
+        # of the top.
+        corners = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+        edges = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 5), (2, 6), (3, 7), (4, 5), (5, 6), (6, 7), (7, 4)]
+        one = np.vstack([corners, [(corners[i] + corners[j]) / 2 for i, j in edges]])
+        with netCDF4.Dataset(self.folder / "two.exo", "w", format="NETCDF3_64BIT") as data:
+            sizes = dict(num_dim=3, num_nodes=40, num_el_blk=2, side=1, node=8, twenty=20, one=1, two=2, len_name=33)
+            for name, size in sizes.items():
+                data.createDimension(name, size)
+            for i, name in enumerate(("coordx", "coordy", "coordz")):
+                data.createVariable(name, "f8", ("num_nodes",))[:] = np.concatenate([one, one + [1, 0, 0]])[:, i]
+            names = data.createVariable("eb_names", "S1", ("two", "len_name"))
+            names[:] = np.array([list(name.ljust(33, "\0")) for name in ("steel", "weld")], "S1")
+            data.createVariable("eb_prop1", "i4", ("two",))[:] = [30, 10]
+            for i in (1, 2):
+                connect = data.createVariable(f"connect{i}", "i4", ("one", "twenty"))
+                connect.elem_type = "HEX20"
+                connect[:] = np.arange(20)[None] + 20 * (i - 1) + 1
+            data.createVariable("ss_prop1", "i4", ("one",))[:] = [5]
+            data.createVariable("elem_ss1", "i4", ("side",))[:] = [2]
+            data.createVariable("side_ss1", "i4", ("side",))[:] = [2]  # the face at the far end along x
+            data.createVariable("ns_prop1", "i4", ("one",))[:] = [4]
+            data.createVariable("node_ns1", "i4", ("node",))[:] = [1, 4, 5, 8, 12, 13, 16, 20]
+        result = self.convert("two.exo")
+        np.testing.assert_array_equal(result.block, [30, 10])
+        np.testing.assert_allclose(result.x, [[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], atol=1e-14)
+        np.testing.assert_array_equal(self.node_set("surface_5"), [1])
+        np.testing.assert_array_equal(self.node_set("nodelist_4"), [0])
+        self.assertIn("block_30: steel", (self.folder / "points.txt").read_text())
+        result = self.convert("two.exo", "--at", "nodes")
+        np.testing.assert_array_equal(np.sort(result.x[self.node_set("surface_5"), 0]), [2, 2, 2, 2])
 
     def test_abaqus_element_sets_become_blocks_and_node_sets_stay(self):
         (self.folder / "two.inp").write_text(
@@ -321,12 +428,17 @@ class PdmeshTest(unittest.TestCase):
         self.assertIn("1 elements are slivers", self.pdmesh("convert", "s.vtk", "p.txt")[1])
 
     def test_refusals_say_why(self):
-        overlap = SQUARE + 'Physical Surface("both", 20) = {1, 2};\n'
+        overlap = SQUARE.replace('stiff", 3) = {2}', 'stiff", 3) = {1, 2}')
         tilted = SQUARE + "Rotate {{1, 0, 0}, {0, 0, 0}, 0.1} { Surface{1, 2}; }\n"
         cases = [
             (["convert", "none.msh", "p.txt"], "no such file"),
-            (["convert", self.gmsh(overlap, 2, name="overlap.msh"), "p.txt"], "physical groups"),
-            (["convert", self.gmsh(overlap, 2, "-format", "msh22", name="twice.msh"), "p.txt"], "appear twice"),
+            (["convert", self.gmsh(overlap, 2, name="overlap.msh"), "p.txt"], "--blocks A,B"),
+            (["convert", self.gmsh(overlap, 2, "-format", "msh22", name="twice.msh"), "p.txt"], "--blocks A,B"),
+            (["convert", "twice.msh", "p.txt", "--blocks", "hard"], "no group hard of 2D elements (there are: stiff, soft)"),
+            (["convert", "mesh.geo", "p.txt"], "gmsh -2 mesh.geo"),
+            (["convert", self.cut_short("twice.msh", 9000), "p.txt"], "not whole"),
+            (["convert", self.cut_short("overlap.msh", 9000), "p.txt"], "is it whole?"),
+            (["convert", self.with_other_nodes("twice.msh"), "p.txt"], "nodes that are not there"),
             (["convert", self.gmsh(tilted, 2, name="tilted.msh"), "p.txt"], "plane z = constant"),
             (["convert", self.gmsh(SQUARE, 2, "-order", "3", name="cubic.msh"), "p.txt"], "first or second order"),
             (["convert", self.gmsh(SQUARE, 2, name="good.msh"), "p.txt", "--layer-depth", "tpo=0.1"], "no group tpo"),
@@ -392,6 +504,11 @@ class PdmeshTest(unittest.TestCase):
         wedge = np.tan(np.radians(10))
         self.assertLess(cut.total, 1 - others - wedge / 2 + 0.005)
         self.assertGreater(cut.total, 1 - others - 0.3 * 0.02 - wedge - 0.005)
+
+    def test_the_widest_step_of_a_lattice_rules_the_horizon(self):
+        output, errors = self.pdmesh("grid", "box", "--size", 1, 1, "--spacing", 0.02, 0.05, "--horizon", 0.1, "-o", "a.txt")
+        self.assertIn("fitting horizon 0.1508 m", output)
+        self.assertIn("shorter than 3 spacings", errors)
 
     def test_jitter_is_bounded_and_repeats_with_its_seed(self):
         still = self.grid("box", "--size", 1, 1, "--spacing", 0.1)
