@@ -45,7 +45,7 @@ Chapter sections() {
   const auto add = [&](const char* name, const char* brief, const ParameterDeclarations& declarations) {
     chapter.topics.push_back({name, brief, [&declarations] { return declarations; }});
   };
-  add("Discretization", "The mesh, and which pairs of points are bonds.", discretizationDeclarations());
+  add("Discretization", "The mesh, and which pairs of points are bonds.", discretizationDeclarations("Text File"));
   add("Blocks", "Each entry gives blocks of the mesh a material, a damage model and a horizon.", blockDeclarations());
   add("Node Set",
       "In Boundary Conditions: a name that contains \"Node Set\", with node numbers from 1, a file of them, or a "
@@ -75,6 +75,7 @@ std::vector<Chapter> chapters() {
           chapterOf<RateIntegratorRegistry>("Methods of the solver Diffusion", "\"Method: {}\" in Diffusion"),
           typesOf("Initial and boundary conditions", "an entry of Boundary Conditions with \"Type: {}\"",
                   boundaryConditionTypes(), boundaryConditionDeclarations),
+          typesOf("Meshes", "Discretization with \"Type: {}\"", discretizationTypes(), discretizationDeclarations),
           typesOf("Bond filters", "an entry of Discretization/Bond Filters with \"Type: {}\"", bondFilterTypes(),
                   bondFilterDeclarations),
           sections()};

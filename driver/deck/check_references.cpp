@@ -104,9 +104,12 @@ class ReferenceCheck {
 
   void namesOfSets(const CheckedSection& checked) {
     const DeckNode& node = checked.section.node;
+    const DeckNode meshType = deck_["Discretization"]["Type"];
+    // The mesh has node sets of its own, which are known once it is read.
+    const bool meshHasSets = meshType.isScalar() && meshType.text() == "Exodus";
     for (const char* key : {"Node Set", "First Node Set", "Second Node Set"}) {
       const DeckNode value = node[key];
-      if (checked.section.declarations.find(key) == nullptr || !value.isScalar()) continue;
+      if (meshHasSets || checked.section.declarations.find(key) == nullptr || !value.isScalar()) continue;
       const std::string plain = plainName(value.text());
       if (std::find(plainSetNames_.begin(), plainSetNames_.end(), plain) != plainSetNames_.end()) continue;
       mistakes_.add(value.place(),

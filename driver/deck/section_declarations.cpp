@@ -10,10 +10,55 @@ namespace {
 
 using Declarations = ParameterDeclarations;
 
-Declarations declareDiscretization() {
-  Declarations declare;
-  declare.text("Type", "Form of the mesh: one point a line, \"x y z block volume\".").oneOf({"Text File"}).required();
+void declareMeshFile(Declarations& declare) {
   declare.text("Input Mesh File", "Name of the mesh file, seen from the folder of the deck.").required();
+}
+
+void declareBox(Declarations& declare) {
+  for (const char* axis : {"X", "Y", "Z"}) {
+    const std::string name(axis);
+    declare.real(name + " Origin", "m", "Lowest coordinate of the box.").required();
+    declare.real(name + " Length", "m", "Edge of the box.").positive().required();
+    declare.integer("Number Points " + name, "Cells along it; points are at their centres.").atLeast(1).required();
+  }
+}
+
+void declareCylinder(Declarations& declare) {
+  declare.real("Inner Radius", "m", "Radius of the hole.").atLeast(0.0).required();
+  declare.real("Outer Radius", "m", "Radius of the cylinder.").positive().required();
+  declare.real("Cylinder Length", "m", "Length along z.").positive().required();
+  declare.integer("Number Points Radius", "Cells along the radius.").atLeast(1).required();
+  declare.real("Ring Center x", "m", "Place of the axis.").required();
+  declare.real("Ring Center y", "m", "Place of the axis.").required();
+  declare.real("Z Origin", "m", "Lower end of the cylinder.").required();
+}
+
+void declareQuickGrid(Declarations& declare) {
+  declare
+      .text("NeighborhoodType",
+            "Spherical: points within the horizon; Box: cells within the rounded number of cells that the horizon "
+            "reaches over, along each axis (default: Spherical; Box, Peridigm's way, in decks with the root key "
+            "Peridigm).")
+      .oneOf({"Spherical", "Box"});
+  declareBox(declare.sublist("TensorProduct3DMeshGenerator", "A box of equal cells."));
+  declareCylinder(declare.sublist("TensorProductCylinderMeshGenerator",
+                                  "A hollow cylinder along z; cells around and along it are as long as they are "
+                                  "thick, at the mean radius."));
+  declare.exactlyOneOf({"TensorProduct3DMeshGenerator", "TensorProductCylinderMeshGenerator"});
+}
+
+Declarations declareDiscretization(const std::string& type) {
+  Declarations declare;
+  declare
+      .text("Type",
+            "Form of the mesh: a text file of one point a line, \"x y z block volume\"; finite elements in an Exodus "
+            "file, a point an element; or a box or cylinder of cells that the deck describes.")
+      .oneOf(discretizationTypes())
+      .required();
+  if (type == "PdQuickGrid")
+    declareQuickGrid(declare);
+  else
+    declareMeshFile(declare);
   declare
       .text("Influence Function",
             "Weight of a bond over its length: One, Parabolic Decay, Gaussian, or a function of zeta and horizon.")
@@ -137,9 +182,17 @@ Declarations declareSolver() {
 
 }  // namespace
 
-const Declarations& discretizationDeclarations() {
-  static const Declarations declarations = declareDiscretization();
-  return declarations;
+std::vector<std::string> discretizationTypes() { return {"Text File", "Exodus", "PdQuickGrid"}; }
+
+const Declarations& discretizationDeclarations(const std::string& type) {
+  static const std::map<std::string, Declarations> declarations = [] {
+    std::map<std::string, Declarations> all;
+    for (const std::string& name : discretizationTypes()) all[name] = declareDiscretization(name);
+    return all;
+  }();
+  const auto it = declarations.find(type);
+  if (it == declarations.end()) throw std::invalid_argument("unknown type of discretization \"" + type + "\"");
+  return it->second;
 }
 
 std::vector<std::string> bondFilterTypes() { return {"Rectangular_Plane", "Disk", "Node Set Pair"}; }

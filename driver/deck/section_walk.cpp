@@ -141,14 +141,13 @@ class SectionFinder {
   }
 
   void discretization(const DeckNode& node) {
-    DeckSection& section = add(Kind::Discretization, "Discretization", node, discretizationDeclarations());
+    const std::vector<std::string> types = discretizationTypes();
+    const std::string given = node["Type"].isScalar() ? node["Type"].text() : "";
+    const bool isKnown = std::find(types.begin(), types.end(), given) != types.end();
+    DeckSection& section =
+        add(Kind::Discretization, "Discretization", node, discretizationDeclarations(isKnown ? given : types.front()));
     // The filters have names of the user's choice.
-    const DeckNode type = node["Type"];
-    const bool isPeridigmMesh = type.isScalar() && (type.text() == "Exodus" || type.text() == "PdQuickGrid");
-    section.declarations = withoutSublists(section.declarations, isPeridigmMesh ? "Type" : "");
-    if (isPeridigmMesh)
-      mistakes_.add(type.place(), "meshes of Type " + type.text() +
-                                      " are not read; make a \"Text File\" of the mesh by meshes/pdmesh");
+    section.declarations = withoutSublist(section.declarations, "Bond Filters");
     section.hostKeys.known.emplace_back("Bond Filters");
     if (const DeckNode horizon = node["Horizon"]) {
       mistakes_.add(horizon.keyPlace(), "the Horizon belongs to the entries of Blocks, not to Discretization");
@@ -163,17 +162,15 @@ class SectionFinder {
     }
   }
 
-  /// Without the choices of the parameter `unchecked`, which has been complained of.
-  static ParameterDeclarations withoutSublists(const ParameterDeclarations& declarations,
-                                               const std::string& unchecked) {
+  static ParameterDeclarations withoutSublist(const ParameterDeclarations& declarations, const std::string& name) {
     ParameterDeclarations result;
-    for (const Parameter& parameter : declarations.parameters()) {
-      Parameter& copy = result.real(parameter.name, "", "");
-      copy = parameter;
-      if (parameter.name == unchecked) copy.choices.clear();
-    }
-    for (const auto& rule : declarations.rules())
+    for (const Parameter& parameter : declarations.parameters()) result.real(parameter.name, "", "") = parameter;
+    for (const auto& sublist : declarations.sublists())
+      if (sublist.name != name) result.sublist(sublist.name, sublist.meaning) = sublist.declarations.front();
+    for (const auto& rule : declarations.rules()) {
       if (rule.kind == ParameterDeclarations::Rule::AtMostOne) result.atMostOneOf(rule.names);
+      if (rule.kind == ParameterDeclarations::Rule::ExactlyOne) result.exactlyOneOf(rule.names);
+    }
     return result;
   }
 

@@ -9,7 +9,9 @@
 
 namespace pd {
 
-const ParameterDeclarations& discretizationDeclarations();  ///< "Discretization", without its bond filters
+std::vector<std::string> discretizationTypes();
+/// "Discretization" with this Type, without its bond filters; throws for an unknown type.
+const ParameterDeclarations& discretizationDeclarations(const std::string& type);
 const ParameterDeclarations& bondFilterDeclarations(const std::string& type);  ///< throws for an unknown type
 const ParameterDeclarations& nodeSetDeclarations();                            ///< node sets by geometry
 const ParameterDeclarations& blockDeclarations();

@@ -16,18 +16,18 @@ namespace {
 
 constexpr double largestHorizon = 1e100;  ///< m; squares of distances stay far from overflow
 
-/// The number in "block_7"; 0 where the name is not of this form.
-int blockNumber(const std::string& name) {
-  const std::string prefix = "block_";
-  if (name.compare(0, prefix.size(), prefix) != 0) return 0;
-  return parseInteger(name.substr(prefix.size())).value_or(0);
+/// The block of `blockNumbers` that has this name; 0 where none has.
+int blockNumber(const std::string& name, const std::vector<int>& blockNumbers, const MeshPoints& points) {
+  for (const int number : blockNumbers)
+    if (nameOfBlock(points.blockNames, number) == name) return number;
+  return 0;
 }
 
-std::string namesOf(const std::vector<int>& blockNumbers) {
+std::string namesOf(const std::vector<int>& blockNumbers, const MeshPoints& points) {
   constexpr std::size_t maximumListed = 20;
   std::string names;
   for (std::size_t i = 0; i < std::min(blockNumbers.size(), maximumListed); ++i)
-    names += (i == 0 ? "block_" : ", block_") + std::to_string(blockNumbers[i]);
+    names += (i == 0 ? "" : ", ") + nameOfBlock(points.blockNames, blockNumbers[i]);
   return names + (blockNumbers.size() > maximumListed ? ", ..." : "");
 }
 
@@ -62,32 +62,34 @@ std::vector<int> blockNumbersOf(const MeshPoints& points) {
 }
 
 std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>& blockNumbers,
-                                        const std::string& meshFile) {
+                                        const MeshPoints& points) {
   Mistakes& mistakes = deck.mistakes();
+  const std::string& meshFile = points.fileName;
   std::map<int, DeckNode> entries;
   DeckNode entryOfOthers;
   const auto assign = [&](int number, const DeckNode& entry, const DeckNode& names) {
     const auto [it, isNew] = entries.emplace(number, entry);
     if (!isNew)
-      mistakes.add(names.place(), "block_" + std::to_string(number) + " already belongs to " + it->second.path());
+      mistakes.add(names.place(), nameOfBlock(points.blockNames, number) + " already belongs to " + it->second.path());
   };
   for (const auto& item : deck["Blocks"].entries()) {
     const DeckNode& entry = item.second;
     const DeckNode names = entry["Block Names"];
     if (!names || !names.isScalar()) {
-      mistakes.add(entry.place(), entry.path() + " needs Block Names, such as \"" + namesOf(blockNumbers) + "\"");
+      mistakes.add(entry.place(),
+                   entry.path() + " needs Block Names, such as \"" + namesOf(blockNumbers, points) + "\"");
       continue;
     }
     for (const std::string& name : wordsOf(names.text())) {
-      const int number = blockNumber(name);
+      const int number = blockNumber(name, blockNumbers, points);
       if (name == "default") {
         if (entryOfOthers) mistakes.add(names.place(), "\"default\" is taken by " + entryOfOthers.path() + " already");
         entryOfOthers = entry;
-      } else if (std::binary_search(blockNumbers.begin(), blockNumbers.end(), number)) {
+      } else if (number != 0) {
         assign(number, entry, names);
       } else {
-        mistakes.add(names.place(),
-                     "the mesh " + meshFile + " has no block \"" + name + "\"; it has: " + namesOf(blockNumbers));
+        mistakes.add(names.place(), "the mesh " + meshFile + " has no block \"" + name +
+                                        "\"; it has: " + namesOf(blockNumbers, points));
       }
     }
   }
@@ -98,8 +100,8 @@ std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>
     for (const int number : withoutEntry) entries.emplace(number, entryOfOthers);
   else if (!withoutEntry.empty())
     mistakes.add(deck["Blocks"] ? deck["Blocks"].keyPlace() : deck.fileName(),
-                 "no entry of Blocks gives a material and a horizon to " + namesOf(withoutEntry) + " of the mesh " +
-                     meshFile + "; name them in Block Names, or use \"default\"");
+                 "no entry of Blocks gives a material and a horizon to " + namesOf(withoutEntry, points) +
+                     " of the mesh " + meshFile + "; name them in Block Names, or use \"default\"");
   return entries;
 }
 

@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "../deck/deck.hpp"
-#include "text_mesh.hpp"
+#include "mesh_points.hpp"
 
 namespace pd {
 
 /// Sorted numbers of the blocks that the points belong to.
 std::vector<int> blockNumbersOf(const MeshPoints& points);
 
-/// The deck's entry of each block of the mesh. `Block Names` lists blocks as "block_1 block_2"; "default" stands for
-/// all that no entry names. Blocks without an entry, entries without a block and blocks with two entries are added to
-/// deck.mistakes().
+/// The deck's entry of each block of the mesh. `Block Names` lists blocks as "block_1 block_2", or by the names that
+/// the mesh gives them; "default" stands for all that no entry names. Blocks without an entry, entries without a block
+/// and blocks with two entries are added to deck.mistakes().
 std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>& blockNumbers,
-                                        const std::string& meshFile);
+                                        const MeshPoints& points);
 
 /// [n] Horizon of every point, m: the number or function of x, y, z in its block's entry. Values that are not positive
 /// and finite are added to `mistakes`.

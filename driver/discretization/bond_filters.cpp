@@ -83,6 +83,20 @@ class BlockFilter : public BondFilter {
   const MeshPoints& points_;
 };
 
+class BoxFilter : public BondFilter {
+ public:
+  BoxFilter(const MeshPoints& points, const Vector& box) : points_(points), box_(box) {}
+  bool cuts(int a, int b) const override {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(points_.at(a)[k] - points_.at(b)[k]) > box_[k]) return true;
+    return false;
+  }
+
+ private:
+  const MeshPoints& points_;
+  const Vector box_;
+};
+
 // ---- reading ----
 
 DeckNode required(const DeckNode& node, const std::string& key) {
@@ -191,6 +205,11 @@ BondFilters::BondFilters(const Deck& deck, const MeshPoints& points, const NodeS
   else if (omitted != "None")
     deck.mistakes().add(section["Omit Bonds Between Blocks"].place(),
                         "Omit Bonds Between Blocks must be None or All, not \"" + omitted + "\"");
+}
+
+void BondFilters::keepWithin(const std::array<double, 3>& box, const MeshPoints& points) {
+  // It shapes neighbourhoods, so that it is no cut that a user waits for.
+  filters_.push_back({std::make_unique<BoxFilter>(points, box), false, "", "", true});
 }
 
 bool BondFilters::canMark() const {

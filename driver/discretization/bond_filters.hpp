@@ -2,14 +2,15 @@
 #ifndef PD_BOND_FILTERS_HPP
 #define PD_BOND_FILTERS_HPP
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "../deck/deck.hpp"
 #include "../parallel/communicator.hpp"
+#include "mesh_points.hpp"
 #include "node_sets.hpp"
-#include "text_mesh.hpp"
 
 namespace pd {
 
@@ -32,6 +33,9 @@ class BondFilters {
 
   /// Refers to `points`, which must outlive this object. Mistakes are added to deck.mistakes().
   BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets);
+
+  /// Removes pairs that are further apart than this along x, y or z, m.
+  void keepWithin(const std::array<double, 3>& box, const MeshPoints& points);
 
   bool empty() const { return filters_.empty(); }
   bool canMark() const;

@@ -10,14 +10,13 @@
 #include "block_horizons.hpp"
 #include "bond_filters.hpp"
 #include "mesh_geometry.hpp"
+#include "mesh_reader.hpp"
 #include "neighbor_search.hpp"
 #include "neighborhoods.hpp"
-#include "node_sets.hpp"
 #include "ordering.hpp"
 #include "partition.hpp"
+#include "quick_grid.hpp"
 #include "resolution_check.hpp"
-#include "text_file.hpp"
-#include "text_mesh.hpp"
 
 namespace pd {
 
@@ -28,24 +27,21 @@ constexpr int maximumListed = 10;  ///< points in one message
 /// any spacing far above.
 constexpr double closest = 1e-6;
 
-MeshPoints readMesh(const Deck& deck, const Communicator& comm) {
-  const DeckNode section = deck["Discretization"];
-  if (!section) throw DeckError(deck.fileName() + ": the deck has no section Discretization");
-  const DeckNode name = section["Input Mesh File"];
-  if (section.text("Type", "Text File") != "Text File")
-    throw DeckError(section["Type"].place() +
-                    ": Discretization/Type must be \"Text File\"; pdmesh converts other meshes");
-  if (!name) throw DeckError(section.place() + ": Discretization needs Input Mesh File");
-  const std::string fileName = deck.resolvePath(name.text());
-  const std::optional<std::string> text = readTextFile(fileName, name.place(), comm, deck.mistakes());
-  deck.mistakes().report();
-  return parseTextMesh(*text, fileName, deck.mistakes());
-}
-
 double positiveLength(const DeckNode& section, const std::string& key, Mistakes& mistakes) {
   const double value = section.real(key, 1.0);
   if (!(value > 0.0)) mistakes.add(section[key].place(), "Discretization/" + key + " must be greater than 0");
   return value;
+}
+
+/// The rule of distances, and a filter where neighbourhoods are boxes.
+NeighborRule neighborRule(const Deck& deck, const MeshPoints& points, const std::vector<double>& horizon,
+                          const std::vector<double>& spacing, BondFilters& filters) {
+  if (deck["Discretization"].text("Type", "") != "PdQuickGrid") return NeighborRule::make(horizon, spacing);
+  const auto box = quickGridNeighborBox(deck, horizon.front());
+  if (!box) return NeighborRule::make(horizon, spacing);
+  filters.keepWithin(*box, points);
+  const double diagonal = std::hypot((*box)[0], (*box)[1], (*box)[2]);
+  return NeighborRule::make(std::vector<double>(horizon.size(), diagonal), {});
 }
 
 /// Local ids of the points of each node set.
@@ -101,8 +97,8 @@ std::string coincidingPoints(const MeshPoints& points, const Discretization& d) 
           std::hypot(d.x[3 * i] - d.x[3 * j], d.x[3 * i + 1] - d.x[3 * j + 1], d.x[3 * i + 2] - d.x[3 * j + 2]);
       if (length > closest * d.horizon[i] || d.globalIds[i] > d.globalIds[j]) continue;
       ++count;
-      lines += fmt::format("{}: the point of line {} is only {:g} m away; remove one of them\n",
-                           points.place(d.globalIds[i]), points.line[d.globalIds[j]], length);
+      lines += fmt::format("{}: the point of {} is only {:g} m away; remove one of them\n",
+                           points.place(d.globalIds[i]), points.row(d.globalIds[j]), length);
     }
   }
   return lines;
@@ -137,23 +133,23 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   Mistakes& mistakes = deck.mistakes();
   const MeshPoints points = readMesh(deck, comm);
   const DeckNode section = deck["Discretization"];
-  const NodeSets nodeSets = readNodeSets(deck, comm, points);
+  const NodeSets nodeSets = allNodeSets(deck, comm, points);
   BondFilters filters(deck, points, nodeSets);
 
   Discretization d;
   d.nGlobal = points.nRows;
   d.blockNumbers = blockNumbersOf(points);
+  d.blockNames = points.blockNames;
   d.dimension = meshDimension(boundingBox(points));
   const double thickness = positiveLength(section, "Thickness", mistakes);
   const double area = positiveLength(section, "Cross Section Area", mistakes);
-  const std::vector<double> horizon =
-      pointHorizons(points, entriesOfBlocks(deck, d.blockNumbers, points.fileName), mistakes);
+  const std::vector<double> horizon = pointHorizons(points, entriesOfBlocks(deck, d.blockNumbers, points), mistakes);
   mistakes.report();
 
   const std::vector<double> spacing = pointSpacings(points.volume, d.dimension, thickness, area);
   const bool includesPartial = section.flag("Include Partial Neighbors", !deck.isPeridigmDeck());
   const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
-  const NeighborRule rule = NeighborRule::make(horizon, ruleSpacing);
+  const NeighborRule rule = neighborRule(deck, points, horizon, ruleSpacing, filters);
   checkResolution(deck, points, ruleSpacing, d.dimension, rule, comm.size());
   mistakes.report();
 

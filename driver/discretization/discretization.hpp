@@ -18,12 +18,14 @@ struct Discretization {
   int nOwned = 0;
   int nPoints = 0;                ///< owned + ghosts
   long long nGlobal = 0;          ///< points of the whole mesh
-  std::vector<int> globalIds;     ///< [nPoints] 0-based line number of the point in the mesh file
+  std::vector<int> globalIds;     ///< [nPoints] 0-based number of the point in the mesh file
   std::vector<double> x;          ///< [3 nPoints] reference coordinates, m
   std::vector<double> volume;     ///< [nPoints] m3
   std::vector<double> horizon;    ///< [nPoints] m
   std::vector<int> blockId;       ///< [nPoints] number of the block in the mesh file
   std::vector<int> blockNumbers;  ///< all block numbers of the mesh, sorted (all ranks)
+  /// Names of blocks that the mesh gives one; the others are block_<number> (nameOfBlock() says it).
+  std::map<int, std::string> blockNames;
 
   /// Neighbours of owned points, as Peridigm lays them out: [n_0, j.., n_1, j.., ...], local ids, sorted in each
   /// neighbourhood.

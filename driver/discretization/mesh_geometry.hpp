@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "text_mesh.hpp"
+#include "mesh_points.hpp"
 
 namespace pd {
 

@@ -6,8 +6,8 @@
 
 #include "bond_filters.hpp"
 #include "discretization.hpp"
+#include "mesh_points.hpp"
 #include "neighbor_search.hpp"
-#include "text_mesh.hpp"
 
 namespace pd {
 

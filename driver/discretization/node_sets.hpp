@@ -8,7 +8,7 @@
 
 #include "../deck/deck.hpp"
 #include "../parallel/communicator.hpp"
-#include "text_mesh.hpp"
+#include "mesh_points.hpp"
 
 namespace pd {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "../deck/deck.hpp"
+#include "mesh_points.hpp"
 #include "neighbor_search.hpp"
-#include "text_mesh.hpp"
 
 namespace pd {
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "../deck/function.hpp"
+#include "../discretization/mesh_points.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "field_names.hpp"
@@ -19,9 +20,8 @@ using namespace PeridigmNS;
 
 namespace {
 
-/// The entry of section Blocks that covers mesh block `number`; one named "default" covers what no other names.
-DeckNode blockEntry(const Deck& deck, int number) {
-  const std::string name = "block_" + std::to_string(number);
+/// The entry of section Blocks that covers the block of the mesh; one named "default" covers what no other names.
+DeckNode blockEntry(const Deck& deck, const std::string& name) {
   DeckNode fallback;
   for (const auto& [key, entry] : deck["Blocks"].entries()) {
     std::istringstream names(entry.text("Block Names", ""));
@@ -128,8 +128,8 @@ void Model::createBlocks(const Deck& deck) {
   shared_->setMaps(owned, overlap, 0);
   Mistakes mistakes;
   for (const int number : points.blockNumbers) {
-    const std::string name = "block_" + std::to_string(number);
-    const DeckNode entry = blockEntry(deck, number);
+    const std::string name = nameOfBlock(points.blockNames, number);
+    const DeckNode entry = blockEntry(deck, name);
     if (!entry) {
       mistakes.add(deck["Blocks"].place(), name +
                                                " of the mesh has no material: name it in the `Block Names` of an "

@@ -31,8 +31,13 @@ std::vector<Broken> brokenBodies() {
        {{"    Density: 7850.0\n", "    Density: 7850.0\n    Density: 7860.0\n"}},
        {"deck.yaml:23:5: key \"Density\" is given twice in the same section (first in line 22); remove one of them"}},
       {"UnknownMeshType",
-       {{"Type: Text File", "Type: Exodus"}},
-       {"deck.yaml:2:9: meshes of Type Exodus are not read; make a \"Text File\" of the mesh by meshes/pdmesh"}},
+       {{"Type: Text File", "Type: Exodos"}},
+       {"deck.yaml:2:9: Discretization/Type \"Exodos\" is not allowed here (one of \"Text File\", \"Exodus\", "
+        "\"PdQuickGrid\"); did you mean \"Exodus\"?"}},
+      {"NoGenerator",
+       {{"Type: Text File\n  Input Mesh File: mesh.txt", "Type: PdQuickGrid"}},
+       {"deck.yaml:1:1: Discretization: give one of \"TensorProduct3DMeshGenerator\", "
+        "\"TensorProductCylinderMeshGenerator\""}},
       {"MissingMeshFile",
        {{"mesh.txt", "mash.txt"}},
        {"deck.yaml:3:20: Discretization/Input Mesh File: there is no file \"mash.txt\" (names start at the folder of "

@@ -1,0 +1,243 @@
+// Meshes from Exodus files and from a description in the deck: points, volumes, node sets, neighbourhoods, mistakes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "driver/discretization/discretization.hpp"
+#include "driver/discretization/element_geometry.hpp"
+#include "driver/discretization/mesh_reader.hpp"
+#include "tests/support/exodus_file.hpp"
+#include "tests/support/scene_files.hpp"
+
+namespace {
+
+using pd_test::cubes;
+using pd_test::ExodusMesh;
+using pd_test::SceneFiles;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string exodusDeck =
+    "Discretization:\n  Type: Exodus\n  Input Mesh File: mesh.g\n"
+    "Blocks:\n  Body:\n    Block Names: default\n    Material: None\n    Horizon: 1.5\n";
+
+pd::MeshPoints meshOf(const ExodusMesh& mesh, const std::string& deck = exodusDeck, int format = NC_64BIT_OFFSET) {
+  const SceneFiles files("exodus");
+  pd_test::writeExodus(files.path("mesh.g"), mesh, format);
+  return pd::readMesh(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+}
+
+pd::Discretization discretize(const std::string& deck, const ExodusMesh& mesh = cubes(1, 1, 1)) {
+  const SceneFiles files("exodus");
+  pd_test::writeExodus(files.path("mesh.g"), mesh);
+  return pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+}
+
+std::string complaints(const ExodusMesh& mesh, const std::string& deck = exodusDeck) {
+  try {
+    discretize(deck, mesh);
+  } catch (const pd::DeckError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string gridDeck(const std::string& generator, double horizon, const std::string& root = "") {
+  const std::string pad = root.empty() ? "" : "  ";
+  std::string deck =
+      "Discretization:\n  Type: PdQuickGrid\n" + generator +
+      "Blocks:\n  Body:\n    Block Names: block_1\n    Material: None\n    Horizon: " + std::to_string(horizon) + "\n";
+  if (root.empty()) return deck;
+  for (std::size_t at = 0; (at = deck.find('\n', at)) + 1 < deck.size(); at += 3) deck.replace(at, 1, "\n  ");
+  return root + ":\n  " + deck;
+}
+
+std::string boxOf(int nx, int ny, int nz, const std::string& lengths = "3.0 2.0 4.0") {
+  std::istringstream stream(lengths);
+  std::string x, y, z;
+  stream >> x >> y >> z;
+  return "  TensorProduct3DMeshGenerator:\n    X Origin: 1.0\n    Y Origin: -1.0\n    Z Origin: 0.0\n    X Length: " +
+         x + "\n    Y Length: " + y + "\n    Z Length: " + z + "\n    Number Points X: " + std::to_string(nx) +
+         "\n    Number Points Y: " + std::to_string(ny) + "\n    Number Points Z: " + std::to_string(nz) + "\n";
+}
+
+int nNeighbors(const pd::Discretization& d, int globalId) {
+  const auto local = std::find(d.globalIds.begin(), d.globalIds.end(), globalId) - d.globalIds.begin();
+  return d.neighborhoodList[d.neighborhoodStart[static_cast<std::size_t>(local)]];
+}
+
+}  // namespace
+
+// ---- elements ----
+
+TEST(Elements, FrustumOfAPyramid) {
+  // Squares of side 2 and 1, one above the other: V = (A + a + sqrt(A a)) / 3, its centroid at (A + 2 sqrt(A a) + 3 a)
+  // / (4 (A + sqrt(A a) + a)) of the height.
+  const double nodes[24] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -.5, -.5, 1, .5, -.5, 1, .5, .5, 1, -.5, .5, 1};
+  const pd::ElementGeometry element = pd::hexahedron(nodes);
+  EXPECT_NEAR(element.volume, 7.0 / 3.0, 1e-14);
+  EXPECT_NEAR(element.centroid[2], 11.0 / 28.0, 1e-14);
+  EXPECT_NEAR(element.centroid[0], 0.0, 1e-14);
+  EXPECT_FALSE(element.isInverted);
+}
+
+TEST(Elements, TetrahedronAndItsMirrorImage) {
+  const double nodes[12] = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3}, mirrored[12] = {0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 0, 3};
+  EXPECT_DOUBLE_EQ(pd::tetrahedron(nodes).volume, 1.0);
+  EXPECT_THAT(pd::tetrahedron(nodes).centroid, ElementsAre(0.25, 0.5, 0.75));
+  EXPECT_TRUE(pd::tetrahedron(mirrored).isInverted);
+}
+
+// ---- Exodus files ----
+
+TEST(Exodus, HexahedraAreCellsInTheirOrder) {
+  for (const int format : {NC_64BIT_OFFSET, NC_NETCDF4}) {
+    const pd::MeshPoints points = meshOf(cubes(3, 2, 1), exodusDeck, format);
+    ASSERT_EQ(points.size(), 6);
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_NEAR(points.at(i)[0], i % 3 + 0.5, 1e-14);
+      EXPECT_NEAR(points.at(i)[1], i / 3 + 0.5, 1e-14);
+      EXPECT_NEAR(points.volume[i], 1.0, 1e-14);
+      EXPECT_EQ(points.blockId[i], 1);
+    }
+    // The elements that have a node in the set.
+    EXPECT_THAT(points.nodeSets.at("nodelist_7"), ElementsAre(0, 3));
+    EXPECT_THAT(points.nodeSets.at("top"), ElementsAre(0, 1, 2, 3, 4, 5));
+  }
+}
+
+TEST(Exodus, BlocksGoByTheirNames) {
+  ExodusMesh mesh = cubes(4, 1, 1);
+  const std::vector<int> all = mesh.blocks[0].nodes;
+  mesh.blocks[0].nodes.resize(16);
+  mesh.blocks.push_back({5, "Steel", "hex", 8, {all.begin() + 16, all.end()}, {}});
+  const auto deck = [](const std::string& names) {
+    return "Discretization:\n  Type: Exodus\n  Input Mesh File: mesh.g\n"
+           "Blocks:\n  Body:\n    Block Names: " +
+           names + "\n    Material: None\n    Horizon: 1.5\n";
+  };
+  const pd::Discretization d = discretize(deck("block_1 Steel"), mesh);
+  EXPECT_THAT(d.blockNumbers, ElementsAre(1, 5));
+  EXPECT_EQ(d.blockNames.at(5), "Steel");
+  EXPECT_THAT(complaints(mesh, deck("block_1 block_5")), HasSubstr("has no block \"block_5\"; it has: block_1, Steel"));
+}
+
+TEST(Exodus, TheElementNumberMapNumbersThePoints) {
+  ExodusMesh mesh = cubes(3, 1, 1);
+  mesh.elementNumbers = {3, 1, 2};
+  const pd::MeshPoints points = meshOf(mesh);
+  EXPECT_NEAR(points.at(0)[0], 1.5, 1e-14);
+  EXPECT_NEAR(points.at(2)[0], 0.5, 1e-14);
+  EXPECT_THAT(points.nodeSets.at("nodelist_7"), ElementsAre(2));
+  mesh.elementNumbers = {30, 10, 20};  // no numbering from 1 to 3
+  EXPECT_NEAR(meshOf(mesh).at(0)[0], 0.5, 1e-14);
+}
+
+TEST(Exodus, SpheresAndTetrahedraOfTenNodes) {
+  ExodusMesh mesh;
+  mesh.nodes = {{1, 2, 3},   {0, 0, 0},  {1, 0, 0},  {0, 1, 0},   {0, 0, 1},  {.5, 0, 0},
+                {.5, .5, 0}, {0, .5, 0}, {0, 0, .5}, {.5, 0, .5}, {0, .5, .5}};
+  mesh.blocks = {{1, "", "SPHERE", 1, {1}, {0.5, 4.25}}, {2, "", "TETRA10", 10, {2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {}}};
+  const pd::MeshPoints points = meshOf(mesh);
+  ASSERT_EQ(points.size(), 2);
+  EXPECT_EQ(points.volume[0], 4.25);  // the second attribute
+  EXPECT_EQ(points.at(0)[2], 3.0);
+  EXPECT_NEAR(points.volume[1], 1.0 / 6.0, 1e-15);
+  EXPECT_NEAR(points.at(1)[0], 0.25, 1e-15);
+}
+
+TEST(Exodus, OtherElementsNameThePdmeshCommand) {
+  ExodusMesh mesh = cubes(1, 1, 1);
+  mesh.blocks = {{1, "", "QUAD4", 4, {1, 2, 4, 3}, {}}};
+  const std::string text = complaints(mesh);
+  EXPECT_THAT(text, HasSubstr("block_1 has elements of 4 nodes of type \"QUAD4\""));
+  EXPECT_THAT(text, HasSubstr("meshes/pdmesh convert"));
+  EXPECT_THAT(text, HasSubstr("mesh.txt"));
+}
+
+TEST(Exodus, InvertedElementsAreNamed) {
+  ExodusMesh mesh = cubes(3, 1, 1);
+  std::vector<int>& nodes = mesh.blocks[0].nodes;
+  std::swap_ranges(nodes.begin() + 8, nodes.begin() + 12, nodes.begin() + 12);  // the second one upside down
+  EXPECT_THAT(complaints(mesh), HasSubstr("mesh.g: element 2: the element is inverted"));
+}
+
+TEST(Exodus, AFileOfAnotherKindSaysSo) {
+  const SceneFiles files("exodus");
+  files.write("mesh.g", "0 0 0 1 1.0\n");
+  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", exodusDeck));
+  try {
+    pd::readDiscretization(deck, pd::Communicator(MPI_COMM_SELF));
+    FAIL() << "a text file was read as Exodus";
+  } catch (const pd::DeckError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("deck.yaml:3:20: the mesh \"scene_exodus/mesh.g\": it cannot be read as NetCDF"));
+  }
+}
+
+TEST(Exodus, NodeSetsOfTheMeshServeConditions) {
+  const std::string conditions = "Boundary Conditions:\n  Hold:\n    Type: Prescribed Displacement\n    Node Set: ";
+  const pd::Discretization d = discretize(exodusDeck + conditions + "nodelist_7\n", cubes(3, 2, 1));
+  EXPECT_EQ(d.nodeSets.at("nodelist_7").size(), 2u);
+  EXPECT_THAT(complaints(cubes(3, 2, 1), exodusDeck + conditions + "nodelist_1\n"),
+              HasSubstr("neither Boundary Conditions nor the mesh has a node set \"nodelist_1\" (did you mean "
+                        "\"nodelist_7\"?); there are: \"nodelist_7\", \"top\""));
+  EXPECT_THAT(complaints(cubes(3, 2, 1), exodusDeck + conditions + "top\n  Top Node Set: 1 2\n"), "no error");
+}
+
+// ---- grids that the deck describes ----
+
+TEST(QuickGrid, PointsAreCellCentresXFastest) {
+  const pd::Discretization d = discretize(gridDeck(boxOf(3, 2, 4), 1.1));
+  ASSERT_EQ(d.nOwned, 24);
+  for (int i = 0; i < d.nOwned; ++i) {
+    const int id = d.globalIds[i];
+    EXPECT_NEAR(d.x[3 * i], 1.5 + id % 3, 1e-14);
+    EXPECT_NEAR(d.x[3 * i + 1], -0.5 + id / 3 % 2, 1e-14);
+    EXPECT_NEAR(d.x[3 * i + 2], 0.5 + id / 6, 1e-14);
+    EXPECT_NEAR(d.volume[i], 1.0, 1e-14);
+  }
+}
+
+TEST(QuickGrid, PeridigmsNeighborhoodsAreBoxesOfCells) {
+  // Its rule without a NeighborhoodType: round(1.6) = 2 cells along each axis.
+  const auto cells = [](double horizon, const std::string& type, const std::string& root) {
+    return nNeighbors(discretize(gridDeck(type + boxOf(5, 5, 5, "5.0 5.0 5.0"), horizon, root)), 62);
+  };
+  EXPECT_EQ(cells(1.6, "", "Peridigm"), 124);  // 5^3 - 1
+  EXPECT_EQ(cells(1.4, "", "Peridigm"), 26);   // 3^3 - 1
+  EXPECT_EQ(cells(1.6, "  NeighborhoodType: Spherical\n", "Peridigm"), 18);
+  EXPECT_EQ(cells(1.6, "  NeighborhoodType: Box\n", ""), 124);
+  EXPECT_EQ(cells(1.6, "  Include Partial Neighbors: false\n", ""), 18);
+}
+
+TEST(QuickGrid, ABondCanBeLongerThanTheHorizon) {
+  // As in Peridigm's test BondBreakingInitialVelocity: 0.51 is half a cell along y, and less along x.
+  const pd::Discretization d = discretize(gridDeck(boxOf(2, 2, 1, "2.1 2.0 1.0"), 0.51, "Peridigm"));
+  for (int id = 0; id < 4; ++id) EXPECT_EQ(nNeighbors(d, id), 1);
+  EXPECT_DOUBLE_EQ(d.shortestBond, 1.0);
+}
+
+TEST(QuickGrid, CylinderHasItsVolume) {
+  const std::string generator =
+      "  NeighborhoodType: Spherical\n  TensorProductCylinderMeshGenerator:\n    Inner Radius: 1.0\n    Outer Radius: "
+      "2.0\n"
+      "    Cylinder Length: 3.0\n    Number Points Radius: 4\n    Ring Center x: 5.0\n    Ring Center y: 0.0\n"
+      "    Z Origin: -1.0\n";
+  const pd::Discretization d = discretize(gridDeck(generator, 0.6));
+  // 2 pi / (0.25 / 1.5) = 37.7: 38 cells around; 3 / 0.25 + 1 = 13 along.
+  EXPECT_EQ(d.nOwned, 4 * 38 * 13);
+  const double volume = std::accumulate(d.volume.begin(), d.volume.begin() + d.nOwned, 0.0);
+  EXPECT_NEAR(volume, 3.14159265358979 * 3.0 * 3.0, 1e-10);
+  double sumOfX = 0.0;
+  for (int i = 0; i < d.nOwned; ++i) sumOfX += d.x[3 * i];
+  EXPECT_NEAR(sumOfX / d.nOwned, 5.0, 1e-10);
+}
+
+TEST(QuickGrid, GeneratorIsNeeded) {
+  EXPECT_THAT(complaints(cubes(1, 1, 1), gridDeck("", 1.0)),
+              HasSubstr("Discretization needs one of TensorProduct3DMeshGenerator"));
+}
