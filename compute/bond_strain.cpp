@@ -1,7 +1,7 @@
 // Bond_Strain: strain of each point from its unbroken bonds, 9 components row by row.
 #include <algorithm>
 
-#include "deformation_gradient.hpp"
+#include "point_deformation.hpp"
 #include "plugins.hpp"
 
 namespace pd {

@@ -4,7 +4,7 @@
 // with the material's moduli, applied to the strain that the unbroken bonds show.
 #include <algorithm>
 
-#include "deformation_gradient.hpp"
+#include "point_deformation.hpp"
 #include "plugins.hpp"
 
 namespace pd {

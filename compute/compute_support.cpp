@@ -45,19 +45,15 @@ int modelCoordinatesField() {
                                          "Model_Coordinates");
 }
 
-namespace {
-
-int steppedVectorField(const char* label) {
+int pointVectorField(const std::string& label) {
   return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP, label);
 }
 
-}  // namespace
-
-int coordinatesField() { return steppedVectorField("Coordinates"); }
-int displacementField() { return steppedVectorField("Displacement"); }
-int velocityField() { return steppedVectorField("Velocity"); }
-int forceDensityField() { return steppedVectorField("Force_Density"); }
-int externalForceDensityField() { return steppedVectorField("External_Force_Density"); }
+int coordinatesField() { return pointVectorField("Coordinates"); }
+int displacementField() { return pointVectorField("Displacement"); }
+int velocityField() { return pointVectorField("Velocity"); }
+int forceDensityField() { return pointVectorField("Force_Density"); }
+int externalForceDensityField() { return pointVectorField("External_Force_Density"); }
 
 int globalField(const std::string& label, PeridigmField::Length length) {
   return FieldManager::self().getFieldId(PeridigmField::GLOBAL, length, PeridigmField::CONSTANT, label);

@@ -51,6 +51,7 @@ int forceDensityField();
 int externalForceDensityField();
 int globalField(const std::string& label, PeridigmNS::PeridigmField::Length length);
 int elementScalarField(const std::string& label);  ///< not stepped
+int pointVectorField(const std::string& label);    ///< of two steps, as Peridigm has those of its computes
 
 double* view(PeridigmNS::Block& block, int fieldId, PeridigmNS::PeridigmField::Step step);
 

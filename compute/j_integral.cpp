@@ -5,7 +5,7 @@
 // Stress and gradients are those of Bond_Stress. The crack must leave the ring along -d, and be free of traction.
 #include <cmath>
 
-#include "deformation_gradient.hpp"
+#include "point_deformation.hpp"
 #include "plugins.hpp"
 
 namespace pd {

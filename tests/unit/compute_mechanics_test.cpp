@@ -82,6 +82,24 @@ TEST_F(Energies, KineticEnergyOfEachPointAndOfAll) {
   EXPECT_DOUBLE_EQ(body.value("Kinetic_Energy", 2), 12.5 * 90.0);
 }
 
+TEST_F(Energies, ForceAndAccelerationFollowFromTheForceDensity) {
+  const auto force = makeCompute(body, "Force"), acceleration = makeCompute(body, "Acceleration");
+  for (int i = 0; i < 9; ++i) {
+    body.field("Force_Density")[i] = 60.0 * (i + 1);
+    body.field("External_Force_Density")[i] = i == 8 ? 60.0 : 0.0;
+  }
+  force->compute(body.blocks());
+  acceleration->compute(body.blocks());
+  EXPECT_DOUBLE_EQ(body.field("Force")[5], 2.0 * 360.0);
+  EXPECT_DOUBLE_EQ(body.field("Acceleration")[5], 36.0);
+  EXPECT_DOUBLE_EQ(body.field("Acceleration")[8], 20.0);  // of the denser block
+}
+
+TEST_F(Energies, RadiusIsThatOfABallOfTheVolume) {
+  makeCompute(body, "Radius")->compute(body.blocks());
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(4.0 / 3.0 * pi * std::pow(body.value("Radius", i), 3), i + 1.0, 1e-14);
+}
+
 TEST_F(Energies, ReactionIsMinusTheInternalForceOfTheSet) {
   const auto compute = makeCompute(body, "Reaction_Force", on("First Two"));
   for (int i = 0; i < 3; ++i) body.field("Force_Density")[3 * i + 1] = 10.0 * (i + 1);
@@ -145,6 +163,18 @@ TEST(BondStrain, OfALinearFieldIsExactAtEveryPointWithAnyBondsBroken) {
   for (int p = 0; p < body.nOwned(); ++p)
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) EXPECT_NEAR(elementOf(body, "Bond_Strain", p, i, j), expected[i][j], 1e-13) << p;
+}
+
+TEST(DeformationGradient, OfALinearFieldIsExactAtEveryPoint) {
+  BodyOptions options;
+  options.horizon = 1.8;
+  SmallBody body(lattice(4, 4, 4, 1.0), options);
+  const std::array<double, 9> gradient{1.01, 0.02, 0.0, 0.004, 0.98, 0.03, -0.006, 0.0, 1.005};
+  body.deform(linear(gradient));
+  makeCompute(body, "Deformation_Gradient")->compute(body.blocks());
+  for (int p = 0; p < body.nOwned(); ++p)
+    for (int k = 0; k < 9; ++k)
+      EXPECT_NEAR(body.value("Deformation_Gradient", 9 * p + k), gradient[static_cast<std::size_t>(k)], 1e-13) << p;
 }
 
 TEST(BondStrain, OfAPlaneBodyLeavesTheThirdAxisAlone) {

@@ -1,6 +1,6 @@
 // Deformation of a point from its unbroken bonds.
-#ifndef PD_DEFORMATION_GRADIENT_HPP
-#define PD_DEFORMATION_GRADIENT_HPP
+#ifndef PD_POINT_DEFORMATION_HPP
+#define PD_POINT_DEFORMATION_HPP
 
 #include <array>
 #include <vector>

@@ -1,0 +1,115 @@
+#include "point_deformation.hpp"
+
+#include <Teuchos_LAPACK.hpp>
+
+namespace pd {
+
+namespace PeridigmField = PeridigmNS::PeridigmField;
+
+namespace {
+
+Tensor product(const Tensor& a, const Tensor& b) {
+  Tensor result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 3; ++k) result[3 * i + j] += a[3 * i + k] * b[3 * k + j];
+  return result;
+}
+
+void addOuterProduct(Tensor& sum, double weight, const double* a, const double* b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) sum[3 * i + j] += weight * a[i] * b[j];
+}
+
+/// Of a symmetric tensor without negative eigenvalues; those below 1e-8 of the largest count as zero.
+Tensor pseudoInverse(const Tensor& symmetric) {
+  Tensor vectors = symmetric;
+  double values[3] = {0.0, 0.0, 0.0}, work[16];
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('V', 'L', 3, vectors.data(), 3, values, work, 16, &info);
+  Tensor result{};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (values[k] > 1e-8 * values[2])
+      addOuterProduct(result, 1.0 / values[k], vectors.data() + 3 * k, vectors.data() + 3 * k);
+  return result;
+}
+
+}  // namespace
+
+DeformationGradients::DeformationGradients()
+    : volumeField_(volumeField()),
+      modelCoordinatesField_(modelCoordinatesField()),
+      coordinatesField_(pd::coordinatesField()) {}
+
+std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
+  const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
+  const double* x = view(block, modelCoordinatesField_, PeridigmField::STEP_NONE);
+  const double* y = view(block, coordinatesField_, PeridigmField::STEP_NP1);
+  const double* bondDamage = bondDamageView(block);
+  const auto neighborhood = block.getNeighborhoodData();
+  const int* list = neighborhood->NeighborhoodList();
+
+  std::vector<Tensor> result(static_cast<std::size_t>(neighborhood->NumOwnedPoints()));
+  std::size_t bond = 0;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const int id = neighborhood->OwnedIDs()[i];
+    Tensor shape{}, deformed{};
+    for (int n = *list++; n > 0; --n, ++list, ++bond) {
+      const double weight = volume[*list] * (bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]);
+      double xi[3], eta[3];
+      for (int k = 0; k < 3; ++k) {
+        xi[k] = x[3 * *list + k] - x[3 * id + k];
+        eta[k] = y[3 * *list + k] - y[3 * id + k] - xi[k];
+      }
+      addOuterProduct(shape, weight, xi, xi);
+      addOuterProduct(deformed, weight, eta, xi);
+    }
+    // With the displacement in place of the deformed bond the identity needs no extra terms.
+    result[i] = product(deformed, pseudoInverse(shape));
+    for (std::size_t k = 0; k < 9; k += 4) result[i][k] += 1.0;
+  }
+  return result;
+}
+
+void declareStrainMeasure(ParameterDeclarations& declarations) {
+  declarations.text("Strain Measure", "Linear strain, or the Green-Lagrange strain, which rotation leaves alone.")
+      .oneOf({"Small", "Green-Lagrange"})
+      .defaultTo("Small");
+}
+
+Tensor strainOf(const Tensor& deformationGradient, bool isGreenLagrange) {
+  Tensor h = deformationGradient;  // gradient of the displacement
+  for (std::size_t k = 0; k < 9; k += 4) h[k] -= 1.0;
+  Tensor result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      double value = h[3 * i + j] + h[3 * j + i];
+      if (isGreenLagrange)
+        for (std::size_t k = 0; k < 3; ++k) value += h[3 * k + i] * h[3 * k + j];
+      result[3 * i + j] = 0.5 * value;
+    }
+  return result;
+}
+
+void HookesLaw::declareParameters(ParameterDeclarations& declarations) {
+  declarations.flag("Plane Stress", "The body is a thin plate in the x-y plane (otherwise: plane strain or a 3D body).")
+      .defaultTo(false);
+}
+
+HookesLaw::HookesLaw(const PeridigmNS::Material& material, bool isPlaneStress)
+    : lambda_(material.BulkModulus() - 2.0 / 3.0 * material.ShearModulus()),
+      shearModulus_(material.ShearModulus()),
+      isPlaneStress_(isPlaneStress) {
+  if (isPlaneStress) lambda_ = 2.0 * shearModulus_ * lambda_ / (lambda_ + 2.0 * shearModulus_);
+}
+
+Tensor HookesLaw::stress(const Tensor& strain) const {
+  const double pressure = lambda_ * (strain[0] + strain[4] + (isPlaneStress_ ? 0.0 : strain[8]));
+  Tensor result;
+  for (std::size_t k = 0; k < 9; ++k) result[k] = 2.0 * shearModulus_ * strain[k];
+  for (std::size_t k = 0; k < 9; k += 4) result[k] += pressure;
+  if (isPlaneStress_) result[2] = result[5] = result[6] = result[7] = result[8] = 0.0;
+  return result;
+}
+
+}  // namespace pd
