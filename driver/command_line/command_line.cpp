@@ -42,7 +42,7 @@ std::string withPrefix(const std::string& prefix, const Mistakes& lines) {
 
 /// Everything that a run checks before it allocates anything.
 void check(const RunOptions& options, const Communicator& comm) {
-  const Deck deck = Deck::read(options.deckFile, options.overrides);
+  const Deck deck = Deck::read(options.deckFile, options.overrides, options.unknownKeys);
   checkDeck(deck);
   print(comm, stderr, withPrefix("warning: ", deck.warnings()));
   deck.mistakes().report();
@@ -114,15 +114,20 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   CommandLine result;
   RunOptions& options = result.options;
   bool isCheck = false, isList = false;
-  std::string topic;
-  CLI::App app{"Peridynamic degradation of materials: runs a YAML deck.", "pdrun"};
+  std::string topic, peridigmKeys = "strict";
+  CLI::App app{"Peridynamic degradation of materials: runs a deck in YAML, or one of Peridigm.", "pdrun"};
   app.footer(sampleRuns);
-  app.add_option("deck", options.deckFile, "The deck to run (YAML).");
+  app.add_option("deck", options.deckFile, "The deck to run (YAML, or Peridigm's XML).");
   app.add_option("--set", options.overrides, "Override a value of the deck: path=value. May be given several times.")
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->take_all();
   app.add_option("--restart", options.restartFile, "Go on from a checkpoint of the same deck.")->type_name("FILE");
+  app.add_option("--peridigm-keys", peridigmKeys,
+                 "Unknown keys in decks of Peridigm: mistakes (strict, the default), or ignored with a warning "
+                 "(lenient).")
+      ->type_name("strict|lenient")
+      ->check(CLI::IsMember({"strict", "lenient"}));
   app.add_option("--study", result.studyFile, "Run a deck over lists of overrides: error against time and work.")
       ->type_name("FILE");
   app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
@@ -145,6 +150,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw DeckError(std::string("pdrun: ") + error.what() + "\nTry pdrun --help.");
   }
+  if (peridigmKeys == "lenient") options.unknownKeys = UnknownKeys::AreWarnings;
   if (isList) return printing(listEverything());
   if (!topic.empty()) return printing(explain(topic));
   if (!result.studyFile.empty()) {

@@ -25,7 +25,8 @@ DeckUnderCheck readSections(const Deck& deck) {
   for (DeckSection& section : findSections(deck)) {
     const std::size_t before = mistakes.lines().size();
     CheckedSection checked;
-    checked.list = readParameters(section.node, section.declarations, mistakes, section.hostKeys);
+    checked.list = readParameters(section.node, section.declarations, mistakes, section.hostKeys,
+                                  deck.isLenient() ? &deck.warnings() : nullptr);
     checked.isGood = mistakes.lines().size() == before;
     checked.section = std::move(section);
     check.sections.push_back(std::move(checked));

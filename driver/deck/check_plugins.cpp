@@ -7,6 +7,7 @@
 #include "Peridigm_Field.hpp"
 #include "check_deck.hpp"
 #include "function.hpp"
+#include "peridigm_deck.hpp"
 
 namespace pd {
 
@@ -39,7 +40,8 @@ class PluginCheck {
  public:
   explicit PluginCheck(const DeckUnderCheck& check) : check_(check), deck_(check.deck), mistakes_(deck_.mistakes()) {
     // The driver fills or makes these itself.
-    labels_ = {"Model_Coordinates", "Coordinates", "Displacement", "Volume", "Block_Id", "Element_Id", "Horizon"};
+    labels_ = {"Model_Coordinates", "Coordinates", "Displacement",          "Volume", "Block_Id", "Element_Id",
+               "Proc_Num",          "Horizon",     "External_Force_Density"};
   }
 
   void run() {
@@ -137,9 +139,21 @@ class PluginCheck {
 
   void outputVariables(const DeckNode& output) {
     const DeckNode variables = output["Output Variables"];
-    for (const auto& [name, isWanted] : variables.entries()) isKnownLabel(name, isWanted.keyPlace(), variables.path());
+    for (const auto& [name, isWanted] : variables.entries())
+      if (!isLeftOut(name, isWanted)) isKnownLabel(name, isWanted.keyPlace(), variables.path());
     for (const DeckNode& item : variables.items())
       if (item.isScalar()) isKnownLabel(item.text(), item.place(), variables.path());
+  }
+
+  /// Peridigm leaves out what it knows and no block of the deck provides; in a lenient reading so do we with all else.
+  bool isLeftOut(const std::string& label, const DeckNode& isWanted) {
+    const std::vector<std::string>& theirs = fieldsOfPeridigmAlone();
+    const bool isTheirs = std::find(theirs.begin(), theirs.end(), label) != theirs.end();
+    if (!isComplete_ || labels_.count(label) != 0 || !deck_.isPeridigmDeck() || !(isTheirs || deck_.isLenient()))
+      return false;
+    deck_.warnings().add(isWanted.keyPlace(), "nothing in this deck provides \"" + label + "\"; it is left out");
+    isWanted.ignore();
+    return true;
   }
 
   bool isKnown(const DeckNode& field) {

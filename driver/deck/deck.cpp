@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "deck_data.hpp"
+#include "peridigm_deck.hpp"
 
 namespace pd {
 
@@ -118,14 +119,15 @@ std::string DeckNode::xmlType() const { return data_ ? data_->xmlType : ""; }
 DeckNode DeckNode::operator[](const std::string& key) const {
   if (!data_) return {};
   for (const auto& [name, value] : data_->entries)
-    if (name == key) return DeckNode(value);
+    if (name == key && !value->isIgnored) return DeckNode(value);
   return {};
 }
 
 std::vector<std::pair<std::string, DeckNode>> DeckNode::entries() const {
   std::vector<std::pair<std::string, DeckNode>> result;
   if (data_)
-    for (const auto& [name, value] : data_->entries) result.emplace_back(name, DeckNode(value));
+    for (const auto& [name, value] : data_->entries)
+      if (!value->isIgnored) result.emplace_back(name, DeckNode(value));
   return result;
 }
 
@@ -139,6 +141,7 @@ std::vector<DeckNode> DeckNode::items() const {
 std::string DeckNode::place() const { return data_ ? data_->placeOf(data_->line, data_->column) : ""; }
 std::string DeckNode::keyPlace() const { return data_ ? data_->placeOf(data_->keyLine, data_->keyColumn) : ""; }
 std::string DeckNode::path() const { return data_ ? data_->path : ""; }
+void DeckNode::ignore() const { checked(data_).isIgnored = true; }
 
 double DeckNode::real() const {
   const Data& node = checked(data_);
@@ -276,7 +279,7 @@ void applyOverride(DeckNode::Data& root, const std::string& text) {
 
 }  // namespace
 
-Deck Deck::read(const std::string& fileName, const std::vector<std::string>& overrides) {
+Deck Deck::read(const std::string& fileName, const std::vector<std::string>& overrides, UnknownKeys unknownKeys) {
   const bool isXml = std::filesystem::path(fileName).extension() == ".xml";
   const std::string text = readFile(fileName);
   std::shared_ptr<DeckNode::Data> root = isXml ? readXml(text, fileName) : readYaml(text, fileName, true);
@@ -302,6 +305,10 @@ Deck Deck::read(const std::string& fileName, const std::vector<std::string>& ove
       mistakes.add("", error.what());
     }
   mistakes.report();
+  if (deck.isPeridigmDeck_) {
+    deck.isLenient_ = unknownKeys == UnknownKeys::AreWarnings;
+    translatePeridigmDeck(*root, *deck.mistakes_, *deck.warnings_);
+  }
   deck.root_ = DeckNode(root);
   return deck;
 }

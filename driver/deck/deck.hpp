@@ -39,6 +39,8 @@ class DeckNode {
   std::string keyPlace() const;
   /// "Blocks/My Block/Horizon".
   std::string path() const;
+  /// From now on this entry is not there for anybody.
+  void ignore() const;
 
   // Typed values; throw DeckError naming place, path and what was expected.
   double real() const;  ///< accepts an integer
@@ -84,12 +86,17 @@ class Mistakes {
   std::vector<std::string> lines_;
 };
 
+/// What a key is that neither we nor Peridigm know, in a deck of Peridigm. In decks of our own it is a mistake.
+enum class UnknownKeys { AreMistakes, AreWarnings };
+
 class Deck {
  public:
   /// Reads the file, XML where its name ends in ".xml" and YAML else, applies overrides of the form
-  /// "Solver/Final Time=1.0" (value in YAML), and removes one root key "Peridigm" where there is one. Throws DeckError
-  /// on a file that cannot be read.
-  static Deck read(const std::string& fileName, const std::vector<std::string>& overrides = {});
+  /// "Solver/Final Time=1.0" (value in YAML), and removes one root key "Peridigm" where there is one. A deck of
+  /// Peridigm is brought into our own form (driver/deck/peridigm_deck.hpp), with its mistakes and warnings. Throws
+  /// DeckError on a file that cannot be read.
+  static Deck read(const std::string& fileName, const std::vector<std::string>& overrides = {},
+                   UnknownKeys unknownKeys = UnknownKeys::AreMistakes);
 
   DeckNode root() const { return root_; }
   DeckNode operator[](const std::string& section) const { return root_[section]; }
@@ -101,13 +108,15 @@ class Deck {
   /// (driver/deck/sections.hpp).
   bool isPeridigmDeck() const { return isPeridigmDeck_; }
   Mistakes& mistakes() const { return *mistakes_; }
+  /// Whether unknown keys are reported by warnings() and ignored.
+  bool isLenient() const { return isLenient_; }
   /// What a run puts up with but its user should know.
   Mistakes& warnings() const { return *warnings_; }
 
  private:
   DeckNode root_;
   std::string fileName_;
-  bool isPeridigmDeck_ = false;
+  bool isPeridigmDeck_ = false, isLenient_ = false;
   std::shared_ptr<Mistakes> mistakes_ = std::make_shared<Mistakes>();
   std::shared_ptr<Mistakes> warnings_ = std::make_shared<Mistakes>();
 };

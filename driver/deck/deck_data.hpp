@@ -23,6 +23,7 @@ struct DeckNode::Data {
   int line = 0, column = 0;                   ///< from 1; 0 where they are not known (overrides; columns in XML)
   int keyLine = 0, keyColumn = 0;
   std::string path;
+  mutable bool isIgnored = false;  ///< an unknown key that its user was warned of; DeckNode does not show it
   std::vector<std::pair<std::string, std::shared_ptr<Data>>> entries;
   std::vector<std::shared_ptr<Data>> items;
 

@@ -198,7 +198,7 @@ void addAll(Mistakes& mistakes, const DeckError& error) {
 }
 
 Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDeclarations& declarations,
-                                      Mistakes& mistakes, const HostKeys& hostKeys) {
+                                      Mistakes& mistakes, const HostKeys& hostKeys, Mistakes* ignoredKeys) {
   Teuchos::ParameterList list;
   if (!section.isMap()) {
     mistakes.add(section.place(), section.path() + " must be a section with keys of its own");
@@ -209,14 +209,20 @@ Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDe
     if (const Parameter* parameter = declarations.find(key)) {
       reader.read(value, *parameter);
     } else if (const auto* sublist = declarations.findSublist(key)) {
-      list.sublist(key) = readParameters(value, sublist->declarations.front(), mistakes);
+      list.sublist(key) = readParameters(value, sublist->declarations.front(), mistakes, {}, ignoredKeys);
     } else if (contains(hostKeys.known, key)) {
       if (value.isScalar()) list.set(key, value.text());
     } else {
       std::vector<std::string> known = declarations.names();
       known.insert(known.begin(), hostKeys.known.begin(), hostKeys.known.end());
-      mistakes.add(value.keyPlace(), "unknown key \"" + key + "\"" + inSection(section) + didYouMean(key, known) +
-                                         (known.empty() ? "; it takes no keys" : "; known here: " + quotedList(known)));
+      const std::string message = "unknown key \"" + key + "\"" + inSection(section) + didYouMean(key, known) +
+                                  (known.empty() ? "; it takes no keys" : "; known here: " + quotedList(known));
+      if (ignoredKeys == nullptr) {
+        mistakes.add(value.keyPlace(), message);
+      } else {
+        ignoredKeys->add(value.keyPlace(), message);
+        value.ignore();
+      }
     }
   }
   checkCompleteness(section, declarations, mistakes, hostKeys);

@@ -17,9 +17,11 @@ struct HostKeys {
 };
 
 /// The section as a Teuchos list, converted to the declared types, defaults filled in. Functions given as tables are
-/// left out. Adds every mistake with its place.
+/// left out. Adds every mistake with its place. Unknown keys are mistakes, or where `ignoredKeys` is given, go there
+/// and are ignored from then on.
 Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDeclarations& declarations,
-                                      Mistakes& mistakes, const HostKeys& hostKeys = {});
+                                      Mistakes& mistakes, const HostKeys& hostKeys = {},
+                                      Mistakes* ignoredKeys = nullptr);
 
 /// ` (did you mean "A"?)` or empty.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known);

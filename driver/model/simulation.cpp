@@ -31,22 +31,14 @@ struct Stage {
 Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
   std::optional<Deck> deck;
   collectively(comm, [&] {
-    deck = Deck::read(options.deckFile, options.overrides);
+    deck = Deck::read(options.deckFile, options.overrides, options.unknownKeys);
     checkDeck(*deck);
     deck->mistakes().report();
   });
   return *deck;
 }
 
-/// What a solver takes where the deck does not say, in a deck that was written for Peridigm.
-void setPeridigmDefaults(const DeckNode& given, const ParameterDeclarations& declarations,
-                         Teuchos::ParameterList& parameters) {
-  const std::string criticalStep = "Critical Step";
-  if (declarations.find(criticalStep) != nullptr && !given[criticalStep])
-    parameters.set(criticalStep, std::string("Bulk Modulus"));
-}
-
-Stage createStage(const DeckNode& section, bool isPeridigmDeck) {
+Stage createStage(const DeckNode& section) {
   Stage stage;
   stage.startTime = section.real("Initial Time", 0.0);
   stage.endTime = section.real("Final Time", 1.0);
@@ -54,10 +46,7 @@ Stage createStage(const DeckNode& section, bool isPeridigmDeck) {
     const auto* plugin = SolverRegistry::self().find(name);
     if (plugin == nullptr) continue;
     stage.name = name;
-    const ParameterDeclarations declarations = plugin->declare();
-    Teuchos::ParameterList parameters = node.parameters(declarations);
-    if (isPeridigmDeck) setPeridigmDefaults(node, declarations, parameters);
-    stage.solver = plugin->create(parameters);
+    stage.solver = plugin->create(node.parameters(plugin->declare()));
     return stage;
   }
   throw DeckError(section.keyPlace() + ": this section names no solver (one of " +
@@ -69,7 +58,7 @@ std::vector<Stage> createStages(const Deck& deck) {
   Mistakes mistakes;
   for (const DeckNode& section : solverSections(deck)) {
     try {
-      stages.push_back(createStage(section, deck.isPeridigmDeck()));
+      stages.push_back(createStage(section));
     } catch (const DeckError& error) {
       mistakes.add("", error.what());
     } catch (const std::invalid_argument& error) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../boundary/boundary_conditions.hpp"
+#include "../deck/deck.hpp"
 #include "../output/output.hpp"
 #include "model.hpp"
 
@@ -24,6 +25,7 @@ struct RunOptions {
   std::vector<std::string> overrides;  ///< "path=value"
   std::string restartFile;             ///< empty: from the start
   bool isQuiet = false;
+  UnknownKeys unknownKeys = UnknownKeys::AreMistakes;  ///< of decks of Peridigm
 };
 
 /// The straight line: read deck, check everything, build the discretization, allocate, solve, write. Collective.

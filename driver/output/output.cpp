@@ -154,11 +154,8 @@ void Output::initialize(Model& model) {
   Implementation& self = *implementation_;
   self.deckHash = textHash(resolvedDeck(self.deck));
   Mistakes mistakes;
-  for (const OutputSection& section : self.sections) {
+  for (const OutputSection& section : self.sections)
     self.filesNamed(section.fileName).add(section, self.sortLabels(model, section, mistakes));
-    if (section.asksForExodus)
-      self.line("note: \"" + section.fileName + "\" is written as HDF5 with an XDMF file, not as ExodusII");
-  }
   mistakes.report();
   // What computes yield for the whole body is cheap to write, so it is, asked for by name or not.
   for (const std::string& label : self.computes->globalLabels()) {

@@ -40,7 +40,6 @@ OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
   section.historyFrequency = node.integer("History Frequency", isPeridigmDeck ? section.frequency : 1);
   section.checkpointFrequency = node.integer("Checkpoint Frequency", -1);
   section.variables = readVariables(node["Output Variables"]);
-  section.asksForExodus = node.text("Output File Type", "HDF5") == "ExodusII";
   return section;
 }
 

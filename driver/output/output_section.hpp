@@ -24,7 +24,6 @@ struct OutputSection {
   int historyFrequency = 1;  ///< of values for the whole body; -1: none
   int checkpointFrequency = -1;
   std::vector<OutputVariable> variables;
-  bool asksForExodus = false;  ///< Peridigm's only file type
 
   bool writesFields() const { return frequency > 0 || !steps.empty(); }
   bool areFieldsDue(int step, bool isLast) const;

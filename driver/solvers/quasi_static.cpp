@@ -112,6 +112,11 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
       .defaultTo(0.0)
       .atLeast(0.0);
   declare
+      .flag("Velocity From Increments",
+            "After a load step the Velocity of each point is its displacement over the length of the step: for output, "
+            "and for a solver that follows (true in decks of Peridigm).")
+      .defaultTo(false);
+  declare
       .integer("Maximum Load Step Reductions",
                "How often a load step without equilibrium is halved, as long as no bond has broken in it.")
       .defaultTo(5)
@@ -130,11 +135,12 @@ QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given) : newton_(newtonSe
   if (parameters.isParameter("Time Steps")) times_ = timesOf(parameters.get<std::string>("Time Steps"));
   maximumBreakagePasses_ = parameters.get<int>("Maximum Breakage Passes");
   maximumHalvings_ = parameters.get<int>("Maximum Load Step Reductions");
+  setsVelocity_ = parameters.get<bool>("Velocity From Increments");
 }
 
 std::vector<int> QuasiStatic::fieldIds() const {
   using namespace PeridigmNS::PeridigmField;
-  std::vector<int> ids = mechanicsFieldIds(false);
+  std::vector<int> ids = mechanicsFieldIds(setsVelocity_);
   for (const int id : Newton::fieldIds()) ids.push_back(id);
   ids.push_back(PeridigmNS::FieldManager::self().getFieldId(NODE, VECTOR, CONSTANT, incrementField));
   return ids;
@@ -255,7 +261,14 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);
+  const double* displacement = simulation.model.field("Displacement");
+  std::vector<double> start;
+  if (setsVelocity_) start.assign(displacement, displacement + held_.isHeld.size());
   advanceInParts(simulation, t, dt, 0);
+  if (setsVelocity_) {
+    double* velocity = simulation.model.field("Velocity");
+    for (std::size_t i = 0; i < start.size(); ++i) velocity[i] = (displacement[i] - start[i]) / dt;
+  }
   simulation.model.requireFinite("Displacement", loadStep_);
 }
 

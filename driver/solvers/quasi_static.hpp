@@ -42,6 +42,7 @@ class QuasiStatic : public Solver {
   [[noreturn]] void fail(double t, const std::string& when) const;
 
   int nLoadSteps_ = 1, maximumBreakagePasses_, maximumHalvings_;
+  bool setsVelocity_;
   std::vector<double> times_;  ///< of the increments' ends, the start first; empty: equal steps
   Newton newton_;
   std::unique_ptr<Supports> supports_;

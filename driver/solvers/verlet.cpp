@@ -25,7 +25,7 @@ void Verlet::declareParameters(ParameterDeclarations& declare) {
   declare
       .text("Critical Step",
             "How the critical step is found: from the highest frequency of this very model (the default), or by "
-            "Peridigm's formula from the bulk modulus (the default of decks with the root key `Peridigm`), in which "
+            "Peridigm's formula from the bulk modulus (the default of decks of Peridigm), in which "
             "case \"Safety Factor\" multiplies \"Fixed dt\" too, the steps need not meet the final time, and no step "
             "is refused.")
       .oneOf({"Highest Frequency", "Bulk Modulus"});
