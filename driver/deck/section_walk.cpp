@@ -13,20 +13,6 @@ namespace {
 
 using Kind = DeckSection::Kind;
 
-/// Keys that Peridigm reads and that have no meaning here.
-const std::vector<std::string>& peridigmRootKeys() {
-  static const std::vector<std::string> keys{"Verbose", "Multiphysics"};
-  return keys;
-}
-const std::vector<std::string>& peridigmKeys(Kind kind) {
-  static const std::vector<std::string> output{"Output File Type", "Output Format", "Parallel Write"};
-  static const std::vector<std::string> solver{"Jacobian Diagnostics", "Disable Heuristics", "Peridigm Preconditioner",
-                                               "Initialize Predictor From Previous Solver"};
-  static const std::vector<std::string> none;
-  return kind == Kind::Output ? output : kind == Kind::SolverTimes ? solver : none;
-}
-const char* const rankDeficientKey = "Create Node Set For Rank Deficient Nodes";
-
 class SectionFinder {
  public:
   explicit SectionFinder(const Deck& deck) : deck_(deck), mistakes_(deck.mistakes()) {}
@@ -51,9 +37,8 @@ class SectionFinder {
         "Compute Class Parameters", "Output",    "Exact Solution"};
     const bool isKnown = isSolver || isOutput || std::find(known.begin(), known.end(), key) != known.end();
     if (!isKnown) {
-      if (ignoredInPeridigmDecks(node, key, peridigmRootKeys())) return;
-      mistakes_.add(node.keyPlace(), "unknown key \"" + key + "\" at the top level" + didYouMean(key, known) +
-                                         "; known here: " + quotedList(known));
+      unknownKey(node, "unknown key \"" + key + "\" at the top level" + didYouMean(key, known) +
+                           "; known here: " + quotedList(known));
     } else if (key == "Exact Solution") {
       exactSolution(node);
     } else if (!node.isMap()) {
@@ -80,17 +65,14 @@ class SectionFinder {
   DeckSection& add(Kind kind, const std::string& name, const DeckNode& node,
                    const ParameterDeclarations& declarations) {
     DeckSection section{kind, name, "", node, declarations, {}};
-    for (const std::string& key : peridigmKeys(kind))
-      if (node[key] && ignoredInPeridigmDecks(node[key], key, peridigmKeys(kind)))
-        section.hostKeys.known.push_back(key);
     sections_.push_back(std::move(section));
     return sections_.back();
   }
 
-  bool ignoredInPeridigmDecks(const DeckNode& node, const std::string& key, const std::vector<std::string>& keys) {
-    if (!deck_.isPeridigmDeck() || std::find(keys.begin(), keys.end(), key) == keys.end()) return false;
-    deck_.warnings().add(node.keyPlace(), "\"" + key + "\" has no effect here");
-    return true;
+  /// In a lenient reading of a deck of Peridigm a warning, and the key is ignored.
+  void unknownKey(const DeckNode& node, const std::string& message) {
+    (deck_.isLenient() ? deck_.warnings() : mistakes_).add(node.keyPlace(), message);
+    if (deck_.isLenient()) node.ignore();
   }
 
   bool isSection(const DeckNode& node) {
@@ -186,10 +168,9 @@ class SectionFinder {
       if (isNodeSetName(name)) {
         nodeSet(name, node);
       } else if (!node.isMap()) {
-        if (ignoredInPeridigmDecks(node, name, {rankDeficientKey})) continue;
-        mistakes_.add(node.keyPlace(), node.path() +
-                                           " must be a condition (a section with a Type); the names of node "
-                                           "sets contain \"Node Set\"");
+        unknownKey(node, node.path() +
+                             " must be a condition (a section with a Type); the names of node sets contain \"Node "
+                             "Set\"");
       } else {
         const std::string type = choice(node, "Type", boundaryConditionTypes());
         if (!type.empty()) add(Kind::Condition, name, node, boundaryConditionDeclarations(type)).plugin = type;
