@@ -11,8 +11,6 @@ using PeridigmNS::DataManager;
 using PeridigmNS::FieldManager;
 namespace Field = PeridigmNS::PeridigmField;
 
-namespace {}  // namespace
-
 void NonlocalDiffusion::declareParameters(ParameterDeclarations& declare) {
   declare.real("Diffusivity", "m2/s", "Diffusivity; give it to switch diffusion on.").positive();
   declare.text("Diffusion Kernel", "Dependence of a bond's flux on its length: 1/|xi|^2, 1/|xi| or constant.")
@@ -28,8 +26,8 @@ void NonlocalDiffusion::declareParameters(ParameterDeclarations& declare) {
 }
 
 NonlocalDiffusion::NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family,
-                                     const std::string& owner)
-    : owner_(owner), family_(family), diffusivity_(params.get<double>("Diffusivity")) {
+                                     const std::string& owner, Interface interface)
+    : owner_(owner), family_(family), interface_(interface), diffusivity_(params.get<double>("Diffusivity")) {
   const std::string kernel = params.get<std::string>("Diffusion Kernel");
   if (kernel == "Inverse") kernel_ = kernels::DiffusionKernel::Inverse;
   if (kernel == "Constant") kernel_ = kernels::DiffusionKernel::Constant;
@@ -90,10 +88,10 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
-      const double part = blockId[i] == blockId[j] ? 1.0 : 0.5;
+      const double part = isShared(blockId, i, j) ? 0.5 : 1.0;
       values[0] = part * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[j];
     });
-    made.interfaceBonds = findInterfaceBonds(c, blockId);
+    if (interface_ == Interface::Balanced) made.interfaceBonds = findInterfaceBonds(c, blockId);
     if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
     return made;
   });
@@ -117,7 +115,7 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
-    const bool isInterface = blockId[i] != blockId[j];
+    const bool isInterface = isShared(blockId, i, j);
     const double w =
         (isInterface ? 0.5 : 1.0) * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * volume[j];
     const int row = perPoint * map.GID(i) + offset, column = perPoint * map.GID(j) + offset;

@@ -19,8 +19,12 @@ namespace pd {
 /// pairwise antisymmetric: the integral of C over the body changes through prescribed values alone.
 class NonlocalDiffusion {
  public:
+  /// Between blocks of different constants: the mean of both to both ends, or to each end what its own block says.
+  enum class Interface { Balanced, OwnConstants };
+
   static void declareParameters(ParameterDeclarations& declare);
-  NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner);
+  NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner,
+                    Interface interface = Interface::Balanced);
 
   std::vector<int> fieldIds() const;
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
@@ -40,6 +44,9 @@ class NonlocalDiffusion {
 
   /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
   double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  bool isShared(const double* blockId, int i, int j) const {
+    return interface_ == Interface::Balanced && blockId[i] != blockId[j];
+  }
   /// The neighbours' part of the flux of bonds between blocks. `bondDamage`: null where no bond is cut.
   void addInterfaceFlux(const Cache& cache, const double* x, const double* volume, const double* concentration,
                         const double* bondDamage, double* rate) const;
@@ -48,6 +55,7 @@ class NonlocalDiffusion {
 
   std::string owner_;
   BondFamily family_;
+  Interface interface_;
   kernels::DiffusionKernel kernel_ = kernels::DiffusionKernel::InverseSquare;
   double diffusivity_ = 0.0, microDiffusivity_ = 0.0;
   bool stopsAtBrokenBonds_ = false;

@@ -14,7 +14,12 @@ void declareMeshFile(Declarations& declare) {
   declare.text("Input Mesh File", "Name of the mesh file, seen from the folder of the deck.").required();
 }
 
+void declareGenerator(Declarations& declare) {
+  declare.text("Type", "As Peridigm's decks have it.").oneOf({"PdQuickGrid"});
+}
+
 void declareBox(Declarations& declare) {
+  declareGenerator(declare);
   for (const char* axis : {"X", "Y", "Z"}) {
     const std::string name(axis);
     declare.real(name + " Origin", "m", "Lowest coordinate of the box.").required();
@@ -24,6 +29,7 @@ void declareBox(Declarations& declare) {
 }
 
 void declareCylinder(Declarations& declare) {
+  declareGenerator(declare);
   declare.real("Inner Radius", "m", "Radius of the hole.").atLeast(0.0).required();
   declare.real("Outer Radius", "m", "Radius of the cylinder.").positive().required();
   declare.real("Cylinder Length", "m", "Length along z.").positive().required();

@@ -71,6 +71,9 @@ std::vector<Sample> materialSamples() {
   samples.push_back({"BondBasedOfPeridigm", "Elastic Bond Based", 3, bondBased});
   samples.push_back({"BondBasedPlateOfPeridigm", "Elastic Bond Based", 2,
                      with(with(bondBased, "Plane Stress", true), "Height", thickness)});
+  Teuchos::ParameterList diffusion;
+  diffusion.set("Coefficient", 3.0);
+  samples.push_back({"DiffusionOfPeridigm", "Diffusion", 3, diffusion});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;

@@ -1,0 +1,90 @@
+// Nonlocal diffusion of the temperature under Peridigm's name, with its constants.
+#include <stdexcept>
+
+#include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "Peridigm_Material.hpp"
+#include "nonlocal_diffusion.hpp"
+#include "plugins.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+
+/// Flux_Divergence_i = sum_j Coefficient 6/(pi delta^4 |xi|) (T_j - T_i) V_j: the kernel "Inverse" of PDHE in three
+/// dimensions, without a volume correction. A bond between blocks carries to each end what the constants of its own
+/// block say, so that the flux is balanced only where blocks have the same Coefficient and Horizon; the mean of both,
+/// as PDHE has it, would not be Peridigm's model.
+class DiffusionMaterial : public PeridigmNS::Material {
+ public:
+  static void declareParameters(ParameterDeclarations& declare) {
+    declare.text("Material Model", "Name of this model.").defaultTo("Diffusion");
+    declare.real("Coefficient", "m2/s", "Diffusivity: d(Temperature)/dt = Coefficient x its Laplacian.")
+        .positive()
+        .required();
+    declare
+        .flag("Use Improved Quadrature",
+              "Only false: quadrature weights fitted to each neighbourhood are not there, volumes are used.")
+        .defaultTo(false);
+    declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+    declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
+        .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+        .defaultTo("None");
+    declare.real("Finite Difference Probe Length", "m", "Step of finite-difference tangents; not used by this model.")
+        .positive();
+  }
+
+  explicit DiffusionMaterial(const Teuchos::ParameterList& given) : Material(given), diffusion_(diffusionFrom(given)) {}
+
+  std::string Name() const override { return "Diffusion"; }
+  // It has no mechanics; Peridigm asks every material for these.
+  double Density() const override { return 1.0; }
+  double BulkModulus() const override { return 0.0; }
+  double ShearModulus() const override { return 0.0; }
+  std::vector<int> FieldIds() const override { return diffusion_.fieldIds(); }
+
+  void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                  DataManager& dataManager) override {
+    diffusion_.initialize({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager);
+  }
+  void computeFluxDivergence(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                             DataManager& dataManager) const override {
+    diffusion_.computeFluxDivergence({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager);
+  }
+  void computeJacobian(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
+                       DataManager& dataManager, PeridigmNS::SerialMatrix& jacobian, JacobianType type) const override {
+    if (type == BLOCK_DIAGONAL)
+      Material::computeJacobian(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager, jacobian, type);
+    else if (PeridigmNS::DegreesOfFreedomManager::self().temperatureTreatedAsUnknown())
+      diffusion_.computeJacobian({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager, jacobian);
+  }
+
+ private:
+  static NonlocalDiffusion diffusionFrom(const Teuchos::ParameterList& given) {
+    const std::string owner = "material Diffusion";
+    ParameterDeclarations own, shared;
+    declareParameters(own);
+    const Teuchos::ParameterList params = own.complete(given, owner);
+    if (params.get<bool>("Use Improved Quadrature"))
+      throw std::invalid_argument(
+          owner +
+          ": \"Use Improved Quadrature: true\" is not available; leave it out (on a uniform lattice linear profiles "
+          "are "
+          "exact without it), or use PDHE with \"Diffusion Kernel: Inverse\" and \"Lattice Rescaling: true\"");
+    BondFamily::declareParameters(shared);
+    NonlocalDiffusion::declareParameters(shared);
+    Teuchos::ParameterList list;
+    if (params.isParameter("Horizon")) list.set("Horizon", params.get<double>("Horizon"));
+    list.set("Diffusivity", params.get<double>("Coefficient"));
+    list.set<std::string>("Diffusion Kernel", "Inverse");
+    list.set<std::string>("Diffusing Field", "Temperature");
+    list.set("Volume Correction", params.get<std::string>("Volume Correction"));
+    list = shared.complete(list, owner);
+    return NonlocalDiffusion(list, BondFamily(list, owner), owner, NonlocalDiffusion::Interface::OwnConstants);
+  }
+
+  NonlocalDiffusion diffusion_;
+};
+
+PD_REGISTER_MATERIAL(DiffusionMaterial, "Diffusion", "Diffusion of temperature with the constants of Peridigm.")
+
+}  // namespace pd
