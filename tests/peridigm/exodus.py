@@ -1,17 +1,81 @@
-"""What Peridigm writes: Exodus files, one a rank, in NetCDF's classic format."""
+"""What Peridigm writes: Exodus files, one a rank, in one of NetCDF's formats."""
 import glob
-import os
 
 import numpy as np
 from scipy.io import netcdf_file
 
 
-def _names(file, kind):
+def _open(path):
+    """The variables of a file by name, as arrays, and its dimensions."""
+    with open(path, "rb") as file:
+        is_classic = file.read(3) == b"CDF"
+    if is_classic:
+        with netcdf_file(path, mmap=False) as file:
+            return {name: np.array(v[:]) for name, v in file.variables.items()}, dict(file.dimensions)
+    from netCDF4 import Dataset  # for files in NetCDF 4's format alone
+    with Dataset(path) as file:
+        file.set_auto_mask(False)
+        return ({name: np.array(v[:]) for name, v in file.variables.items()},
+                {name: d.size for name, d in file.dimensions.items()})
+
+
+def _names(variables, kind):
     """Labels of the variables of this kind ("nod", "elem", "glo")."""
-    if f"name_{kind}_var" not in file.variables:
-        return []
-    rows = file.variables[f"name_{kind}_var"][:]
+    rows = variables.get(f"name_{kind}_var", [])
     return [b"".join(row).split(b"\0")[0].decode().strip() for row in rows]
+
+
+class ExodusSeries:
+    """All states of a run, its points in the order of their numbers. `files`: one, or the parts of all ranks.
+
+    times [m]; coordinates [n, 3]; fields: label -> [m, n], NaN where a block has no values; globals: label -> [m].
+    """
+
+    def __init__(self, files):
+        ids, coordinates, values, self.globals = [], [], {}, {}
+        for part in files:
+            variables, dimensions = _open(part)
+            self.times = variables["time_whole"]
+            for number, label in enumerate(_names(variables, "glo")):
+                self.globals[label] = variables["vals_glo_var"][:, number]
+            n = dimensions.get("num_nodes", 0)
+            ids.append(variables.get("node_num_map", np.arange(n) + 1) - 1)
+            coordinates.append(self._coordinates(variables, n))
+            for label, field in self._fields(variables, dimensions, n).items():
+                values.setdefault(label, []).append(field)
+        order = np.argsort(np.concatenate(ids))
+        self.coordinates = np.concatenate(coordinates)[order]
+        self.fields = {label: np.concatenate(parts, axis=1)[:, order] for label, parts in values.items()}
+
+    @staticmethod
+    def _coordinates(variables, n):
+        if "coord" in variables:
+            return variables["coord"].T
+        return np.column_stack([variables.get("coord" + axis, np.zeros(n)) for axis in "xyz"])
+
+    @staticmethod
+    def _fields(variables, dimensions, n):
+        """Fields of one rank's points, [m, n]."""
+        n_steps = len(variables["time_whole"])
+        fields = {}
+        for number, label in enumerate(_names(variables, "nod"), 1):
+            fields[label] = variables[f"vals_nod_var{number}"]
+        for number, label in enumerate(_names(variables, "elem"), 1):
+            field = np.full((n_steps, n), np.nan)
+            for block in range(1, dimensions["num_el_blk"] + 1):
+                if f"vals_elem_var{number}eb{block}" in variables:
+                    points = variables[f"connect{block}"][:, 0] - 1
+                    field[:, points] = variables[f"vals_elem_var{number}eb{block}"]
+            fields[label] = field
+        return fields
+
+
+def joined(fields, label, axis=-1):
+    """The field of this label, its components X, Y, Z or XX ... ZZ side by side along `axis`."""
+    if label in fields:
+        return fields[label]
+    axes = "XYZ" if label + "X" in fields else [row + column for row in "XYZ" for column in "XYZ"]
+    return np.stack([fields[label + name] for name in axes], axis=axis)
 
 
 class ExodusResult:
@@ -21,37 +85,11 @@ class ExodusResult:
         parts = glob.glob(glob.escape(path) + ".e") or sorted(glob.glob(glob.escape(path) + ".e.*"))
         if not parts:
             raise FileNotFoundError(f"no Exodus file {path}.e")
-        self.fields, self.globals, self.n_steps = {}, {}, None
-        ids, values = [], {}
-        for part in parts:
-            with netcdf_file(part, mmap=False) as file:
-                self.n_steps = len(file.variables["time_whole"][:])
-                ids.append(file.variables["node_num_map"][:] - 1)
-                for label, field in self._read(file).items():
-                    values.setdefault(label, []).append(field)
-        order = np.argsort(np.concatenate(ids))
-        for label, fields in values.items():
-            self.fields[label] = np.concatenate(fields)[order]
-
-    def _read(self, file):
-        """Fields of one rank's points."""
-        fields = {}
-        for number, label in enumerate(_names(file, "nod"), 1):
-            fields[label] = file.variables[f"vals_nod_var{number}"][-1].copy()
-        for number, label in enumerate(_names(file, "elem"), 1):
-            field = np.zeros(file.dimensions["num_nodes"])
-            for block in range(1, file.dimensions["num_el_blk"] + 1):
-                if f"vals_elem_var{number}eb{block}" in file.variables:
-                    points = file.variables[f"connect{block}"][:, 0] - 1
-                    field[points] = file.variables[f"vals_elem_var{number}eb{block}"][-1]
-            fields[label] = field
-        for number, label in enumerate(_names(file, "glo")):
-            self.globals[label] = float(file.variables["vals_glo_var"][-1, number])
-        return fields
+        series = ExodusSeries(parts)
+        self.n_steps = len(series.times)
+        self.fields = {label: np.nan_to_num(field[-1]) for label, field in series.fields.items()}
+        self.globals = {label: float(values[-1]) for label, values in series.globals.items()}
 
     def field(self, label):
         """[n], [n, 3] or [n, 9]."""
-        if label in self.fields:
-            return self.fields[label]
-        axes = "XYZ" if label + "X" in self.fields else [row + column for row in "XYZ" for column in "XYZ"]
-        return np.column_stack([self.fields[label + axis] for axis in axes])
+        return joined(self.fields, label)
