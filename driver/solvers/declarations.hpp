@@ -17,6 +17,14 @@ void addDeclarations(ParameterDeclarations& to, const ParameterDeclarations& fro
 /// The entries of `given` that `declarations` knows.
 Teuchos::ParameterList entriesKnownTo(const ParameterDeclarations& declarations, const Teuchos::ParameterList& given);
 
+/// Two names of one key: ours and Peridigm's.
+template <class T>
+T either(const Teuchos::ParameterList& parameters, const char* name, const char* peridigmName, T fallback) {
+  if (parameters.isParameter(name)) return parameters.get<T>(name);
+  if (parameters.isParameter(peridigmName)) return parameters.get<T>(peridigmName);
+  return fallback;
+}
+
 }  // namespace pd
 
 #endif

@@ -1,10 +1,10 @@
 #include "diffusion_solver.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "Peridigm_Field.hpp"
 #include "declarations.hpp"
+#include "diffusion/scalar_unknown.hpp"
 #include "field_names.hpp"
 
 namespace pd {
@@ -85,15 +85,7 @@ std::vector<int> Diffusion::fieldIds() const {
 }
 
 void Diffusion::initialize(Simulation& simulation) {
-  const int flux = PeridigmNS::FieldManager::self().getFieldId(fluxDivergenceField(field_));
-  const auto& blocks = *simulation.model.blocks();
-  const bool hasFlux = std::any_of(blocks.begin(), blocks.end(), [&](PeridigmNS::Block block) {
-    const auto ids = block.getMaterialModel()->FieldIds();
-    return std::find(ids.begin(), ids.end(), flux) != ids.end();
-  });
-  if (!hasFlux)
-    throw RunError("Diffusion: no material of this run gives a flux divergence of \"" + field_ +
-                   "\"; give a block a material that diffuses it, or name another Field");
+  requireFluxDivergence(simulation.model, field_, "Diffusion");
   integrator_->initialize(simulation, field_);
 }
 

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <sstream>
-#include <stdexcept>
 
 #include "Peridigm_Field.hpp"
+#include "linear_solver_settings.hpp"
 #include "mechanics.hpp"
 
 namespace pd {
@@ -17,14 +15,6 @@ namespace {
 
 /// Displacement increment of the load step before, from which the next one is predicted.
 constexpr const char* incrementField = "Displacement_Increment";
-
-/// Two names of one key: ours and Peridigm's.
-template <class T>
-T either(const Teuchos::ParameterList& parameters, const char* name, const char* peridigmName, T fallback) {
-  if (parameters.isParameter(name)) return parameters.get<T>(name);
-  if (parameters.isParameter(peridigmName)) return parameters.get<T>(peridigmName);
-  return fallback;
-}
 
 NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   NewtonSettings settings;
@@ -35,13 +25,12 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
     settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
   else if (hasAbsolute)
     settings.relativeTolerance = 0.0;
-  settings.linearSolver = either<std::string>(parameters, "Linear Solver", "Belos Linear Solver", "CG");
-  if (settings.linearSolver == "BlockCG") settings.linearSolver = "CG";
-  if (settings.linearSolver == "BlockGMRES") settings.linearSolver = "GMRES";
-  settings.preconditioner = parameters.get<std::string>("Preconditioner");
-  settings.linearTolerance = either(parameters, "Linear Tolerance", "Belos Relative Tolerance", 0.0);
-  settings.maximumLinearIterations = either(parameters, "Maximum Linear Iterations", "Belos Maximum Iterations", 2000);
-  settings.logsLinearSolves = parameters.get<bool>("Belos Print Status");
+  const LinearSolverSettings linear(parameters);
+  settings.linearSolver = linear.method;
+  settings.preconditioner = linear.preconditioner;
+  settings.linearTolerance = linear.tolerance;
+  settings.maximumLinearIterations = linear.maximumIterations;
+  settings.logsLinearSolves = linear.logs;
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
   return settings;
@@ -53,46 +42,10 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
   return declarations.complete(given, "QuasiStatic");
 }
 
-std::vector<double> timesOf(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<double> times;
-  for (double time = 0.0; stream >> time;) times.push_back(time);
-  const bool isRising = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end();
-  if (!stream.eof() || times.size() < 2 || !isRising)
-    throw std::invalid_argument("QuasiStatic: \"Time Steps\" must be two or more rising numbers separated by blanks");
-  return times;
-}
-
-void declareLinearSolver(ParameterDeclarations& declare) {
-  declare
-      .text("Linear Solver",
-            "CG (goes on with GMRES where the tangent is not positive definite), GMRES, or Direct (sparse LU, gathered "
-            "on one rank). CG where nothing is given.")
-      .oneOf({"CG", "GMRES", "Direct"});
-  declare.text("Belos Linear Solver", "Peridigm's name of Linear Solver.").oneOf({"BlockCG", "BlockGMRES"});
-  declare.text("Preconditioner", "Of CG and GMRES.")
-      .defaultTo("Multigrid")
-      .oneOf({"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
-  declare
-      .real("Linear Tolerance", "1",
-            "Relative residual of the linear solves. As tight as the load step's tolerance needs where none is given.")
-      .strictlyBetween(0.0, 1.0);
-  declare.real("Belos Relative Tolerance", "1", "Peridigm's name of Linear Tolerance.").strictlyBetween(0.0, 1.0);
-  declare.integer("Maximum Linear Iterations", "Of a linear solve; 2000 where none is given.").atLeast(1);
-  declare.integer("Belos Maximum Iterations", "Peridigm's name of Maximum Linear Iterations.").atLeast(1);
-  declare.flag("Belos Print Status", "Log every linear solve.").defaultTo(false);
-  declare.atMostOneOf({"Linear Solver", "Belos Linear Solver"});
-  declare.atMostOneOf({"Linear Tolerance", "Belos Relative Tolerance"});
-  declare.atMostOneOf({"Maximum Linear Iterations", "Belos Maximum Iterations"});
-}
-
 }  // namespace
 
 void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
-  declare.integer("Load Steps", "Increments of the run, of equal length; 1 where nothing is given.").atLeast(1);
-  declare.integer("Number of Load Steps", "Peridigm's name of Load Steps.").atLeast(1);
-  declare.text("Time Steps", "Times (s) at which the load steps end, the initial time first, separated by blanks.");
-  declare.atMostOneOf({"Load Steps", "Number of Load Steps", "Time Steps"});
+  LoadSteps::declareParameters(declare);
   declare.integer("Maximum Solver Iterations", "Newton iterations for one equilibrium.").defaultTo(50).atLeast(1);
   declare
       .real("Relative Tolerance", "1",
@@ -100,7 +53,7 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
             "tolerance is given. What rounding of coordinates makes of the forces is always enough.")
       .strictlyBetween(0.0, 1.0);
   declare.real("Absolute Tolerance", "N", "Norm of the unbalanced force that is enough.").positive();
-  declareLinearSolver(declare);
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
   declare
       .real("Damped Newton Diagonal Scale Factor", "1",
             "The diagonal of the tangent is multiplied by this: shorter, safer Newton steps.")
@@ -129,10 +82,9 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
       .atLeast(1);
 }
 
-QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given) : newton_(newtonSettings(completed(given))) {
+QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given)
+    : loadSteps_(completed(given), "QuasiStatic"), newton_(newtonSettings(completed(given))) {
   const auto parameters = completed(given);
-  nLoadSteps_ = either(parameters, "Load Steps", "Number of Load Steps", 1);
-  if (parameters.isParameter("Time Steps")) times_ = timesOf(parameters.get<std::string>("Time Steps"));
   maximumBreakagePasses_ = parameters.get<int>("Maximum Breakage Passes");
   maximumHalvings_ = parameters.get<int>("Maximum Load Step Reductions");
   setsVelocity_ = parameters.get<bool>("Velocity From Increments");
@@ -148,20 +100,10 @@ std::vector<int> QuasiStatic::fieldIds() const {
 
 void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
 
-int QuasiStatic::numberOfIncrements(Simulation&, double t0, double t1) {
-  if (times_.empty()) return nLoadSteps_;
-  const double margin = 1e-9 * (t1 - t0);
-  if (std::abs(times_.front() - t0) > margin || std::abs(times_.back() - t1) > margin)
-    throw RunError(fmt::format(
-        "QuasiStatic: \"Time Steps\" go from {:g} to {:g} s, the run from {:g} to {:g} s; make Initial Time and Final "
-        "Time the same as the first and the last of them",
-        times_.front(), times_.back(), t0, t1));
-  return static_cast<int>(times_.size()) - 1;
-}
+int QuasiStatic::numberOfIncrements(Simulation&, double t0, double t1) { return loadSteps_.count(t0, t1); }
 
 double QuasiStatic::incrementEnd(int increment, int nIncrements, double t0, double t1) const {
-  if (times_.empty()) return Solver::incrementEnd(increment, nIncrements, t0, t1);
-  return times_[static_cast<std::size_t>(increment)];
+  return loadSteps_.end(increment, nIncrements, t0, t1);
 }
 
 void QuasiStatic::findSupports(Simulation& simulation) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "load_steps.hpp"
 #include "newton.hpp"
 #include "solver.hpp"
 #include "supports.hpp"
@@ -41,9 +42,9 @@ class QuasiStatic : public Solver {
   void breakBonds(Simulation& simulation, double t, double dt);
   [[noreturn]] void fail(double t, const std::string& when) const;
 
-  int nLoadSteps_ = 1, maximumBreakagePasses_, maximumHalvings_;
+  LoadSteps loadSteps_;
+  int maximumBreakagePasses_, maximumHalvings_;
   bool setsVelocity_;
-  std::vector<double> times_;  ///< of the increments' ends, the start first; empty: equal steps
   Newton newton_;
   std::unique_ptr<Supports> supports_;
   HeldInPlace held_;

@@ -7,28 +7,13 @@
 #include <limits>
 
 #include "../supports.hpp"
-#include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "scalar_unknown.hpp"
 
 namespace pd {
 
 namespace {
 
 constexpr int maximumIterations = 20;
-
-/// The scalar is the unknown as long as this exists; otherwise displacements are.
-class ScalarUnknown {
- public:
-  ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true); }
-  ~ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false); }
-  ScalarUnknown(const ScalarUnknown&) = delete;
-  ScalarUnknown& operator=(const ScalarUnknown&) = delete;
-};
-
-double norm(const Communicator& comm, const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(comm.sum(sum));
-}
 
 }  // namespace
 
@@ -85,7 +70,7 @@ void ImplicitStage::assemble(Simulation& simulation, double h) {
   std::vector<double> diagonal = system_->diagonal();
   for (std::size_t i = 0; i < diagonal.size(); ++i)
     if (isHeld_[i]) diagonal[i] = 0.0;
-  stiffness_ = norm(model.comm(), diagonal);
+  stiffness_ = normOverRanks(model.comm(), diagonal);
   hasMatrix_ = true;
   ++nMatrices_;
 }
@@ -97,7 +82,7 @@ double ImplicitStage::residual(Simulation& simulation, ScalarRate& rate, double 
   residual_.resize(right.size());
   for (std::size_t i = 0; i < right.size(); ++i)
     residual_[i] = isHeld_[i] ? 0.0 : volume[i] * (right[i] + h * change[i] - values[i]);
-  return norm(simulation.model.comm(), residual_);
+  return normOverRanks(simulation.model.comm(), residual_);
 }
 
 void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, double h,
@@ -106,7 +91,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
   if (std::abs(h - matrixStep_) > 1e-9 * h) hasMatrix_ = false;
   if (!hasMatrix_) assemble(simulation, h);
   const std::vector<double> volumes(model.field("Volume"), model.field("Volume") + model.nOwned());
-  const double volume = norm(model.comm(), volumes);
+  const double volume = normOverRanks(model.comm(), volumes);
   bool matrixIsNew = false;
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {

@@ -1,0 +1,30 @@
+// What solvers that take a scalar field for the unknown of a linear system share.
+#ifndef PD_SCALAR_UNKNOWN_HPP
+#define PD_SCALAR_UNKNOWN_HPP
+
+#include <string>
+#include <vector>
+
+#include "../../model/model.hpp"
+#include "Peridigm_DegreesOfFreedomManager.hpp"
+
+namespace pd {
+
+/// The scalar is the unknown as long as this exists; otherwise displacements are.
+class ScalarUnknown {
+ public:
+  ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true); }
+  ~ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false); }
+  ScalarUnknown(const ScalarUnknown&) = delete;
+  ScalarUnknown& operator=(const ScalarUnknown&) = delete;
+};
+
+/// Euclidean norm over all ranks of values of owned points. Collective.
+double normOverRanks(const Communicator& comm, const std::vector<double>& values);
+
+/// Throws RunError where no material of the run gives a flux divergence of the field. `solver`: its name.
+void requireFluxDivergence(Model& model, const std::string& field, const std::string& solver);
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,224 @@
+#include "implicit_diffusion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "Peridigm_Field.hpp"
+#include "diffusion/scalar_unknown.hpp"
+#include "field_names.hpp"
+#include "supports.hpp"
+
+namespace pd {
+
+namespace {
+
+Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
+  ParameterDeclarations declarations;
+  ImplicitDiffusion::declareParameters(declarations);
+  return declarations.complete(given, "ImplicitDiffusion");
+}
+
+}  // namespace
+
+void ImplicitDiffusion::declareParameters(ParameterDeclarations& declare) {
+  declare.text("Field", "The scalar point field whose steady state is wanted.").defaultTo("Temperature");
+  LoadSteps::declareParameters(declare);
+  declare.integer("Maximum Solver Iterations", "Newton iterations for one steady state.").defaultTo(10).atLeast(1);
+  declare
+      .real("Relative Tolerance", "1",
+            "Norm of what flows into free points over that of what flows into prescribed ones. 1e-6 where no tolerance "
+            "is given. What rounding makes of the flux is always enough.")
+      .strictlyBetween(0.0, 1.0);
+  declare.real("Absolute Tolerance", "unit of the field x m3/s", "Norm of what flows into free points that is enough.")
+      .positive();
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "ILU", "Multigrid"});
+}
+
+ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
+    : loadSteps_(completed(given), "ImplicitDiffusion"), linear_(completed(given)) {
+  const auto parameters = completed(given);
+  field_ = parameters.get<std::string>("Field");
+  fluxField_ = fluxDivergenceField(field_);
+  maximumIterations_ = parameters.get<int>("Maximum Solver Iterations");
+  if (parameters.isParameter("Absolute Tolerance")) {
+    absoluteTolerance_ = parameters.get<double>("Absolute Tolerance");
+    relativeTolerance_ = 0.0;
+  }
+  if (parameters.isParameter("Relative Tolerance")) relativeTolerance_ = parameters.get<double>("Relative Tolerance");
+}
+
+std::vector<int> ImplicitDiffusion::fieldIds() const {
+  using namespace PeridigmNS::PeridigmField;
+  auto& fields = PeridigmNS::FieldManager::self();
+  return {fields.getFieldId(NODE, SCALAR, TWO_STEP, field_), fields.getFieldId(NODE, SCALAR, TWO_STEP, fluxField_)};
+}
+
+void ImplicitDiffusion::initialize(Simulation& simulation) {
+  requireFluxDivergence(simulation.model, field_, "ImplicitDiffusion");
+}
+
+/// The points that a value at the prescribed ones can reach: where these are 1 and all others 0, what is reached has an
+/// inflow, becomes 1, and passes it on.
+void ImplicitDiffusion::findHeldPoints(Simulation& simulation) {
+  Model& model = simulation.model;
+  const std::vector<char>& isPrescribed = simulation.conditions.valueIsPrescribed(field_);
+  bool hasChanged = model.comm().any(isPrescribed != isPrescribed_);
+  if (model.hasDamage()) {
+    const double bondDamage = totalBondDamage(model);
+    hasChanged = hasChanged || bondDamage != bondDamage_;
+    bondDamage_ = bondDamage;
+  }
+  if (!hasChanged) return;
+  hasMatrix_ = false;
+  isPrescribed_ = isPrescribed;
+  double* values = model.field(field_);
+  const double* rate = model.field(fluxField_);
+  const auto nOwned = static_cast<std::size_t>(model.nOwned());
+  const std::vector<double> present(values, values + nOwned);
+  for (std::size_t i = 0; i < nOwned; ++i) values[i] = isPrescribed_[i] ? 1.0 : 0.0;
+  long long nNew = 1;
+  while (nNew > 0) {
+    model.importGhosts(field_);
+    model.evaluateFluxDivergence(0.0, fluxField_);
+    nNew = 0;
+    for (std::size_t i = 0; i < nOwned; ++i) {
+      if (values[i] != 0.0 || rate[i] == 0.0) continue;
+      values[i] = 1.0;
+      ++nNew;
+    }
+    nNew = model.comm().sum(nNew);
+  }
+  isHeld_ = isPrescribed_;
+  long long nOutOfReach = 0, nPrescribed = 0;
+  for (std::size_t i = 0; i < nOwned; ++i) {
+    nPrescribed += isPrescribed_[i] ? 1 : 0;
+    nOutOfReach += values[i] == 0.0 ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    if (values[i] == 0.0) isHeld_[i] = 1;  // ghosts agree with their owners: nothing has changed since the import
+  nOutOfReach_ = model.comm().sum(nOutOfReach);
+  std::copy(present.begin(), present.end(), values);
+  model.importGhosts(field_);
+  if (model.comm().sum(nPrescribed) == 0)
+    throw RunError("ImplicitDiffusion: no point has a prescribed " + field_ +
+                   ", which leaves the steady state open; prescribe it somewhere, or use the solver Diffusion");
+  if (nOutOfReach_ > 0)
+    simulation.output.log(fmt::format(
+        "ImplicitDiffusion: {} point(s) exchange nothing with points whose {} is prescribed, and keep theirs",
+        nOutOfReach_, field_));
+}
+
+ImplicitDiffusion::Balance ImplicitDiffusion::evaluate(Simulation& simulation, double dt) {
+  Model& model = simulation.model;
+  model.evaluateFluxDivergence(dt, fluxField_);
+  const double *volume = model.field("Volume"), *rate = model.field(fluxField_);
+  const auto nOwned = static_cast<std::size_t>(model.nOwned());
+  residual_.assign(nOwned, 0.0);
+  std::vector<double> held(nOwned, 0.0);
+  for (std::size_t i = 0; i < nOwned; ++i)
+    if (isPrescribed_[i] || !isHeld_[i]) (isHeld_[i] ? held : residual_)[i] = volume[i] * rate[i];
+  return {normOverRanks(model.comm(), residual_), normOverRanks(model.comm(), held)};
+}
+
+void ImplicitDiffusion::assemble(Simulation& simulation, double dt) {
+  Model& model = simulation.model;
+  if (!system_) system_ = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 1, false);
+  system_->putScalar(0.0);
+  {
+    const ScalarUnknown unknown;
+    model.assembleJacobian(dt, *system_);
+  }
+  const Timers::Scope timer(model.timers(), "matrix assembly");
+  system_->scale(-1.0);  // positive definite for conservative fluxes
+  system_->finish(isHeld_);
+  std::vector<double> diagonal = system_->diagonal();
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    if (isHeld_[i]) diagonal[i] = 0.0;
+  stiffness_ = normOverRanks(model.comm(), diagonal);
+  hasMatrix_ = true;
+  ++nMatrices_;
+}
+
+void ImplicitDiffusion::solveLinear(Simulation& simulation, double tolerance) {
+  const Timers::Scope timer(simulation.model.timers(), "linear solve");
+  if (linear_.tolerance > 0.0) tolerance = linear_.tolerance;
+  const auto attempt = [&](const std::string& method) {
+    step_.assign(residual_.size(), 0.0);
+    const LinearSolveReport report = system_->solve(residual_.data(), step_.data(), method, linear_.preconditioner,
+                                                    tolerance, linear_.maximumIterations);
+    nLinearIterations_ += report.iterations;
+    if (linear_.logs)
+      simulation.output.log(fmt::format("{} ({}): {} iterations, relative residual {:.3g}, asked for {:.3g}",
+                                        report.method, linear_.preconditioner, report.iterations,
+                                        report.relativeResidual, tolerance));
+    return report;
+  };
+  ++nSolves_;
+  // Fluxes that are not balanced between blocks give a matrix that is not symmetric, which CG may not master.
+  if (!attempt(linear_.method).hasConverged && linear_.method == "CG") attempt("GMRES");
+}
+
+double ImplicitDiffusion::largestValue(Simulation& simulation) const {
+  double largest = 0.0;
+  const double* values = simulation.model.field(field_);
+  for (int i = 0; i < simulation.model.nOwned(); ++i) largest = std::max(largest, std::abs(values[i]));
+  return simulation.model.comm().max(largest);
+}
+
+void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
+  Model& model = simulation.model;
+  ++nLoadSteps_;
+  simulation.conditions.applyPrescribedValue(field_, t + dt);
+  model.importGhosts(field_);
+  findHeldPoints(simulation);
+  bool matrixIsNew = false;
+  double before = std::numeric_limits<double>::infinity();
+  for (int iteration = 0;; ++iteration) {
+    const Balance balance = evaluate(simulation, dt);
+    if (!hasMatrix_) {
+      assemble(simulation, dt);
+      matrixIsNew = true;
+    }
+    const double roundOff = 4.0 * std::numeric_limits<double>::epsilon() * stiffness_ * largestValue(simulation);
+    const double target = std::max({relativeTolerance_ * balance.held, absoluteTolerance_, roundOff});
+    const double relative = balance.free / std::max(balance.held, std::numeric_limits<double>::min());
+    if (balance.free <= target) {
+      if (balance.held > 0.0) largestResidual_ = std::max(largestResidual_, relative);
+      break;
+    }
+    if (iteration == maximumIterations_ || !std::isfinite(balance.free))
+      throw RunError(fmt::format(
+          "ImplicitDiffusion: load step {} (t = {:.6g} s): no steady state: what flows into free points is {:.3g} of "
+          "what flows into prescribed ones after {} iterations, asked for {:.3g} ({}, {}). Allow more iterations "
+          "(Maximum Solver Iterations), or try another Linear Solver or Preconditioner",
+          nLoadSteps_, t + dt, relative, iteration, target / std::max(balance.held, std::numeric_limits<double>::min()),
+          linear_.method, linear_.preconditioner));
+    // A flux that is not linear in the field needs the matrix of the present values.
+    if (balance.free > 0.1 * before && !matrixIsNew) {
+      assemble(simulation, dt);
+      matrixIsNew = true;
+    }
+    before = balance.free;
+    solveLinear(simulation, std::clamp(0.5 * target / balance.free, 1e-13, 0.5));
+    double* values = model.field(field_);
+    for (std::size_t i = 0; i < step_.size(); ++i)
+      if (!isHeld_[i]) values[i] += step_[i];
+    model.importGhosts(field_);
+  }
+  model.requireFinite(field_, static_cast<int>(nLoadSteps_));
+}
+
+std::vector<std::string> ImplicitDiffusion::summary() const {
+  return {fmt::format(
+      "ImplicitDiffusion of {}: {} load steps, {} linear solves ({}{}), {} iterations, {} matrices; largest residual "
+      "relative to what flows into prescribed points {:.3g}",
+      field_, nLoadSteps_, nSolves_, linear_.method, linear_.method == "Direct" ? "" : ", " + linear_.preconditioner,
+      nLinearIterations_, nMatrices_, largestResidual_)};
+}
+
+PD_REGISTER_SOLVER(ImplicitDiffusion, "ImplicitDiffusion", "Steady state of a diffusing scalar, load step by load step")
+
+}  // namespace pd

@@ -1,0 +1,65 @@
+// The steady state of a diffusing scalar, load step by load step.
+#ifndef PD_IMPLICIT_DIFFUSION_HPP
+#define PD_IMPLICIT_DIFFUSION_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../linear/linear_system.hpp"
+#include "linear_solver_settings.hpp"
+#include "load_steps.hpp"
+#include "solver.hpp"
+
+namespace pd {
+
+/// At the end of each load step the flux divergence vanishes at all points whose value is not prescribed, by Newton's
+/// method: one linear solve where the flux is linear in the field. Times only say which values are prescribed.
+///
+/// Points that exchange nothing with a prescribed one, on however long a way, keep their values; the log counts them.
+/// After a load step the flux divergence is complete at prescribed points too: times the volume it is what flows in
+/// there.
+class ImplicitDiffusion : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit ImplicitDiffusion(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  /// Throws RunError where no material of the run gives a flux divergence of the field.
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation&, double t0, double t1) override { return loadSteps_.count(t0, t1); }
+  double incrementEnd(int increment, int nIncrements, double t0, double t1) const override {
+    return loadSteps_.end(increment, nIncrements, t0, t1);
+  }
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+
+ private:
+  struct Balance {
+    double free = 0.0, held = 0.0;  ///< norms of what flows into free and into prescribed points, per second
+  };
+  void findHeldPoints(Simulation& simulation);
+  Balance evaluate(Simulation& simulation, double dt);
+  void assemble(Simulation& simulation, double dt);
+  void solveLinear(Simulation& simulation, double tolerance);
+  double largestValue(Simulation& simulation) const;
+
+  std::string field_, fluxField_;
+  LoadSteps loadSteps_;
+  LinearSolverSettings linear_;
+  int maximumIterations_;
+  double relativeTolerance_ = 1e-6, absoluteTolerance_ = 0.0;
+
+  std::unique_ptr<LinearSystem> system_;
+  std::vector<char> isPrescribed_, isHeld_;  ///< [points] isHeld_: prescribed, or out of reach
+  double bondDamage_ = -1.0;                 ///< sum over all bonds when isHeld_ was found
+  bool hasMatrix_ = false;
+  double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
+  std::vector<double> residual_, step_;  ///< [nOwned]
+  long long nLoadSteps_ = 0, nSolves_ = 0, nLinearIterations_ = 0, nMatrices_ = 0, nOutOfReach_ = 0;
+  double largestResidual_ = 0.0;
+};
+
+}  // namespace pd
+
+#endif
