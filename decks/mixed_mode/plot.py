@@ -49,7 +49,7 @@ def draw(axis, results, step, case, title):
     rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
     x = results.x[:, :2] @ rotation
     size = 5 * HORIZON
-    raster = Raster(x, 0.9 * results.spacing(), pixels=260, window=(np.full(2, -size), np.full(2, size)))
+    raster = Raster(x, results.spacing(), pixels=260, window=(np.full(2, -size), np.full(2, size)))
     image = axis.imshow(raster.image(results.field("Damage", step)), origin="lower", cmap="inferno", vmin=0, vmax=0.6,
                         extent=[value * 1e3 for value in raster.extent])
     angle = turn + np.radians(kink(case))

@@ -45,7 +45,7 @@ def _parser():
     parser.add_argument("--map", help="matplotlib's colour map")
     parser.add_argument("--unit", help="unit of the field, for the label")
     parser.add_argument("--factor", type=float, default=1.0, help="multiplies the field")
-    parser.add_argument("--animate", metavar="FILE.gif", help="all chosen steps as an animation")
+    parser.add_argument("--animate", metavar="FILE.gif|mp4", help="all chosen steps as an animation")
     parser.add_argument("--speed", type=float, default=5.0, help="frames a second of the animation")
     parser.add_argument("--history", nargs="?", const="", metavar="COLUMN,COLUMN...",
                         help="curves of NAME.csv over time, all columns or those named")
@@ -60,34 +60,42 @@ def _draw(options):
         return [_draw_history(options, figures)]
     runs = [Results(name) for name in options.results or [None]]
     view = _view(options, runs[0], figures)
-    steps = _steps(options.step, runs[0])
+    steps = [_steps(options.step, run) for run in runs]
     if options.deformed:
-        view.scale = figures.auto_scale(runs[0], steps) if options.deformed == "auto" else _number(options.deformed)
+        view.scale = figures.auto_scale(runs[0], steps[0]) if options.deformed == "auto" else _number(options.deformed)
     if options.animate:
-        figures.animation(runs[0], view, options.animate, steps if len(steps) > 1 else runs[0].steps, options.speed)
+        from .animation import animation
+        if len(runs) > 1:
+            raise PlotError("--animate shows one run; name one")
+        animation(runs[0], view, options.animate, steps[0] if len(steps[0]) > 1 else runs[0].steps, options.speed)
         return [options.animate]
-    if len(runs) == 2 and len(steps) == 1:
-        figure = figures.comparison(runs[0], runs[1], steps[0], view)
+    if len(runs) == 2 and len(steps[0]) == 1:
+        figure = figures.comparison(*runs, [steps[0][0], steps[1][0]], view)
     else:
-        panels = [(run, step, (f"{run.label}, " if len(runs) > 1 else "") + figures.step_title(run, step))
-                  for run in runs for step in steps]
+        labels = [f"{label}, " for label in figures.run_labels(runs)] if len(runs) > 1 else [""]
+        panels = [(run, step, label + figures.step_title(run, step, view))
+                  for run, label, chosen in zip(runs, labels, steps) for step in chosen]
         figure = figures.map_panels(panels, view)
     return [_save(figures, figure, options, runs[0], f"{runs[0].label}_{view.field}")]
 
 
 def _draw_history(options, figures):
+    from .history import history_panels
     names = options.results or [None]
     histories = [(Path(str(name or ".")).stem or "run", read_history(name or ".")) for name in names]
+    if len({label for label, _ in histories}) < len(histories):
+        histories = [(str(name), history) for name, (_, history) in zip(names, histories)]
     columns = [column.strip() for column in options.history.split(",") if column.strip()]
-    figure = figures.history_panels(histories, columns, options.against)
-    output = options.output or f"{histories[0][0]}_history.png"
-    figure.savefig(output, dpi=150)
-    figures.plt.close(figure)
-    return output
+    figure = history_panels(histories, columns, options.against)
+    output = options.output or f"{Path(histories[0][0]).name}_history.png"
+    return _write(figures, figure, output)
 
 
 def _save(figures, figure, options, results, name):
-    output = options.output or str(results.path.with_name(name + ".png"))
+    return _write(figures, figure, options.output or str(results.path.with_name(name + ".png")))
+
+
+def _write(figures, figure, output):
     try:
         figure.savefig(output, dpi=150)
     except (OSError, ValueError) as error:
@@ -98,12 +106,18 @@ def _save(figures, figure, options, results, name):
 
 def _view(options, results, figures):
     fields = results.fields()
-    field = options.field or next((name for name in _FAVOURITES if name in fields), fields[0] if fields else None)
+    field = options.field or _most_telling(results, fields)
     if field is None:
         raise PlotError(f"{results.path}: no fields in the last step")
     component = None if options.component is None else "xyz".index(options.component)
     return figures.View(field, component, crack=options.crack, slice=_slice(options.slice), limits=options.range,
                         map=options.map, unit=options.unit, factor=options.factor)
+
+
+def _most_telling(results, fields):
+    """The first favourite that is not the same everywhere; failing that, the first there is."""
+    there = [name for name in _FAVOURITES if name in fields] + [name for name in fields if name not in _FAVOURITES]
+    return next((name for name in there if results.varies(name)), there[0] if there else None)
 
 
 def _steps(text, results):

@@ -1,4 +1,6 @@
-"""Maps, profiles, histories, comparisons and animations."""
+"""Maps, profiles and comparisons of runs."""
+from pathlib import Path
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -23,6 +25,7 @@ class View:
                  factor=1.0):
         self.field, self.component, self.scale, self.crack, self.slice = field, component, scale, crack, slice
         self.limits, self.map, self.unit, self.factor = limits, map, unit, factor
+        self.window = None  # (lowest corner, highest corner) shown, where pictures must agree in it
 
     def values(self, results, step):
         values = results.field(self.field, step) * self.factor
@@ -45,8 +48,9 @@ class View:
 
 
 def auto_scale(results, steps):
-    """Factor that makes the largest displacement a twentieth of the size of the body."""
-    largest = max(np.abs(results.field("Displacement", step)).max() for step in steps)
+    """Factor that makes the largest displacement (but for a hundredth of the points, which may fly off) a twentieth of the
+    size of the body."""
+    largest = max(np.quantile(np.abs(results.field("Displacement", step)).max(axis=1), 0.99) for step in steps)
     size = np.ptp(results.x, axis=0).max()
     return 0.05 * size / largest if largest > 0 else 0.0
 
@@ -55,16 +59,22 @@ def plane_of(results, view):
     """(indices of the points shown, their two axes): all points of a plane scene, a slice of a solid."""
     if results.dimension < 3:
         return np.arange(len(results.x)), (0, 1)
-    extent = np.ptp(results.x, axis=0)
-    axis, position = view.slice or (int(extent.argmin()), None)
+    axis, position = slice_of(results, view)
     along = results.x[:, axis]
-    if position is None:
-        position = (along.max() + along.min()) / 2
     chosen = np.flatnonzero(np.abs(along - position) <= 0.51 * results.spacing())
     if not len(chosen):
         raise PlotError(f"no points within half a spacing of {'xyz'[axis]} = {position:g} m "
                         f"(the body spans {along.min():g} .. {along.max():g} m)")
     return chosen, tuple(i for i in range(3) if i != axis)
+
+
+def slice_of(results, view):
+    """(axis, position) of the slice of a solid: through the middle of its thinnest direction."""
+    if view.slice:
+        return view.slice
+    extent = np.ptp(results.x, axis=0)
+    axis = int(np.flatnonzero(extent <= 1.001 * extent.min())[-1])  # z before y before x
+    return axis, (results.x[:, axis].max() + results.x[:, axis].min()) / 2
 
 
 def map_panels(panels, view, columns=None):
@@ -74,28 +84,41 @@ def map_panels(panels, view, columns=None):
         return line_panels(panels, view)
     limits = view.limits or common_limits(panels, view)
     factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units())
-    columns = columns or (1 if len(panels) == 1 else 2)
-    rows = -(-len(panels) // columns)
+    if view.scale and view.window is None and len({id(results) for results, _, _ in panels}) == 1:
+        view.window = common_window(panels, view)
     shape = _aspect(panels[0][0], view)
-    width = 7.2 if columns == 1 else 4.6
+    columns = columns or _columns(len(panels), shape)
+    rows = -(-len(panels) // columns)
+    width = {1: 7.2, 2: 4.6}.get(columns, 3.4)
     figure, axes = plt.subplots(rows, columns, figsize=(width * columns + 0.9, (width * shape + 0.55) * rows),
                                 squeeze=False, constrained_layout=True)
     for axis in axes.ravel()[len(panels):]:
         axis.axis("off")
-    for axis, (results, step, title) in zip(axes.ravel(), panels):
+    for index, (axis, (results, step, title)) in enumerate(zip(axes.ravel(), panels)):
         image = draw_map(axis, results, step, view, [limit * factor for limit in limits], factor)
         axis.set_title(title)
-    bar = figure.colorbar(image, ax=axes, shrink=0.85 if rows * columns > 1 else 0.9, pad=0.02)
+        # Panels of one body share its axes: only the outer ones are labelled.
+        if index % columns:
+            axis.set_ylabel("")
+        if index + columns < len(panels):
+            axis.set_xlabel("")
+    bar = figure.colorbar(image, ax=axes, shrink=0.9 if rows == 1 else min(0.85, 2.5 / rows), pad=0.02, aspect=25,
+                          fraction=0.05 if columns > 1 else 0.08)
     bar.set_label(with_unit(view.name(panels[0][0]), unit))
     return figure
 
 
+def _columns(n_panels, shape):
+    """As many as make the whole picture about as wide as a screen is."""
+    if n_panels == 1:
+        return 1
+    return int(np.clip(np.rint(np.sqrt(1.3 * n_panels * shape)), 2, max(2, min(n_panels, 5))))
+
+
 def draw_map(axis, results, step, view, limits, factor):
     chosen, (first, second) = plane_of(results, view)
-    x = results.x[chosen][:, [first, second]]
-    if view.scale:
-        x = x + view.scale * results.field("Displacement", step)[chosen][:, [first, second]]
-    raster = Raster(x, 0.9 * results.spacing())
+    x = _places(results, step, view, chosen, [first, second])
+    raster = Raster(x, results.spacings()[chosen], window=view.window)
     length, unit = scaled(np.abs(raster.extent).max(), "m")
     extent = [value * length for value in raster.extent]
     values = view.values(results, step)[chosen] * factor
@@ -109,6 +132,23 @@ def draw_map(axis, results, step, view, limits, factor):
     axis.set_xlabel(f"{'xyz'[first]} ({unit})")
     axis.set_ylabel(f"{'xyz'[second]} ({unit})")
     return image
+
+
+def _places(results, step, view, chosen, axes):
+    x = results.x[chosen][:, axes]
+    return x + view.scale * results.field("Displacement", step)[chosen][:, axes] if view.scale else x
+
+
+def common_window(panels, view):
+    """(lowest corner, highest corner) of all panels, so that displaced bodies are seen to move."""
+    lows, highs = [], []
+    for results, step, _ in panels:
+        chosen, axes = plane_of(results, view)
+        x = _places(results, step, view, chosen, list(axes))
+        margin = results.spacing() / 2
+        lows.append(x.min(axis=0) - margin)
+        highs.append(x.max(axis=0) + margin)
+    return np.min(lows, axis=0), np.max(highs, axis=0)
 
 
 def line_panels(panels, view):
@@ -132,78 +172,52 @@ def common_limits(panels, view):
     return (low, high) if high > low else (low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1))
 
 
-def comparison(first, second, step, view):
-    """Two runs and their difference on the same points."""
-    panels = [(first, step, f"{first.label}, step {step}"), (second, step, f"{second.label}, step {step}")]
-    if len(first.x) != len(second.x) or not np.allclose(first.x, second.x, rtol=0, atol=1e-9 * np.ptp(first.x)):
-        return map_panels(panels, view)
+def comparison(first, second, steps, view):
+    """Two runs, each at its step, and their difference where the points are the same."""
+    runs = list(zip((first, second), run_labels([first, second]), steps))
+    panels = [(run, step, f"{label}, {step_title(run, step, view)}") for run, label, step in runs]
+    if len(first.x) != len(second.x) or not np.allclose(first.x, second.x, rtol=0, atol=1e-9 * np.ptp(first.x)) \
+            or first.dimension == 1:
+        return map_panels(panels, view, columns=2)
     limits = view.limits or common_limits(panels, view)
     factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units())
-    difference = (view.values(second, step) - view.values(first, step)) * factor
+    chosen, (one, two) = plane_of(first, view)
+    difference = ((view.values(second, steps[1]) - view.values(first, steps[0])) * factor)[chosen]
     shape = _aspect(first, view)
-    figure, axes = plt.subplots(1, 3, figsize=(14.5, 4.2 * shape + 0.9), constrained_layout=True)
-    for axis, (results, _, title) in zip(axes, panels):
+    figure, axes = plt.subplots(1, 3, figsize=(14.5, 4.2 * shape + 1.2), constrained_layout=True)
+    for axis, (results, step, title) in zip(axes, panels):
         image = draw_map(axis, results, step, view, [limit * factor for limit in limits], factor)
         axis.set_title(title)
-    figure.colorbar(image, ax=axes[:2], shrink=0.8).set_label(with_unit(view.name(first), unit))
-    chosen, (one, two) = plane_of(first, view)
-    raster = Raster(first.x[chosen][:, [one, two]], 0.9 * first.spacing())
-    largest = np.abs(difference[chosen]).max() or 1.0
+    bar = {"location": "bottom", "shrink": 0.7, "aspect": 35, "pad": 0.03}
+    figure.colorbar(image, ax=axes[:2], **bar).set_label(with_unit(view.name(first), unit))
+    raster = Raster(first.x[chosen][:, [one, two]], first.spacings()[chosen])
+    largest = np.abs(difference).max()
     length, length_unit = scaled(np.abs(raster.extent).max(), "m")
-    image = axes[2].imshow(raster.image(difference[chosen]), origin="lower", cmap="coolwarm", vmin=-largest,
-                           vmax=largest, extent=[value * length for value in raster.extent])
-    axes[2].set_title("second - first")
+    image = axes[2].imshow(raster.image(difference), origin="lower", cmap="coolwarm", vmin=-(largest or 1.0),
+                           vmax=largest or 1.0, extent=[value * length for value in raster.extent])
+    axes[2].set_title(f"{runs[1][1]} - {runs[0][1]}" + (f", at most {largest:.3g}" if largest else ": no difference"))
     axes[2].set_xlabel(f"{'xyz'[one]} ({length_unit})")
-    figure.colorbar(image, ax=axes[2], shrink=0.8).set_label(with_unit("difference", unit))
+    figure.colorbar(image, ax=axes[2], **bar).set_label(with_unit("difference", unit))
     return figure
 
 
-def history_panels(runs, columns=None, against=None):
-    """Histories of several runs: a panel for each column. runs: [(label, {column: values})]."""
-    first = runs[0][1]
-    against = against or ("time" if "time" in first else "step")
-    for name in (columns or []) + [against]:
-        if name not in first:
-            raise PlotError(f"no column {name} in the history (there are: {', '.join(first)})")
-    columns = columns or [name for name in first if name not in ("step", "time", against)]
-    if not columns:
-        raise PlotError("the history has no columns; name computes for the whole body under Output Variables")
-    across = 1 if len(columns) == 1 else 2
-    rows = -(-len(columns) // across)
-    figure, axes = plt.subplots(rows, across, figsize=(5.4 * across, 3.2 * rows), squeeze=False,
-                                constrained_layout=True)
-    for axis in axes.ravel()[len(columns):]:
-        axis.axis("off")
-    for axis, column in zip(axes.ravel(), columns):
-        for label, history in runs:
-            if column in history:
-                axis.plot(history[against], history[column], label=label, linewidth=1.2)
-        axis.set_xlabel("time (s)" if against == "time" else against)
-        axis.set_ylabel(column.replace("_", " "))
-        axis.grid(alpha=0.3)
-        if len(runs) > 1:
-            axis.legend()
-    return figure
+def run_labels(runs):
+    """Names that tell the runs apart: with their folders where the files are called alike."""
+    if len({run.label for run in runs}) == len(runs):
+        return [run.label for run in runs]
+    return [str(Path(run.path.resolve().parent.name) / run.label) for run in runs]
 
 
-def animation(results, view, file_name, steps, frames_per_second):
-    """GIF of all steps, with limits that do not change."""
-    from io import BytesIO
-
-    from PIL import Image
-    view.limits = view.limits or common_limits([(results, step, "") for step in steps], view)
-    frames = []
-    for step in steps:
-        figure = map_panels([(results, step, step_title(results, step))], view)
-        buffer = BytesIO()
-        figure.savefig(buffer, format="png", dpi=90, bbox_inches=None)
-        plt.close(figure)
-        frames.append(Image.open(buffer).convert("RGB").convert("P", palette=Image.Palette.ADAPTIVE, colors=128))
-    frames[0].save(file_name, save_all=True, append_images=frames[1:], duration=int(1000 / frames_per_second), loop=0)
-
-
-def step_title(results, step):
-    return f"step {step}, t = {time_text(results.time(step))}"
+def step_title(results, step, view=None):
+    """Step, time, and what of the body is shown how."""
+    text = f"step {step}, t = {time_text(results.time(step), results.time(results.steps[-1]))}"
+    if view is not None and results.dimension == 3:
+        axis, position = slice_of(results, view)
+        length, unit = scaled(abs(position) or np.ptp(results.x[:, axis]), "m")
+        text += f", {'xyz'[axis]} = {position * length:.4g} {unit}"
+    if view is not None and view.scale:
+        text += f", displaced {view.scale:.3g} ×"
+    return text
 
 
 def _aspect(results, view):

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from scipy.spatial import cKDTree
 
 
 class PlotError(Exception):
@@ -29,6 +30,7 @@ class Results:
         extent = np.ptp(self.x, axis=0)
         flat = extent <= 1e-12 * max(extent.max(), 1e-300)
         self.dimension = 3 if not flat[2] else (1 if flat[1] else 2)
+        self._spacings = None
         if not self.steps:
             raise PlotError(f"{self.path}: no steps have been written")
 
@@ -46,15 +48,22 @@ class Results:
                             "name it under Output Variables in the deck")
         return group[name][:]
 
+    def varies(self, name):
+        """Whether a field differs between points at the last step."""
+        values = self.field(name, self.steps[-1])
+        return bool(np.any(values != values[0]))
+
     def spacing(self):
-        """Mean distance of neighbouring points, from the number of points in the extent that they fill."""
-        extent = np.ptp(self.x, axis=0)
-        used = extent[:self.dimension]
-        # n points a direction span n - 1 spacings: two rounds remove that.
-        spacing = (np.prod(used) / len(self.x)) ** (1 / self.dimension)
-        for _ in range(3):
-            spacing = (np.prod(used + spacing) / len(self.x)) ** (1 / self.dimension)
-        return spacing
+        """Typical distance of neighbouring points (m)."""
+        return float(np.median(self.spacings()))
+
+    def spacings(self):
+        """[n]: edge of each point's cell (m). Results do not say how thick a plane is: how many points are near some of
+        them tells by how much lengths differ from roots of volumes."""
+        if self._spacings is None:
+            edges = self.volume ** (1 / self.dimension)
+            self._spacings = edges * _spacing_by_edge(self.x[:, :self.dimension], edges)
+        return self._spacings
 
     def _group(self, step):
         try:
@@ -62,6 +71,20 @@ class Results:
         except KeyError:
             known = ", ".join(map(str, self.steps))
             raise PlotError(f"{self.path}: no step {step} (there are: {known})") from None
+
+
+def _spacing_by_edge(x, edges):
+    n_points, dimension = x.shape
+    count = {1: 4, 2: 20, 3: 32}[dimension]  # full shells of a lattice, so that half the way to the next is a fair radius
+    if n_points <= count + 1:
+        extent = np.ptp(x, axis=0).max()
+        return (extent / max(1.0, n_points ** (1 / dimension) - 1) if extent > 0 else 1.0) / edges.mean()
+    sample = np.random.default_rng(0).choice(n_points, min(n_points, 2000), replace=False)
+    distances = cKDTree(x, balanced_tree=False, compact_nodes=False).query(x[sample], k=count + 2)[0]
+    radius = distances[:, -2:].mean(axis=1)
+    ball = {1: 2 * radius, 2: np.pi * radius ** 2, 3: 4 / 3 * np.pi * radius ** 3}[dimension]
+    # Near a boundary the ball is partly empty: the fifth that is fullest lies inside.
+    return np.quantile((ball / (count + 1)) ** (1 / dimension) / edges[sample], 0.2)
 
 
 def find_results(name=None):

@@ -6,6 +6,8 @@ _UNITS = {
     "External_Force_Density": "N/m³", "Temperature": "K", "Bond_Stress": "Pa", "Volume": "m³", "Horizon": "m",
     "Stored_Elastic_Energy_Density": "J/m³", "Stored_Elastic_Energy": "J", "Kinetic_Energy": "J",
 }
+_HISTORY_UNITS = [("reaction", "N"), ("crack_length", "m"), ("crack_tip", "m"), ("crack_area", "m²"), ("energy", "J"),
+                  ("j_integral", "J/m²")]
 _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
 
 
@@ -24,17 +26,22 @@ def scaled(limit, unit):
     return 1.0, unit
 
 
-def time_text(seconds):
-    """A time in the unit that people use for its size."""
-    for value, name in ((86400 * 2, "d"), (3600 * 2, "h")):
-        if seconds >= value:
-            return f"{seconds / (86400 if name == 'd' else 3600):.4g} {name}"
-    if seconds == 0 or seconds >= 1:
-        return f"{seconds:.4g} s"
-    for value, name in ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")):
-        if seconds >= value:
-            return f"{seconds / value:.4g} {name}"
+def time_text(seconds, longest=None):
+    """A time in the unit that people use for its size, or for that of `longest`, so that all of a run have one."""
+    size = seconds if longest is None else longest
+    for value, length, name in ((2 * 86400, 86400, "d"), (2 * 3600, 3600, "h"), (1, 1, "s"), (1e-3, 1e-3, "ms"),
+                                (1e-6, 1e-6, "µs"), (1e-9, 1e-9, "ns")):
+        if size >= value:
+            return f"{seconds / length:.4g} {name}"
     return f"{seconds:.3g} s"
+
+
+def history_unit(column):
+    """Of a column of the history, whose name the deck chooses: known where it says what it is."""
+    for part, unit in _HISTORY_UNITS:
+        if part in column.lower():
+            return unit
+    return ""
 
 
 def with_unit(name, unit):

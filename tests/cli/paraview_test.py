@@ -1,4 +1,5 @@
-"""ParaView's own reader opens what pdrun writes: points, times, fields and their ranges. Skipped without pvpython."""
+"""ParaView's own reader and meshio's open what pdrun writes: points, times, fields and their ranges. ParaView's part is
+skipped without pvpython."""
 import json
 import os
 import shutil
@@ -58,8 +59,7 @@ json.dump(found, open(sys.argv[2], "w"))
 """
 
 
-@unittest.skipUnless(shutil.which("pvpython"), "no pvpython: ParaView is not installed")
-class ParaView(unittest.TestCase):
+class Scene(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -74,10 +74,41 @@ class ParaView(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
-    def run_and_read(self, *launcher):
+    def run_deck(self, *launcher):
         done = subprocess.run([*launcher, PDRUN, "deck.yaml", "--quiet"], cwd=self.folder.name, capture_output=True,
                               text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def expected(self, time):
+        """Components of the fields that the deck prescribes."""
+        x, y = self.x, self.y
+        return {"Displacement": [2 * x * time, -y * time, 0 * x], "Concentration": [1 + 100 * x * time],
+                "Volume": [SPACING**3 + 0 * x]}
+
+
+class Meshio(Scene):
+    def test_points_times_and_values(self):
+        import meshio
+        self.run_deck()
+        with meshio.xdmf.TimeSeriesReader(self.path("my plate.xdmf")) as reader:
+            points, cells = reader.read_points_cells()
+            np.testing.assert_allclose(points, np.column_stack([self.x, self.y, 0 * self.x]), rtol=1e-15)
+            self.assertEqual([(block.type, len(block.data)) for block in cells], [("vertex", NX * NY)])
+            self.assertEqual(reader.num_steps, 3)
+            for step, expected_time in enumerate((0.0, 0.001, 0.002)):
+                time, fields, _ = reader.read_data(step)
+                self.assertAlmostEqual(time, expected_time, delta=1e-15)
+                expected = self.expected(time)
+                self.assertEqual(set(fields), set(expected))
+                for name, components in expected.items():
+                    np.testing.assert_allclose(fields[name].reshape(NX * NY, -1), np.column_stack(components),
+                                               rtol=1e-12, atol=1e-18)
+
+
+@unittest.skipUnless(shutil.which("pvpython"), "no pvpython: ParaView is not installed")
+class ParaView(Scene):
+    def run_and_read(self, *launcher):
+        self.run_deck(*launcher)
         # A whole path: given the bare name, the library under ParaView looks for the tables in the wrong folder.
         done = subprocess.run(["pvpython", "--force-offscreen-rendering", self.path("reader.py"),
                                self.path("my plate.xdmf"), self.path("found.json")], capture_output=True, text=True,
@@ -93,8 +124,7 @@ class ParaView(unittest.TestCase):
             self.assertAlmostEqual(step["time"], time, delta=1e-15)
             self.assertEqual((step["points"], step["cells"]), (NX * NY, NX * NY))
             np.testing.assert_allclose(step["bounds"], [x.min(), x.max(), y.min(), y.max(), 0.0, 0.0], rtol=1e-6)
-            expected = {"Displacement": [2 * x * time, -y * time, 0 * x], "Concentration": [1 + 100 * x * time],
-                        "Volume": [SPACING**3 + 0 * x]}
+            expected = self.expected(time)
             self.assertEqual(set(step["fields"]), set(expected))
             for name, components in expected.items():
                 ranges = [(values.min(), values.max()) for values in components]

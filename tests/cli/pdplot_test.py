@@ -3,6 +3,7 @@
 import contextlib
 import io
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,7 +18,9 @@ MESHES = Path(__file__).resolve().parents[2] / "meshes"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(MESHES))
 
+from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.command_line import main  # noqa: E402
+from pdplot_lib.history import history_panels  # noqa: E402
 from pdplot_lib.raster import Raster  # noqa: E402
 from pdplot_lib.results import PlotError, Results, find_results, read_history  # noqa: E402
 from pdplot_lib.units import scaled, time_text  # noqa: E402
@@ -81,7 +84,7 @@ class PdplotTest(unittest.TestCase):
         self.assertEqual(results.dimension, 2)
         self.assertEqual(results.fields(), ["Concentration", "Damage", "Displacement"])
         np.testing.assert_array_equal(results.field("Displacement", 10), self.x * 0.01 * 10)
-        self.assertAlmostEqual(results.spacing(), 0.01, delta=2e-4)
+        self.assertAlmostEqual(results.spacing(), 0.01, delta=5e-4)
         self.assertEqual(find_results(self.folder), self.folder / "plate.h5")
         with self.assertRaisesRegex(PlotError, "no step 7"):
             results.time(7)
@@ -89,7 +92,7 @@ class PdplotTest(unittest.TestCase):
     def test_pixels_take_the_nearest_point_and_stay_empty_far_away(self):
         x = lattice(10, 10, 1.0)[:, :2]
         hole = np.hypot(x[:, 0] - 5, x[:, 1] - 5) > 2.5
-        raster = Raster(x[hole], 0.9, pixels=200)
+        raster = Raster(x[hole], 1.0, pixels=200)
         image = raster.image(np.arange(hole.sum()))
         for row, column in ((3, 3), (100, 20), (190, 100)):
             place = np.array([raster.columns[column], raster.rows[row]])
@@ -113,7 +116,11 @@ class PdplotTest(unittest.TestCase):
         write_run(self.folder, "solid", solid, [0], lambda step: {"Damage": solid[:, 0] / 6})
         bar = np.c_[np.arange(10.0), np.zeros((10, 2))]
         write_run(self.folder, "bar", bar, [0], lambda step: {"Temperature": bar[:, 0]})
-        for arguments in (["plate", "--step", "all", "--crack"], ["plate", "--field", "Displacement", "--component", "y"],
+        (self.folder / "again").mkdir()
+        write_run(self.folder / "again", "plate", self.x, [0, 7], lambda step: {"Damage": self.x[:, 1]})
+        for arguments in (["plate", "again/plate"], ["plate", "again/plate", "--step", "0"],
+                          ["plate", "--step", "0,5,10,0,5,10,0"], ["plate", "--step", "all", "--deformed"],
+                          ["plate", "--step", "all", "--crack"], ["plate", "--field", "Displacement", "--component", "y"],
                           ["plate", "--deformed"], ["plate", "--deformed", "3"], ["plate", "other"], ["bar"],
                           ["solid", "--slice", "x=2"], ["plate", "--history"],
                           ["plate.h5", "--history", "Crack_Length", "--against", "step"],
@@ -122,16 +129,58 @@ class PdplotTest(unittest.TestCase):
                 self.assertEqual(self.pdplot(*arguments, "-o", "a.png")[0], ["a.png"])
                 self.assertGreater(min(self.picture("a.png").shape[:2]), 200)
                 (self.folder / "a.png").unlink()
-        self.pdplot("plate", "--animate", "a.gif")
-        with Image.open(self.folder / "a.gif") as image:
-            self.assertEqual(image.n_frames, 3)
+    def test_animations_have_a_frame_for_each_step(self):
+        for arguments in ([], ["--deformed"]):
+            self.pdplot("plate", "--animate", "a.gif", *arguments)
+            with Image.open(self.folder / "a.gif") as image:
+                self.assertEqual(image.n_frames, 3)
+        if shutil.which("ffmpeg") is None:
+            self.skipTest("no ffmpeg")
+        self.pdplot("plate", "--animate", "a.mp4")
+        count = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
+                                "csv=p=0", "a.mp4"], cwd=self.folder, text=True, stdout=subprocess.PIPE, check=True)
+        self.assertEqual(int(count.stdout), 3)
+
+    def test_without_options_a_field_that_is_the_same_everywhere_is_passed_over(self):
+        write_run(self.folder, "later", self.x, [1], lambda step: {"Damage": 0 * self.x[:, 0],
+                                                                   "Concentration": self.x[:, 0]})
+        self.assertEqual(self.pdplot("later")[0], ["later_Concentration.png"])
+
+    def test_deformed_points_are_drawn_where_they_have_moved_to(self):
+        # Twice as long along x and y at step 10 with a scale of 10; the window is that of both steps.
+        results = Results(self.folder / "plate")
+        view = figures.View("Damage", scale=10.0)
+        low, high = figures.common_window([(results, 0, ""), (results, 10, "")], view)
+        np.testing.assert_allclose(low, [0, 0], atol=6e-3)
+        np.testing.assert_allclose(high, [0.4, 0.2], atol=1e-2)
+        self.assertAlmostEqual(figures.auto_scale(results, [10]), 0.05 * 0.19 / (0.195 * 0.1), delta=0.01)
+
+    def test_spacing_is_that_of_the_points_whatever_holes_and_thickness(self):
+        x = lattice(40, 40, 0.1)
+        ring = np.hypot(x[:, 0] - 2, x[:, 1] - 2) > 1.5
+        write_run(self.folder, "ring", x[ring], [0], lambda step: {"Damage": x[ring, 0]})
+        self.assertAlmostEqual(Results(self.folder / "ring").spacing(), 0.1, delta=0.012)
+
+    def test_a_history_is_found_in_any_case_and_by_vector(self):
+        (self.folder / "plate.csv").write_text("step,time,Top_ReactionX,Top_ReactionY,Top_ReactionZ\n0,0,0,0,0\n5,1,2,3,0\n")
+        history = read_history(self.folder / "plate")
+        figure = history_panels([("plate", history)], ["top_reaction"])
+        self.assertEqual([axis.get_ylabel() for axis in figure.axes if axis.lines],
+                         ["Top ReactionX (N)", "Top ReactionY (N)"])
+        figures.plt.close(figure)
+        self.pdplot("plate", "--history", "TOP_REACTIONX")
 
     def test_mistakes_are_told_without_a_traceback(self):
         for arguments, message in ((["none"], "no such results"), (["plate", "--field", "Dmage"], "no field Dmage"),
                                    (["plate", "--step", "7"], "no step 7"), (["plate", "--step", "a"], "--step a"),
                                    (["plate", "--slice", "q=1"], "--slice"), (["plate", "--deformed", "x"], "`x`"),
                                    (["plate", "--history", "Nothing"], "no column Nothing"),
-                                   (["plate", "-o", "a.nonsense"], "cannot be written")):
+                                   (["plate", "-o", "a.nonsense"], "cannot be written"),
+                                   (["plate", "--history", "-o", "none/a.png"], "cannot be written"),
+                                   (["plate", "--animate", "a.avi"], ".gif or .mp4"),
+                                   (["plate", "--animate", "none/a.gif"], "cannot be written"),
+                                   (["plate", "--animate", "a.gif", "--speed", "0"], "above zero"),
+                                   (["plate", "plate", "--animate", "a.gif"], "shows one run")):
             with self.subTest(arguments=arguments):
                 self.assertIn(message, self.pdplot(*arguments, expect=2)[1])
 
@@ -146,6 +195,7 @@ class PdplotTest(unittest.TestCase):
         self.assertEqual(scaled(2e-5, ""), (1.0, ""))
         self.assertEqual(time_text(18480000.0), "213.9 d")
         self.assertEqual(time_text(2e-6), "2 µs")
+        self.assertEqual(time_text(0.25, 4.0), "0.25 s")
 
 
 if __name__ == "__main__":
