@@ -35,9 +35,12 @@ double stretchFrom(const Teuchos::ParameterList& params) {
 }
 
 double brokenShare(const double* bondDamage, int count) {
-  double broken = 0.0;
-  for (int k = 0; k < count; ++k) broken += bondDamage[k];
-  return count > 0 ? broken / count : 0.0;
+  kernels::Vector broken = 0.0;
+  int k = 0;
+  for (; k + kernels::lanes <= count; k += kernels::lanes) broken += kernels::load(bondDamage + k);
+  double sum = kernels::stdx::reduce(broken);
+  for (; k < count; ++k) sum += bondDamage[k];
+  return count > 0 ? sum / count : 0.0;
 }
 
 void countBrokenBonds(const Call& call, const double* bondDamage, double* damage) {
@@ -164,9 +167,12 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
     made.alive = kernels::AliveBonds(made.neighborhood);
     made.reference.separate(x, nPoints, 3);
     made.isPlane = isPlane(x, nPoints);
-    forEachBond(c, [&](int i, int j, std::size_t) {
-      made.longestBond = std::max(made.longestBond, ReferenceBond(x, i, j).length);
-    });
+    const auto squareOf = [&](int i, int j, std::size_t, double* square) {
+      const double length = ReferenceBond(x, i, j).length;
+      made.longestBond = std::max(made.longestBond, length);
+      *square = length * length;
+    };
+    made.reference2 = kernels::BondConstants(made.neighborhood, 1, squareOf, kernels::BondConstants::Keep::OnlyUniform);
     return made;
   });
   const kernels::ChunkedNeighborhood& neighborhood = cache.neighborhood;
@@ -174,7 +180,8 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
   const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
   cache.current.separate(y, nPoints, dimension);
   const bool hasCoverage = coverage(dataManager, cache.coverage);
-  const Fields fields{nPoints, {dimension, cache.reference, cache.current, hasCoverage ? &cache.coverage : nullptr}};
+  const Fields fields{
+      nPoints, {dimension, cache.reference2, cache.reference, cache.current, hasCoverage ? &cache.coverage : nullptr}};
 
   std::vector<std::size_t> chunks;
   const bool testsSome = findChunksToTest(cache, fields, chunks);
@@ -185,18 +192,21 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
   std::vector<Changed> changed;
   kernels::findOverstretchedBonds(
       neighborhood, cache.alive, fields.stretch, law_,
-      [&](const kernels::Chunk& chunk, int k, int lane) {
-        const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
-        if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) return;
-        bondDamage[neighborhood.bond(chunk, k, lane)] = 1.0;
-        cache.alive.markBroken(chunk, k, lane);
-        if (changed.empty() || changed.back().chunk != &chunk) changed.push_back({&chunk, 0u});
-        changed.back().lanes |= 1u << lane;
+      [&](const kernels::Chunk& chunk, int k, unsigned char over) {
+        for (int lane = 0; lane < chunk.nLanes; ++lane) {
+          if (((over >> lane) & 1u) == 0) continue;
+          const int point = neighborhood.pointIds(chunk)[lane], neighbor = neighborhood.neighbor(chunk, k, lane);
+          if (noFailure != nullptr && (noFailure[point] != 0.0 || noFailure[neighbor] != 0.0)) continue;
+          bondDamage[neighborhood.bond(chunk, k, lane)] = 1.0;
+          cache.alive.markBroken(chunk, k, lane);
+          if (changed.empty() || changed.back().chunk != &chunk) changed.push_back({&chunk, 0u});
+          changed.back().lanes |= 1u << lane;
+        }
       },
       testsSome ? &chunks : nullptr, testsSome ? nullptr : &cache.slack);
   if (!testsSome) {
-    cache.testedPositions = cache.current;
-    if (hasCoverage) cache.testedCoverage = cache.coverage;
+    std::swap(cache.testedPositions, cache.current);
+    if (hasCoverage) std::swap(cache.testedCoverage, cache.coverage);
   }
   if (isSwapped) {
     countBrokenBonds(call, bondDamage, damage);

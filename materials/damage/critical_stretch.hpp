@@ -43,6 +43,7 @@ class CriticalStretch : public PeridigmNS::DamageModel {
     kernels::ChunkedNeighborhood neighborhood;
     kernels::AliveBonds alive;
     kernels::PointArrays reference, current, coverage;
+    kernels::BondConstants reference2;
     bool isPlane = false;
     double longestBond = 0.0;
     // What bonds looked like when all were last tested (see chunksToTest).

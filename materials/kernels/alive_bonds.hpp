@@ -16,9 +16,8 @@ class AliveBonds {
   /// All bonds unbroken.
   explicit AliveBonds(const ChunkedNeighborhood& neighborhood);
 
-  /// `bondDamage`: in the host's order; `damage`: by local id; null: read
-  /// every bond again. Returns false where a bond is damaged in part (0 < d <
-  /// 1).
+  /// `bondDamage`: in the host's order; `damage`: by local id; null: read every bond again. Returns false where a bond
+  /// is damaged in part (0 < d < 1).
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
 
   /// What a damage model does itself need not be read again: a bond that it breaks, and the Damage of the point then.
@@ -36,6 +35,10 @@ class AliveBonds {
   std::size_t bytes() const { return bits_.size() + seen_.size() * sizeof(double); }
 
  private:
+  /// Of the lanes whose bits are set in `changed`.
+  bool refreshLanes(const ChunkedNeighborhood& neighborhood, const Chunk& chunk, unsigned changed,
+                    const double* bondDamage);
+
   std::vector<unsigned char> bits_;
   std::vector<double> seen_;  ///< Damage of each lane at the last refresh
 };

@@ -170,7 +170,7 @@ std::size_t ChunkedNeighborhood::bytes() const {
 
 BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                              const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep,
-                             double tolerance, const std::function<void(double*)>& derive) {
+                             double tolerance, const DerivedConstants& derived) {
   const auto w = static_cast<std::size_t>(width);
   std::vector<double> one(w), all, first, lastFirst, scale(w);
   CanonicalValues canonical(tolerance);
@@ -192,14 +192,11 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
           scale[c] = std::max(scale[c], std::abs(one[c]));
         }
       });
-    const auto isClose = [&](double a, double b, std::size_t at) {
-      return std::abs(a - b) <= tolerance * scale[at % w];
-    };
+    for (std::size_t c = 0; c < w; ++c) scale[c] *= tolerance;
     bool uniform = chunk.isContiguous;
-    for (std::size_t i = 0; uniform && i < count * lanes; ++i) {
-      const bool isPresent = (present[i / lanes / w] >> (i % lanes)) & 1u;
-      uniform = !isPresent || isClose(all[i], first[i / lanes], i / lanes);
-    }
+    for (std::size_t k = 0, at = 0; uniform && k < static_cast<std::size_t>(chunk.nNeighbors); ++k)
+      for (std::size_t c = 0; c < w; ++c, ++at)
+        uniform = uniform && (present[k] & greaterBits(abs(load(&all[at * lanes]) - first[at]), scale[c])) == 0;
     isUniform_.push_back(uniform);
     if (!uniform) {
       start_.push_back(values_.size());
@@ -207,12 +204,18 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
       continue;
     }
     bool canShare = lastFirst.size() == count;
-    for (std::size_t i = 0; canShare && i < count; ++i) canShare = isClose(first[i], lastFirst[i], i);
+    for (std::size_t i = 0; canShare && i < count;)
+      for (std::size_t c = 0; c < w; ++c, ++i) canShare = canShare && std::abs(first[i] - lastFirst[i]) <= scale[c];
     if (!canShare) {
       lastUniform = values_.size();
       lastFirst = first;
-      for (const double value : first) values_.push_back(canonical(value));
-      for (std::size_t i = 0; derive && i < count; i += w) derive(&values_[lastUniform + i]);
+      for (std::size_t i = 0; i < count; i += w) {
+        const std::size_t at = values_.size();
+        for (std::size_t c = 0; c < w; ++c) values_.push_back(canonical(first[i + c]));
+        if (derived.width == 0) continue;
+        values_.resize(at + static_cast<std::size_t>(derived.width));
+        derived.replace(&values_[at]);
+      }
     }
     start_.push_back(lastUniform);
   }

@@ -52,6 +52,7 @@ class ChunkedNeighborhood {
   /// Position of the bond of a lane at entry k in the host's bond data.
   std::size_t bond(const Chunk& chunk, int k, int lane) const {
     std::size_t position = firstBond(chunk, lane);
+    if (chunk.isFull) return position + static_cast<std::size_t>(k);
     const unsigned char* has = present(chunk);
     for (int before = 0; before < k; ++before) position += (has[before] >> lane) & 1u;
     return position;
@@ -100,6 +101,12 @@ inline void addToPoints(const ChunkedNeighborhood& neighborhood, const Chunk& ch
   for (int lane = 0; lane < chunk.nLanes; ++lane) values[points[lane]] += sum[static_cast<std::size_t>(lane)];
 }
 
+/// Constants that follow from others of the same bond.
+struct DerivedConstants {
+  int width = 0;                         ///< 0: nothing is derived
+  std::function<void(double*)> replace;  ///< writes `width` constants over those that it reads
+};
+
 /// Constants of bonds, `width` doubles each, in the order of the chunks. Where all lanes of a contiguous chunk have the
 /// same constants (to `tolerance`, relative to the largest of each component), one set a neighbour is kept for the
 /// whole chunk, and chunks that agree share it: on a uniform lattice the constants of a whole row take no more room
@@ -109,15 +116,15 @@ class BondConstants {
   BondConstants() = default;
   /// `fill(point, neighbor, bond, values)` writes the constants of one bond; bond = position in the host's bond data.
   /// With `OnlyUniform`, chunks whose lanes differ keep nothing (of() must not be called for them).
-  /// Values of uniform chunks are replaced by representatives within `tolerance`; `derive(values)`, where given, then
-  /// replaces a bond's constants by what follows from them.
+  /// Values of uniform chunks are replaced by representatives within `tolerance`, and these by what `derived` makes of
+  /// them.
   enum class Keep { All, OnlyUniform };
   BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                 const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep = Keep::All,
-                double tolerance = 1e-12, const std::function<void(double*)>& derive = {});
+                double tolerance = 1e-12, const DerivedConstants& derived = {});
 
   bool isUniform(std::size_t chunk) const { return isUniform_[chunk] != 0; }
-  /// Uniform: width doubles a neighbour, [k * width + component].
+  /// Uniform: width (or derived width) doubles a neighbour, [k * width + component].
   /// Else: width vectors a neighbour, [(k * width + component) * lanes + lane]; zero where a lane has no neighbour.
   const double* of(std::size_t chunk) const { return values_.data() + start_[chunk]; }
   std::size_t bytes() const { return values_.size() * sizeof(double) + start_.size() * (sizeof(std::size_t) + 1); }

@@ -109,15 +109,10 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
 
 BondConstants solidCoefficients(const ChunkedNeighborhood& neighborhood,
                                 const std::function<void(int, int, std::size_t, double*)>& geometry) {
-  return BondConstants(
-      neighborhood, UniformBond::width,
-      [&](int i, int j, std::size_t bond, double* values) {
-        values[5] = 0.0;
-        geometry(i, j, bond, values);
-      },
-      BondConstants::Keep::OnlyUniform, 1e-12,
-      // From the rounded xi: else an undeformed bond would be strained by as much as the tolerance.
-      [](double* c) { c[5] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]); });
+  // From the rounded xi: else an undeformed bond would be strained by as much as the tolerance.
+  const DerivedConstants length{UniformBond::width,
+                                [](double* c) { c[5] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]); }};
+  return BondConstants(neighborhood, 5, geometry, BondConstants::Keep::OnlyUniform, 1e-12, length);
 }
 
 void addSolidForce(const ChunkedNeighborhood& neighborhood, const SolidBondData& data, const AliveBonds& alive,

@@ -31,16 +31,14 @@ inline Vector gather(const double* values, const int* indices) {
   return Vector([&](auto lane) { return values[indices[lane]]; });
 }
 
-/// 1/sqrt(x) to round-off for normal x > 0. With AVX-512 from the 14-bit estimate and two Newton steps, which costs a
-/// third of a square root and a division.
+/// 1/sqrt(x) to round-off for normal x > 0. With AVX-512 from an estimate y to 14 bits: 1/sqrt(x) = y/sqrt(1 - e) with
+/// e = 1 - x y^2 < 2^-13, by four terms of the series. A third of the cost of a square root and a division.
 inline Vector inverseSquareRoot(const Vector& x) {
 #ifdef __AVX512F__
   if constexpr (lanes == 8) {
-    Vector y(_mm512_maskz_rsqrt14_pd(0xff, static_cast<__m512d>(x)));
-    const Vector half = 0.5 * x;
-    y = y * (1.5 - half * y * y);
-    y = y * (1.5 - half * y * y);
-    return y;
+    const Vector y(_mm512_maskz_rsqrt14_pd(0xff, static_cast<__m512d>(x)));
+    const Vector e = 1.0 - (x * y) * y;
+    return y + (y * e) * (0.5 + e * (0.375 + 0.3125 * e));
   }
 #endif
   return 1.0 / stdx::sqrt(x);

@@ -27,21 +27,23 @@ struct CriticalStretchLaw {
   double steepest() const;
 };
 
-/// What the stretch of bonds is computed from. `coverage`: component 0 is psi, already in [0, 1]; or null.
+/// What the stretch of bonds is computed from. `reference2`: width 1, |xi|^2, only in chunks where it is uniform.
+/// `coverage`: component 0 is psi, already in [0, 1]; or null.
 struct StretchFields {
   int dimension;
+  const BondConstants& reference2;
   const PointArrays& reference;
   const PointArrays& current;
   const PointArrays* coverage;
 };
 
-/// Calls onBreak(chunk, k, lane) for every unbroken bond of the chunks `only` (all where it is null) whose stretch
-/// exceeds the law's. The test compares squared lengths, and decides the same from both ends of a bond.
-/// `slack`, where given, becomes for each tested chunk a length (m) by which any of its other bonds must grow (or
-/// shrink, where compression breaks) at least before it breaks.
+/// Calls onBreak(chunk, k, lanes) wherever unbroken bonds of the chunks `only` (all where it is null) exceed the law's
+/// stretch, with a bit for each lane that does. The test compares squared lengths, and decides the same from both ends
+/// of a bond. `slack`, where given, becomes for each tested chunk a length (m) by which any of its other bonds must
+/// grow (or shrink, where compression breaks) at least before it breaks.
 void findOverstretchedBonds(const ChunkedNeighborhood& neighborhood, const AliveBonds& alive,
                             const StretchFields& fields, const CriticalStretchLaw& law,
-                            const std::function<void(const Chunk&, int, int)>& onBreak,
+                            const std::function<void(const Chunk&, int, unsigned char)>& onBreak,
                             const std::vector<std::size_t>* only, std::vector<double>* slack);
 
 }  // namespace pd::kernels

@@ -134,6 +134,7 @@ PD_EACH_BOND void addOwnForces(const Chunk& chunk, const unsigned char* bits, co
   unrolled<D>([&](auto d) PD_INLINED { force[d] = 0.0; });
   const int nNeighbors = chunk.nNeighbors;
   for (int k = 0; k < nNeighbors; ++k) {
+    if (!isWhole && bits[k] == 0) continue;
     const auto& bond = bondsOf(k);
     Vector eta[D], y[D], square = 0.0, along = 0.0;
     unrolled<D>([&](auto d) PD_INLINED {
@@ -225,16 +226,11 @@ BondConstants bondCoefficients(const ChunkedNeighborhood& neighborhood, const Bo
   BondConstants result;
   withDimensionAndForm(data, [&](auto dimension, auto form) {
     constexpr int D = decltype(dimension)::value;
-    constexpr int width = UniformBond<D>::width;
-    result = BondConstants(
-        neighborhood, width,
-        [&](int i, int j, std::size_t bond, double* values) {
-          std::fill(values, values + width, 0.0);
-          geometry(i, j, bond, values);
-        },
-        BondConstants::Keep::OnlyUniform, 1e-12,
-        // From rounded xi, g and V: else an undeformed bond would be strained by as much as the tolerance.
-        [&](double* values) { UniformBond<D>::derive(data.constants, decltype(form)::value, values); });
+    // From rounded xi, g and V: else an undeformed bond would be strained by as much as the tolerance.
+    const DerivedConstants derived{UniformBond<D>::width, [&](double* values) {
+                                     UniformBond<D>::derive(data.constants, decltype(form)::value, values);
+                                   }};
+    result = BondConstants(neighborhood, D + 2, geometry, BondConstants::Keep::OnlyUniform, 1e-12, derived);
   });
   return result;
 }
