@@ -120,7 +120,8 @@ PD_EACH_BOND Vector roomOf(const BondLengths& bond) {
   return room;
 }
 
-/// Reports the bonds of a chunk that break, and returns the slack of the others.
+/// Reports the bonds of a chunk that break, and returns its slack: negative then, since a host may undo the breakage
+/// and ask again.
 template <bool limitsCompression, class Lengths, class OnBreak>
 double testChunk(const Chunk& chunk, const unsigned char* bits, const Lengths& lengthsOf, const OnBreak& onBreak) {
   constexpr double endless = std::numeric_limits<double>::max();
@@ -137,7 +138,7 @@ double testChunk(const Chunk& chunk, const unsigned char* bits, const Lengths& l
         isOver = unbroken & greaterBits(Vector(0.0), roomOf<limitsCompression>(lengthsOf.exactly(k)));
       if (isOver != 0) onBreak(chunk, k, isOver);
     }
-    room2 = min(room2, choose(room, endless, static_cast<unsigned char>(unbroken & ~isOver)));
+    room2 = min(room2, choose(room, endless, unbroken));
   }
   // a - b = (a^2 - b^2)/(a + b), with no length beyond the longest.
   const double longest = stdx::hmax(longest2);
