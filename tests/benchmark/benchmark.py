@@ -2,6 +2,7 @@
 """Measures pdrun: kernels and whole runs. Writes a list of {name, value, unit, machine}.
 
   benchmark.py BUILD_FOLDER            everything, some minutes on an idle machine; into BUILD_FOLDER/benchmark.json
+  PERIDIGM_EXECUTABLE=... benchmark.py BUILD_FOLDER    the same, with that Peridigm on the block beside pdrun
   benchmark.py BUILD_FOLDER --quick    tiny bodies and few steps, to see that all of it runs: the figures mean nothing
 """
 import argparse
@@ -19,6 +20,7 @@ import numpy as np
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import block  # noqa: E402
 import scenes  # noqa: E402
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -151,6 +153,22 @@ class Benchmark:
             times = [self._stepping_seconds(report) for report in reports]
             self.add(f"speedup_2_ranks_{name}", times[0] / times[1], "1")
 
+    def block(self):
+        """The block that Peridigm can run too, whole Verlet steps."""
+        folder = self.folder / "block"
+        folder.mkdir()
+        body = block.Block(folder, 12 if self.is_quick else 46)
+        peridigm = block.peridigm_executable()
+        programs = [self.pdrun] + ([peridigm] if peridigm else [])
+        for name in block.CASES:
+            rates = body.rates(programs, name, (1, 2), 1 if self.is_quick else 2)
+            for program in programs:
+                owner = "block" if program == self.pdrun else "peridigm_block"
+                self.add(f"{owner}_{name}_bond_updates_per_s", rates[program, 1], "1/s")
+                self.add(f"speedup_2_ranks_{owner}_{name}", rates[program, 2] / rates[program, 1], "1")
+            if peridigm:
+                self.add(f"block_{name}_difference_to_peridigm", body.difference(self.pdrun, peridigm, name), "1")
+
     @staticmethod
     def _stepping_seconds(report):
         """All phases but those that come once: a program's start and the reading of a mesh take as long as many steps
@@ -184,8 +202,8 @@ def main():
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
         benchmark = Benchmark(build, options.quick, Path(folder))
-        for part in (benchmark.hydrogen_plate, benchmark.mechanics, benchmark.speedup, benchmark.million_points,
-                     benchmark.kernels):
+        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.mechanics, benchmark.speedup,
+                     benchmark.million_points, benchmark.kernels):
             try:
                 part()
             except (RuntimeError, OSError, subprocess.CalledProcessError) as error:

@@ -70,15 +70,21 @@ def diffusing_plate(counts, steps):
     return result
 
 
+def mpi(ranks):
+    """What a command on `ranks` ranks begins with."""
+    if ranks == 1:
+        return []
+    has_cores = (os.cpu_count() or 1) >= ranks
+    binding = ["--bind-to", "core"] if has_cores else ["--oversubscribe", "--bind-to", "none"]
+    return ["mpirun", "--allow-run-as-root", *binding, "-np", str(ranks)]
+
+
 def run(pdrun, deck_file, folder, ranks=1, overrides=()):
     """Runs a deck in `folder` and returns its report. Its results are called `run`."""
     command = [pdrun, str(deck_file), "--quiet"]
     for path, value in {"Output/Output Filename": "run", **dict(overrides)}.items():
         command += ["--set", f"{path}={value}"]
-    if ranks > 1:
-        command = ["mpirun", "--allow-run-as-root", "--bind-to", "core", "-np", str(ranks), *command]
-        if (os.cpu_count() or 1) < ranks:
-            command[1:4] = ["--allow-run-as-root", "--oversubscribe", "--bind-to", "none"]
+    command = mpi(ranks) + command
     process = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if process.returncode != 0:
         raise RuntimeError(f"{' '.join(command)} ended with code {process.returncode}:\n"
