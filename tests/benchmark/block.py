@@ -1,6 +1,5 @@
 """A block that public codes can run too: 46^3 points on a simple cubic lattice, horizon 3.015 spacings, pulled apart by
 its initial velocity for 100 Verlet steps, in decks that Peridigm and pdrun read."""
-import json
 import os
 import sys
 import time
@@ -12,8 +11,10 @@ import numpy as np
 
 import scenes
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "peridigm"))
+for folder in ("peridigm", "support"):
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / folder))
 from exodus import ExodusResult  # noqa: E402
+from scene import yaml  # noqa: E402
 
 HORIZON = 3.015
 STEPS = 100
@@ -61,7 +62,7 @@ class Block:
                        "Output Variables": {"Displacement": True}}}
         if stretch is not None:
             deck["Damage Models"] = {"Breakage": {"Damage Model": "Critical Stretch", "Critical Stretch": stretch}}
-        return json.dumps({"Peridigm": deck})
+        return yaml({"Peridigm": deck}) + "\n"
 
     def _seconds(self, program, name, steps, ranks):
         for old in self.folder.glob("run.*"):
