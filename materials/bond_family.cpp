@@ -20,8 +20,8 @@ void BondFamily::declareParameters(ParameterDeclarations& declare) {
       .text("Volume Correction",
             "Which share of a neighbour's cell counts near the horizon: linear between horizon -/+ half a spacing "
             "(Ramp Beyond Horizon; needs neighbours up to there), the same but nothing beyond the horizon (Ramp To "
-            "Horizon), or all of it up to the horizon (None).")
-      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+            "Horizon), all of it up to the horizon (None), or of every neighbour, however far (Every Neighbor).")
+      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
       .defaultTo("Ramp Beyond Horizon")
       .from("Hu, Ha & Bobaru, CMAME 217-220 (2012) 247; Madenci & Oterkus, Peridynamic Theory (2014)");
   declare
@@ -43,6 +43,7 @@ BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& 
   else if (params.get<bool>("One Dimensional"))
     section = {kernels::Geometry::Bar, params.get<double>("Cross Section Area")};
   const std::string rule = params.get<std::string>("Volume Correction");
+  if (rule == "Every Neighbor") volumeCorrection = kernels::VolumeCorrection::EveryNeighbor;
   if (rule == "None") volumeCorrection = kernels::VolumeCorrection::None;
   if (rule == "Ramp To Horizon") volumeCorrection = kernels::VolumeCorrection::RampToHorizon;
   rescalesToLattice = params.get<bool>("Lattice Rescaling");

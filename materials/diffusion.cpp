@@ -27,7 +27,7 @@ class DiffusionMaterial : public PeridigmNS::Material {
         .defaultTo(false);
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
-        .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+        .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
     declare.real("Finite Difference Probe Length", "m", "Step of finite-difference tangents; not used by this model.")
         .positive();

@@ -36,10 +36,11 @@ void Elastic::declareParameters(ParameterDeclarations& declare) {
   declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
   declare
       .text("Volume Correction",
-            "Which share of a neighbour's cell counts near the horizon: all of it up to the horizon (None, as in "
-            "Peridigm), or linear between horizon -/+ half a spacing (Ramp Beyond Horizon; needs neighbours up to "
+            "Which share of a neighbour's cell counts near the horizon: all of it up to the horizon (None), "
+            "all of every neighbour, however far (Every Neighbor; of decks of Peridigm), or linear between horizon -/+ "
+            "half a spacing (Ramp Beyond Horizon; needs neighbours up to "
             "there), or the same but nothing beyond the horizon (Ramp To Horizon).")
-      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+      .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
       .defaultTo("None");
   declare.flag("Apply Automatic Differentiation Jacobian",
                "Accepted for decks of Peridigm, where it chooses between two ways to the same tangent.");
@@ -61,6 +62,7 @@ Elastic::Elastic(const Teuchos::ParameterList& given) : Material(given) {
   horizon_ = params.get<double>("Horizon");
   const std::string rule = params.get<std::string>("Volume Correction");
   if (rule == "Ramp Beyond Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampBeyondHorizon;
+  if (rule == "Every Neighbor") volumeCorrection_ = kernels::VolumeCorrection::EveryNeighbor;
   if (rule == "Ramp To Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampToHorizon;
   if (params.isParameter("Finite Difference Probe Length"))
     m_finiteDifferenceProbeLength = params.get<double>("Finite Difference Probe Length");

@@ -33,7 +33,7 @@ class ElasticBondBased : public PeridigmNS::Material {
     declare
         .text("Volume Correction",
               "As of PDHE; by default none, as in Peridigm. The influence function applies, unlike in Peridigm.")
-        .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None"})
+        .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
     declare.real("Finite Difference Probe Length", "m", "Step of finite-difference tangents; not used by this model.")
         .positive();

@@ -26,7 +26,9 @@ struct BoundaryConditions::Implementation {
   double appliedAt = 0.0;
   bool wasApplied = false;
   std::vector<Condition> conditions;
+  bool addsIncrements = false;                ///< of prescribed displacements, as Peridigm
   std::vector<std::vector<double>> previous;  ///< prescribed displacements of the last call, by condition
+  std::vector<std::vector<double>> offsets;   ///< of these over the values of the condition
   std::vector<char> displacementMask;
   std::map<std::string, std::vector<char>> valueMasks;
   std::vector<char> emptyMask;
@@ -40,6 +42,7 @@ struct BoundaryConditions::Implementation {
   void scaleTractions();
   void write(const Condition& condition, double t);
   void setDisplacement(std::size_t which, double t);
+  void updateOffsets(std::size_t which, double t);
   void setSources(const Condition& condition, double t);
 };
 
@@ -112,15 +115,34 @@ void BoundaryConditions::Implementation::write(const Condition& condition, doubl
 
 void BoundaryConditions::Implementation::setDisplacement(std::size_t which, double t) {
   const Condition& condition = conditions[which];
-  write(condition, t);
+  if (addsIncrements && t != appliedAt && wasApplied) updateOffsets(which, t);
+  std::vector<double> now = condition.evaluate(x(), t);
+  double* displacement = model.field("Displacement");
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    double& value = displacement[3 * condition.points[k] + condition.component];
+    if (addsIncrements && !wasApplied) {
+      offsets[which].push_back(value - now[k]);
+      now[k] = value;
+    } else if (addsIncrements) {
+      now[k] += offsets[which][k];
+    }
+    value = now[k];
+  }
   if (t == appliedAt && wasApplied) return;
-  const std::vector<double>& now = condition.evaluate(x(), t);
   if (wasApplied && model.hasField("Velocity")) {
     double* velocity = model.field("Velocity");
     for (std::size_t k = 0; k < now.size(); ++k)
       velocity[3 * condition.points[k] + condition.component] = (now[k] - previous[which][k]) / (t - appliedAt);
   }
-  previous[which] = now;
+  previous[which] = std::move(now);
+}
+
+/// In Peridigm a displacement changes by what the value changes in a step; where that is nothing, it becomes the value.
+void BoundaryConditions::Implementation::updateOffsets(std::size_t which, double t) {
+  const Condition& condition = conditions[which];
+  const std::vector<double> before = condition.evaluate(x(), appliedAt), now = condition.evaluate(x(), t);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k] == before[k]) offsets[which][k] = 0.0;
 }
 
 void BoundaryConditions::Implementation::setSources(const Condition& condition, double t) {
@@ -149,7 +171,9 @@ BoundaryConditions::BoundaryConditions(const Deck& deck, Model& model)
     self.findConflicts(deck.isPeridigmDeck());
   });
   self.scaleTractions();
+  self.addsIncrements = deck.isPeridigmDeck();
   self.previous.resize(self.conditions.size());
+  self.offsets.resize(self.conditions.size());
   self.displacementMask.assign(3 * self.nPoints(), 0);
   self.emptyMask.assign(self.nPoints(), 0);
   for (const Condition& condition : self.conditions) {
@@ -246,8 +270,11 @@ void BoundaryConditions::resume(double t) {
     if (condition.kind == ConditionKind::PrescribedDisplacement) {
       const double* displacement = self.model.field("Displacement");
       self.previous[c].resize(condition.points.size());
-      for (std::size_t k = 0; k < condition.points.size(); ++k)
+      self.offsets[c] = condition.evaluate(self.x(), t);
+      for (std::size_t k = 0; k < condition.points.size(); ++k) {
         self.previous[c][k] = displacement[3 * condition.points[k] + condition.component];
+        self.offsets[c][k] = self.previous[c][k] - self.offsets[c][k];
+      }
     }
     if (condition.kind != ConditionKind::SaturatedCrackFaces) continue;
     const double* isSource = self.model.field(sourceField(condition.field));

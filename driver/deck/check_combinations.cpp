@@ -147,7 +147,10 @@ class CombinationCheck {
     if (bottomLength == 0.0)
       mistakes_.add(place.place(), node.path() + ": the bottom vector has no length");
     else if (std::abs(dot(normal, bottom)) > 1.0e-6 * normalLength * bottomLength)
-      mistakes_.add(place.place(), node.path() + ": the bottom vector must be perpendicular to the normal");
+      (deck_.isPeridigmDeck() ? deck_.warnings() : mistakes_)
+          .add(place.place(),
+               node.path() + ": the bottom vector must be perpendicular to the normal" +
+                   (deck_.isPeridigmDeck() ? "; as in Peridigm its part within the plane is taken" : ""));
   }
 
   void box(const DeckNode& node) {
@@ -214,7 +217,8 @@ class CombinationCheck {
       if (!output->isGood) continue;
       const std::string file = output->list.get<std::string>("Output Filename");
       const auto [it, isNew] = files.emplace(file, node.path());
-      if (!isNew)
+      // Peridigm writes values for the whole body and fields into files of one name with different endings, as we do.
+      if (!isNew && !deck_.isPeridigmDeck())
         mistakes_.add(node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace(),
                       node.path() + ": \"" + file + "\" is the Output Filename of " + it->second +
                           " already; each writes a file of its own");

@@ -8,6 +8,7 @@
 #include "check_deck.hpp"
 #include "function.hpp"
 #include "peridigm_deck.hpp"
+#include "sections.hpp"
 
 namespace pd {
 
@@ -120,6 +121,9 @@ class PluginCheck {
       labels_.insert(name);
       if (entry["Output Label"].isScalar()) labels_.insert(entry["Output Label"].text());
     }
+    // Others may use their fields.
+    for (const std::string& name : computesWithoutSection(deck_))
+      if (isComplete_) ComputeRegistry::self().create(name, Teuchos::null, oneRank, noGlobalData);
     for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
       labels_.insert(compute->section.plugin);
       if (!isComplete_) continue;

@@ -37,6 +37,7 @@ const std::vector<ForeignKey> keysOfDiscretization{
 
 const std::vector<ForeignKey> keysOfMaterials{
     {"Apply Shear Correction Factor", nullptr, "Peridigm does not read it for these materials either"},
+    {"Hourglass Coefficient", nullptr, "Peridigm does not read it for these materials either"},
     {"Compute Partial Stress", "false", "the compute Bond_Stress gives stresses; remove this key"},
     {"Thermal Expansion Coefficient", "0",
      "thermal expansion is not modelled; remove it where no temperature changes"}};
@@ -97,6 +98,7 @@ class Translation {
     if (Data* conditions = section(root, "Boundary Conditions")) foreignKeys(*conditions, keysOfConditions);
     inEachEntry(root, "Materials", keysOfMaterials);
     inEachEntry(root, "Damage Models", keysOfDamageModels);
+    neighbourhoodsAsTheyAre(root);
   }
 
  private:
@@ -166,9 +168,21 @@ class Translation {
       }
   }
 
-  /// What a solver does in Peridigm where the deck does not say.
-  static void setDefault(const Data& solver, const std::string& name, const std::string& key, const char* value) {
-    Data* node = solver.entry(name);
+  /// Neighbourhoods of boxes and cylinders reach beyond the horizon, and everybody in them counts.
+  static void neighbourhoodsAsTheyAre(const Data& root) {
+    const Data* materials = section(root, "Materials");
+    if (materials == nullptr) return;
+    for (const auto& [name, node] : materials->entries) {
+      const Data* model = node->entry("Material Model");
+      for (const char* theirs : {"Elastic", "Elastic Bond Based", "Diffusion"})
+        if (model != nullptr && model->scalar == theirs)
+          setDefault(*materials, name, "Volume Correction", "Every Neighbor");
+    }
+  }
+
+  /// What an entry of `parent` is in Peridigm, where the deck does not say.
+  static void setDefault(const Data& parent, const std::string& name, const std::string& key, const char* value) {
+    Data* node = parent.entry(name);
     if (node == nullptr || (node->kind != Data::Kind::Map && node->kind != Data::Kind::Null) || node->entry(key))
       return;
     node->kind = Data::Kind::Map;

@@ -22,6 +22,10 @@ const ParameterDeclarations& outputDeclarations();
 const ParameterDeclarations& exactSolutionDeclarations();  ///< an entry of "Exact Solution"
 const ParameterDeclarations& solverDeclarations();         ///< what all solvers share: times, verbosity
 
+/// Names of computes without required parameters that an output or another compute names, and that have no entry in
+/// Compute Class Parameters. The deck need not have been checked.
+std::vector<std::string> computesWithoutSection(const Deck& deck);
+
 /// Checks the whole deck against these and the plug-ins' declarations: unknown keys, types, ranges, names that
 /// refer to something (materials of blocks, node sets of boundary conditions, fields of outputs), and what materials,
 /// damage models and solvers refuse when they are made. Adds every mistake to deck.mistakes() in the order of the

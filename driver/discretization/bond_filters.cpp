@@ -128,8 +128,11 @@ Vector directionOf(const DeckNode& node, const std::string& stem) {
 
 class FilterReader {
  public:
-  FilterReader(const MeshPoints& points, const NodeSets& nodeSets)
-      : points_(points), nodeSets_(nodeSets), tolerance_(geometricTolerance(boundingBox(points))) {}
+  FilterReader(const MeshPoints& points, const NodeSets& nodeSets, bool isPeridigmDeck)
+      : points_(points),
+        nodeSets_(nodeSets),
+        isPeridigmDeck_(isPeridigmDeck),
+        tolerance_(geometricTolerance(boundingBox(points))) {}
 
   std::unique_ptr<BondFilter> read(const DeckNode& node) const {
     const std::string type = required(node, "Type").text();
@@ -143,9 +146,14 @@ class FilterReader {
  private:
   std::unique_ptr<BondFilter> rectangle(const DeckNode& node) const {
     const Vector normal = directionOf(node, "Normal"), corner = vectorOf(node, "Lower_Left_Corner");
-    const Vector bottom = directionOf(node, "Bottom_Unit_Vector");
     const double bottomLength = positive(node, "Bottom_Length"), sideLength = positive(node, "Side_Length");
-    if (std::abs(dot(normal, bottom)) > 1e-6)
+    Vector bottom = directionOf(node, "Bottom_Unit_Vector");
+    if (isPeridigmDeck_) {
+      // Peridigm takes the vector as it is, of which the part within the plane counts.
+      bottom = vectorOf(node, "Bottom_Unit_Vector");
+      const double outOfPlane = dot(normal, bottom);
+      for (std::size_t k = 0; k < 3; ++k) bottom[k] -= outOfPlane * normal[k];
+    } else if (std::abs(dot(normal, bottom)) > 1e-6)
       throw DeckError(node["Bottom_Unit_Vector_X"].place() + ": " + node.path() +
                       ": Bottom_Unit_Vector must be perpendicular to Normal");
     const Vector side = cross(bottom, normal);
@@ -159,7 +167,8 @@ class FilterReader {
 
   std::unique_ptr<BondFilter> disk(const DeckNode& node) const {
     const Vector center = vectorOf(node, "Center"), normal = directionOf(node, "Normal");
-    const double reach = positive(node, "Radius") + tolerance_;
+    // Peridigm cuts what meets the inside of the disk, we its rim too.
+    const double reach = positive(node, "Radius") + (isPeridigmDeck_ ? -tolerance_ : tolerance_);
     return std::make_unique<PlaneFilter>(points_, center, normal, tolerance_, [=](const Vector& x) {
       const Vector distance = difference(x, center);
       return dot(distance, distance) <= reach * reach;
@@ -182,6 +191,7 @@ class FilterReader {
 
   const MeshPoints& points_;
   const NodeSets& nodeSets_;
+  bool isPeridigmDeck_;
   double tolerance_;
 };
 
@@ -189,7 +199,7 @@ class FilterReader {
 
 BondFilters::BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets) {
   const DeckNode section = deck["Discretization"];
-  const FilterReader reader(points, nodeSets);
+  const FilterReader reader(points, nodeSets, deck.isPeridigmDeck());
   for (const auto& item : section["Bond Filters"].entries()) {
     try {
       filters_.push_back({reader.read(item.second), item.second.flag("Count In Damage", false), item.second.keyPlace(),

@@ -104,19 +104,20 @@ std::string coincidingPoints(const MeshPoints& points, const Discretization& d) 
   return lines;
 }
 
-void reportLines(const std::string& lines, Mistakes& mistakes) {
+void addLines(const std::string& lines, Mistakes& mistakes) {
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = lines.find('\n', begin);
     mistakes.add("", lines.substr(begin, end - begin));
     begin = end + 1;
   }
-  mistakes.report();
 }
 
 /// Mistakes that show only in the neighbourhoods. The same on all ranks.
 void checkNeighborhoods(const MeshPoints& points, const BondFilters& filters, const Communicator& comm,
-                        const Discretization& d, Mistakes& mistakes) {
-  std::string lines = lonelyPoints(points, filters, d);
+                        const Discretization& d, const Deck& deck) {
+  const std::string lonely = lonelyPoints(points, filters, d);
+  if (deck.isPeridigmDeck()) addLines(comm.gather(lonely), deck.warnings());  // as there
+  std::string lines = deck.isPeridigmDeck() ? "" : lonely;
   const bool hasPoints = !d.horizon.empty();
   if (hasPoints && d.shortestBond <= closest * *std::max_element(d.horizon.begin(), d.horizon.end()))
     lines += coincidingPoints(points, d);
@@ -124,7 +125,8 @@ void checkNeighborhoods(const MeshPoints& points, const BondFilters& filters, co
     lines +=
         fmt::format("{}: rank {} has {} bonds, more than the 2.1e9 that fit; use more ranks or a smaller Horizon\n",
                     points.fileName, comm.rank(), d.nBonds());
-  reportLines(comm.gather(lines), mistakes);
+  addLines(comm.gather(lines), deck.mistakes());
+  deck.mistakes().report();
 }
 
 }  // namespace
@@ -160,7 +162,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   fillPoints(points, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);
-  checkNeighborhoods(points, filters, comm, d, mistakes);
+  checkNeighborhoods(points, filters, comm, d, deck);
   return d;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "plugins.hpp"
 
@@ -15,11 +16,6 @@ namespace {
 std::string withUnderscores(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
-}
-
-bool needsParameters(const ParameterDeclarations& declarations) {
-  return std::any_of(declarations.parameters().begin(), declarations.parameters().end(),
-                     [](const Parameter& parameter) { return parameter.isRequired; });
 }
 
 /// Calls `work`; a mistake that a plug-in finds is given the place in the deck.
@@ -36,11 +32,13 @@ void atPlace(const std::string& place, const Work& work) {
 
 }  // namespace
 
-ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm, const std::vector<std::string>& outputLabels)
+ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm)
     : nodeSets_(Teuchos::rcp(new PeridigmNS::Discretization::NodeSets)),
       discretization_(Teuchos::rcp(new PeridigmNS::Discretization(nodeSets_))),
       globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
   globalData_->set("discretization", &discretization_);
+  // First those that others may take fields from.
+  for (const std::string& name : computesWithoutSection(deck)) add(name, DeckNode(), comm);
   Mistakes mistakes;
   for (const auto& [name, node] : deck["Compute Class Parameters"].entries()) {
     try {
@@ -50,12 +48,6 @@ ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm, const std::ve
     }
   }
   mistakes.report();
-  for (const std::string& label : outputLabels) {
-    const std::string className = withUnderscores(label);
-    const auto* plugin = ComputeRegistry::self().find(className);
-    if (plugin != nullptr && !hasClass(className) && !needsParameters(plugin->declare()))
-      add(className, DeckNode(), comm);
-  }
 }
 
 void ComputeSet::add(const std::string& className, const DeckNode& node, const Communicator& comm) {

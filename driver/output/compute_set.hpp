@@ -15,9 +15,9 @@ namespace pd {
 
 class ComputeSet {
  public:
-  /// One compute for each entry of `Compute Class Parameters`, and, as Peridigm does, one with default parameters for
-  /// each of `outputLabels` that names a compute class, unless an entry names that class. Throws DeckError.
-  ComputeSet(const Deck& deck, const Communicator& comm, const std::vector<std::string>& outputLabels);
+  /// One compute with default parameters for each of computesWithoutSection(), as Peridigm does, and one for each entry
+  /// of `Compute Class Parameters`. Throws DeckError.
+  ComputeSet(const Deck& deck, const Communicator& comm);
 
   std::vector<int> fieldIds() const;
   /// Hands the node sets to the computes and initialises them. Throws DeckError. Collective.

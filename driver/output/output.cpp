@@ -143,7 +143,7 @@ std::vector<int> Output::fieldIds() {
   std::vector<std::string> labels;
   for (const OutputSection& section : self.sections)
     for (const OutputVariable& variable : section.variables) labels.push_back(variable.label);
-  self.computes = std::make_unique<ComputeSet>(self.deck, self.comm, labels);
+  self.computes = std::make_unique<ComputeSet>(self.deck, self.comm);
   std::vector<int> ids = self.computes->fieldIds();
   for (const std::string& label : labels)
     if (const int id = driverField(label); id >= 0) ids.push_back(id);

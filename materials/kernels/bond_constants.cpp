@@ -25,6 +25,7 @@ double relativeMoment(const Influence& influence, double horizon, int power) {
 /// Calls visit(x, y, z, r, share of the cell) for every neighbour on an ideal lattice.
 template <class Visit>
 void forLattice(int dimension, double horizon, double spacing, VolumeCorrection rule, Visit visit) {
+  if (rule == VolumeCorrection::EveryNeighbor) rule = VolumeCorrection::None;  // a lattice has points everywhere
   const int reach = static_cast<int>(std::ceil(horizon / spacing)) + 1;
   const int reachY = dimension > 1 ? reach : 0, reachZ = dimension > 2 ? reach : 0;
   for (int k = -reachZ; k <= reachZ; ++k)
@@ -74,6 +75,7 @@ double horizonVolume(double horizon, const Section& section) {
 double volumeShare(VolumeCorrection rule, double distance, double horizon, double spacing) {
   // Lattice points at exactly the horizon are in, whatever the round-off of their coordinates.
   const bool isInside = distance <= horizon * (1.0 + 1e-10);
+  if (rule == VolumeCorrection::EveryNeighbor) return 1.0;
   if (rule == VolumeCorrection::None) return isInside ? 1.0 : 0.0;
   if (rule == VolumeCorrection::RampToHorizon && !isInside) return 0.0;
   return std::clamp((horizon + 0.5 * spacing - distance) / spacing, 0.0, 1.0);

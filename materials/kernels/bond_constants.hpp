@@ -29,6 +29,7 @@ double horizonVolume(double horizon, const Section& section);
 /// Which part of a neighbour's cell counts.
 enum class VolumeCorrection {
   None,              ///< all of it up to the horizon
+  EveryNeighbor,     ///< all of it, however far: the neighbourhoods say who is one
   RampToHorizon,     ///< linear from horizon - dx/2 on, nothing beyond the horizon (Madenci & Oterkus 2014)
   RampBeyondHorizon  ///< linear between horizon - dx/2 and horizon + dx/2 (Hu, Ha & Bobaru 2010)
 };
