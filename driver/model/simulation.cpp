@@ -119,7 +119,9 @@ class Run {
   /// From the initial state, or from `restart` (fields already filled).
   void execute(const Checkpoint* restart) {
     const auto first = restart == nullptr ? std::size_t(0) : static_cast<std::size_t>(restart->solverState.at(0));
-    for (std::size_t s = first; s < stages_.size(); ++s) {
+    for (std::size_t s = 0; s < stages_.size(); ++s) {
+      if (s > 0) simulation_.output.startSolver();
+      if (s < first) continue;
       Stage& stage = stages_[s];
       int nSteps = 0, done = 0;
       orAbortUnlessShared([&] {

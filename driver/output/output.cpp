@@ -199,6 +199,10 @@ void Output::checkpoint(Model& model, int step, double time, const std::vector<d
   }
 }
 
+void Output::startSolver() {
+  for (OutputFiles& files : implementation_->files) files.startSolver();
+}
+
 void Output::log(const std::string& line) { implementation_->line(line); }
 
 void Output::progress(int step, int nSteps, double time, const std::string& what) {

@@ -24,6 +24,9 @@ class Output {
   std::vector<int> fieldIds();
   void initialize(Model& model);
 
+  /// Tells that another solver goes on: its first state counts as an output in decks of Peridigm.
+  void startSolver();
+
   /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything. Where the
   /// first call is not for step 0, the files of the restarted run are continued from that step on.
   void write(Model& model, int step, int nSteps, double time, bool isLast);

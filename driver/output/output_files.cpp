@@ -25,6 +25,10 @@ bool OutputFiles::hasColumn(const std::string& label) const {
   return std::find(columns_.begin(), columns_.end(), label) != columns_.end();
 }
 
+void OutputFiles::startSolver() {
+  for (Part& part : parts_) part.section.startSolver();
+}
+
 bool OutputFiles::areFieldsDue(int step, bool isLast) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
     return !part.labels.point.empty() && part.section.areFieldsDue(step, isLast);

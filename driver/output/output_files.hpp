@@ -29,6 +29,8 @@ class OutputFiles {
   void addColumn(const std::string& label);
   bool hasColumn(const std::string& label) const;
 
+  /// Tells that another solver goes on, whose first state counts in decks of Peridigm.
+  void startSolver();
   bool areFieldsDue(int step, bool isLast) const;
   bool isHistoryDue(int step, bool isLast) const;
   bool isCheckpointDue(int step, bool isLast) const;

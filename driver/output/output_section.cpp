@@ -38,6 +38,7 @@ OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
       isPeridigmDeck ? node.integer("Initial Output Step", 1) - 1 : node.integer("Initial Output Step", 0);
   section.lastStep = node.integer("Final Output Step", std::numeric_limits<int>::max());
   section.historyFrequency = node.integer("History Frequency", isPeridigmDeck ? section.frequency : 1);
+  section.countsStarts = isPeridigmDeck;
   section.checkpointFrequency = node.integer("Checkpoint Frequency", -1);
   section.variables = readVariables(node["Output Variables"]);
   return section;
@@ -48,13 +49,13 @@ OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
 bool OutputSection::isInRange(int step) const { return step >= firstStep && step <= lastStep; }
 
 bool OutputSection::areFieldsDue(int step, bool isLast) const {
-  if (!writesFields() || !isInRange(step)) return false;
-  return isLast || isMultiple(step, frequency) || steps.count(step) != 0;
+  if (!writesFields() || !isInRange(step + nStarts)) return false;
+  return isLast || isMultiple(step + nStarts, frequency) || steps.count(step) != 0;
 }
 
 bool OutputSection::isHistoryDue(int step, bool isLast) const {
-  if (historyFrequency <= 0 || !isInRange(step)) return false;
-  return isLast || isMultiple(step, historyFrequency);
+  if (historyFrequency <= 0 || !isInRange(step + nStarts)) return false;
+  return isLast || isMultiple(step + nStarts, historyFrequency);
 }
 
 bool OutputSection::isCheckpointDue(int step, bool isLast) const {

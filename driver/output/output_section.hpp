@@ -23,11 +23,15 @@ struct OutputSection {
   int lastStep = 0;          ///< or after
   int historyFrequency = 1;  ///< of values for the whole body; -1: none
   int checkpointFrequency = -1;
+  bool countsStarts = false;  ///< the initial state of each solver is an output of its own, as in Peridigm
+  int nStarts = 0;            ///< of solvers after the first so far, where they count
   std::vector<OutputVariable> variables;
 
   bool writesFields() const { return frequency > 0 || !steps.empty(); }
   bool areFieldsDue(int step, bool isLast) const;
   bool isHistoryDue(int step, bool isLast) const;
+  /// Tells that another solver goes on.
+  void startSolver() { nStarts += countsStarts ? 1 : 0; }
   bool isCheckpointDue(int step, bool isLast) const;
 
  private:
@@ -36,8 +40,9 @@ struct OutputSection {
 
 /// All sections whose name contains "Output", as in Peridigm, in the order of the deck. The deck has been checked.
 ///
-/// Peridigm counts the initial state as output 1, so its `Initial Output Step` n is our step n - 1, and it writes
-/// values for the whole body as often as fields; both hold for decks with the root key `Peridigm`.
+/// Peridigm counts the initial state as output 1, so its `Initial Output Step` n is our step n - 1, counts the state
+/// from which each further solver starts again, and writes values for the whole body as often as fields; all this holds
+/// for decks of Peridigm.
 std::vector<OutputSection> readOutputSections(const Deck& deck);
 
 /// Path of the files of the first section without their endings; where the deck has no section, the name of the deck.
