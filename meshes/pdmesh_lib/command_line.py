@@ -147,7 +147,8 @@ def _convert(options):
                         "small: mesh more evenly")
     if result.stretch > 2:
         warnings.append(f"elements are stretched (edges up to {result.longest_edge:.4g} m): points lie farther apart "
-                        f"along them than their volumes tell, 3 spacings need a horizon of {3 * result.longest_edge:.4g} m")
+                        f"along them than their volumes tell, 3 spacings need a horizon of "
+                        f"{3 * result.longest_edge:.4g} m")
     if mesh.dimension == 2 and options.thickness is None:
         warnings.append("no --thickness given: the volumes are those of a plate 1 m thick")
     _finish(options, points, facts, warnings,

@@ -32,8 +32,8 @@ def blocks_and_groups(file_name, raw, dimension, chosen=None):
     if chosen is not None:
         unknown = [name for name in chosen if name not in [group.name for group in solid]]
         if unknown:
-            raise MeshError(f"{file_name}: --blocks: no group {', '.join(unknown)} of {dimension}D elements (there are: "
-                            f"{', '.join(group.name for group in solid) or 'none'})")
+            raise MeshError(f"{file_name}: --blocks: no group {', '.join(unknown)} of {dimension}D elements (there "
+                            f"are: {', '.join(group.name for group in solid) or 'none'})")
         rest = [group for group in solid if group.name not in chosen]
         blocks = [group for group in solid if group.name in chosen]
     else:
@@ -51,10 +51,11 @@ def _parts(raw, group):
 
 
 def _assign(file_name, raw, dimensions, dimension, candidates):
-    """Smallest groups first, so that one that holds others comes after them."""
+    """Smallest groups first, so that one that holds others comes after them; of equal ones the later first: the sets
+    that a user of Abaqus has named stand after those of *ELEMENT."""
     owner = [np.full(len(connectivity), -1) for _, connectivity in raw.parts]
     blocks, filled = [], []
-    by_size = sorted(range(len(candidates)), key=lambda i: (sum(map(len, candidates[i].members.values())), i))
+    by_size = sorted(range(len(candidates)), key=lambda i: (sum(map(len, candidates[i].members.values())), -i))
     for index in by_size:
         members = {part: m for part, m in candidates[index].members.items() if dimensions[part] == dimension}
         taken = np.concatenate([owner[part][m] for part, m in members.items()])

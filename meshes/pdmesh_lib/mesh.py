@@ -7,6 +7,7 @@ from .elements import ELEMENTS, LINEAR
 from .errors import MeshError
 from .groups import blocks_and_groups
 from .raw import corner_keys, middles_off
+from .reader_abaqus import read_abaqus
 from .reader_exodus import ENDINGS as EXODUS_ENDINGS
 from .reader_exodus import read_exodus
 from .reader_gmsh import read_msh2, read_msh4, version_of
@@ -37,6 +38,7 @@ def read_mesh(file_name, block_field=None, blocks=None):
         raise MeshError(f"{file_name}: only points, no elements; a list of points needs no conversion but a volume "
                         "for each (`pdmesh grid` makes lattices)")
     numbers, names, groups, notes = blocks_and_groups(file_name, raw, dimension, blocks)
+    notes = raw.notes + notes
     cells = [(kind, connectivity, number) for (kind, connectivity), number in zip(raw.parts, numbers)
              if ELEMENTS[kind].dimension == dimension and len(connectivity)]
     _check_node_order(file_name, nodes, cells)
@@ -51,6 +53,8 @@ def _read_raw(file_name, block_field):
                         f"`gmsh -3 {file_name}` (solid) writes {file_name[:-4]}.msh")
     if file_name.endswith(EXODUS_ENDINGS) and not block_field:
         return read_exodus(file_name)
+    if file_name.endswith(".inp"):
+        return read_abaqus(file_name)
     version, is_text = version_of(file_name)
     if version and not block_field:
         if version >= 4:
@@ -90,5 +94,5 @@ def _check_repeated(file_name, cells):
         keys = corner_keys(kind, connectivity)
         count += len(keys) - len(np.unique(keys))
     if count:
-        raise MeshError(f"{file_name}: {count} elements appear twice; their volume would count twice: remove the copies "
-                        "(Gmsh: Coherence Mesh)")
+        raise MeshError(f"{file_name}: {count} elements appear twice; their volume would count twice: remove the "
+                        "copies (Gmsh: Coherence Mesh)")

@@ -25,6 +25,7 @@ class RawMesh:
     def __init__(self, nodes, parts, groups=(), node_sets=None):
         self.nodes, self.parts, self.groups = nodes, list(parts), list(groups)
         self.node_sets = node_sets or {}
+        self.notes = []  # what was left out, for the report
 
 
 def known_part(file_name, kind, connectivity):
@@ -49,8 +50,8 @@ def corner_keys(kind, connectivity):
 
 
 def middles_off(kind, nodes, connectivity):
-    """How far the middle nodes of second order elements lie from where their corners have them, in sizes of the element;
-    curved edges give a tenth, a wrong order of nodes a half."""
+    """How far the middle nodes of second order elements lie from where their corners have them, in sizes of the
+    element; curved edges give a tenth, a wrong order of nodes a half."""
     element, linear = ELEMENTS[kind], ELEMENTS[LINEAR[kind]]
     weights = linear.monomials(element.nodes) @ np.linalg.inv(linear.monomials(linear.nodes))
     sample = connectivity[:1000]
@@ -90,5 +91,5 @@ def default_name(dimension, number):
 def _refuse_twice_in_one_group(file_name, place, tag):
     pairs = np.unique(np.column_stack([place, tag]), axis=0)
     if len(pairs) < len(place):
-        raise MeshError(f"{file_name}: {len(place) - len(pairs)} elements appear twice in one group; their volume would "
-                        "count twice: remove them (Gmsh: Coherence Mesh)")
+        raise MeshError(f"{file_name}: {len(place) - len(pairs)} elements appear twice in one group; their volume "
+                        "would count twice: remove them (Gmsh: Coherence Mesh)")

@@ -4,6 +4,7 @@ meshio's reader gives neither numbers nor side sets, and takes the nodes of seco
 Format: Schoof & Yarberry, EXODUS II: A Finite Element Data Model, SAND92-2137 (node orders and sides of elements).
 """
 import re
+import warnings
 
 import numpy as np
 
@@ -34,7 +35,9 @@ _SIDE_KINDS = {2: "line", 3: "triangle", 4: "quad"}
 
 def read_exodus(file_name):
     try:
-        import netCDF4
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of another numpy at its build
+            import netCDF4
     except ImportError:
         raise MeshError(f"{file_name}: Exodus files need the Python module netCDF4 (Debian: apt install "
                         "python3-netcdf4)") from None
@@ -114,8 +117,8 @@ class _Reader:
         if shape == "QUAD" and n_nodes in (3, 6):  # shells with three sides
             shape = "TRI"
         if (shape, n_nodes) not in _KINDS:
-            raise MeshError(f"{self.file_name}: elements {text} with {n_nodes} nodes are not supported; mesh with first or "
-                            "second order triangles, quads, tetrahedra, wedges, pyramids or hexahedra")
+            raise MeshError(f"{self.file_name}: elements {text} with {n_nodes} nodes are not supported; mesh with "
+                            "first or second order triangles, quads, tetrahedra, wedges, pyramids or hexahedra")
         return shape, _KINDS[shape, n_nodes]
 
     def _sides(self, number):

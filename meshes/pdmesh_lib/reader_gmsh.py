@@ -1,7 +1,7 @@
 """Reads .msh files: format 4 by Gmsh's own library, format 2.2 in bulk.
 
-meshio reads both too, but refuses a format 4 file with elements outside all physical groups, loses a name that groups of
-two dimensions share, and takes one line of format 2.2 at a time. Gmsh's library in turn knows physical groups by
+meshio reads both too, but refuses a format 4 file with elements outside all physical groups, loses a name that groups
+of two dimensions share, and takes one line of format 2.2 at a time. Gmsh's library in turn knows physical groups by
 entity, while a line of format 2.2 may name any group.
 """
 import re
@@ -88,8 +88,8 @@ def _from_model(file_name, model):
 
 def _part(file_name, kind, connectivity):
     if kind not in _TYPES:
-        raise MeshError(f"{file_name}: elements of Gmsh's type {kind} are not supported; mesh with first or second order "
-                        "elements (Mesh.ElementOrder = 1 or 2)")
+        raise MeshError(f"{file_name}: elements of Gmsh's type {kind} are not supported; mesh with first or second "
+                        "order elements (Mesh.ElementOrder = 1 or 2)")
     name = _TYPES[kind][0]
     if name in _ORDERS:
         connectivity = connectivity[:, _ORDERS[name]]
@@ -108,8 +108,8 @@ def read_msh2(file_name):
     table = _numbers(file_name, "Nodes", sections, float)
     n_nodes = int(table[0])
     if n_nodes < 1 or len(table) != 1 + 4 * n_nodes:
-        raise MeshError(f"{file_name}: $Nodes announces {n_nodes} nodes, but holds {(len(table) - 1) / 4:g}; the file is "
-                        "not whole")
+        raise MeshError(f"{file_name}: $Nodes announces {n_nodes} nodes, but holds {(len(table) - 1) / 4:g}; the file "
+                        "is not whole")
     table = table[1:].reshape(-1, 4)
     tags = table[:, 0].astype(np.int64)
     place = np.full(int(tags.max()) + 1, -1, dtype=np.int64)
@@ -158,8 +158,8 @@ def _elements(file_name, numbers, place):
         width = 3 + n_tags + _TYPES[kind][1]
         rows = _run(numbers[at:at + (n_elements - done) * width], width, kind, n_tags)
         if not len(rows):
-            raise MeshError(f"{file_name}: $Elements announces {n_elements} elements, but holds {done}; the file is not "
-                            "whole")
+            raise MeshError(f"{file_name}: $Elements announces {n_elements} elements, but holds {done}; the file is "
+                            "not whole")
         nodes = rows[:, 3 + n_tags:]
         if nodes.min() < 0 or nodes.max() >= len(place) or (place[nodes] < 0).any():
             raise MeshError(f"{file_name}: elements name nodes that are not there")

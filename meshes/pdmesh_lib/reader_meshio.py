@@ -20,7 +20,8 @@ def read_by_meshio(file_name, block_field=None):
         raise MeshError(f"{file_name}: no element data `{block_field}` (there are: "
                         f"{', '.join(raw.cell_data) or 'none'})")
     if field:
-        names = {(int(tag[1]), int(tag[0])): name for name, tag in raw.field_data.items() if len(np.atleast_1d(tag)) == 2}
+        names = {(int(tag[1]), int(tag[0])): name
+                 for name, tag in raw.field_data.items() if len(np.atleast_1d(tag)) == 2}
         parts, groups = groups_of_tags(file_name, parts, raw.cell_data[field], names)
     else:
         groups = [_group(name, members) for name, members in (raw.cell_sets or {}).items()]

@@ -47,8 +47,8 @@ def _write_gif(frames, file_name, frames_per_second):
 
 def _write_mp4(frames, file_name, frames_per_second):
     # yuv420p, which every player knows, takes even numbers of pixels.
-    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", str(frames_per_second), "-i", "-",
-               "-vf", "scale=trunc(iw/2)*2:trunc(ih/2)*2", "-pix_fmt", "yuv420p", str(file_name)]
+    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", str(frames_per_second), "-i",
+               "-", "-vf", "scale=trunc(iw/2)*2:trunc(ih/2)*2", "-pix_fmt", "yuv420p", str(file_name)]
     run = subprocess.run(command, input=b"".join(frame.getvalue() for frame in frames), stderr=subprocess.PIPE)
     if run.returncode:
         raise PlotError(f"{file_name}: ffmpeg failed: {run.stderr.decode(errors='replace').strip()}")

@@ -48,8 +48,8 @@ class View:
 
 
 def auto_scale(results, steps):
-    """Factor that makes the largest displacement (but for a hundredth of the points, which may fly off) a twentieth of the
-    size of the body."""
+    """Factor that makes the largest displacement (but for a hundredth of the points, which may fly off) a twentieth of
+    the size of the body."""
     largest = max(np.quantile(np.abs(results.field("Displacement", step)).max(axis=1), 0.99) for step in steps)
     size = np.ptp(results.x, axis=0).max()
     return 0.05 * size / largest if largest > 0 else 0.0

@@ -5,7 +5,7 @@ from scipy.spatial import cKDTree
 
 
 class Raster:
-    """Pixels over the points `x` [n, 2]. spacing: of the points (m), one number or [n]. `extent` for matplotlib's imshow,
+    """Pixels over the points `x` [n, 2]. spacing: of the points (m), one number or [n]. `extent` for imshow,
     `columns` and `rows` for its contour."""
 
     # A cell's corner is 0.71 spacings from a square's centre, 0.88 from an equilateral triangle's.

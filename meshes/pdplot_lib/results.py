@@ -75,7 +75,8 @@ class Results:
 
 def _spacing_by_edge(x, edges):
     n_points, dimension = x.shape
-    count = {1: 4, 2: 20, 3: 32}[dimension]  # full shells of a lattice, so that half the way to the next is a fair radius
+    # Full shells of a lattice, so that half the way to the next is a fair radius.
+    count = {1: 4, 2: 20, 3: 32}[dimension]
     if n_points <= count + 1:
         extent = np.ptp(x, axis=0).max()
         return (extent / max(1.0, n_points ** (1 / dimension) - 1) if extent > 0 else 1.0) / edges.mean()

@@ -120,7 +120,8 @@ class PdplotTest(unittest.TestCase):
         write_run(self.folder / "again", "plate", self.x, [0, 7], lambda step: {"Damage": self.x[:, 1]})
         for arguments in (["plate", "again/plate"], ["plate", "again/plate", "--step", "0"],
                           ["plate", "--step", "0,5,10,0,5,10,0"], ["plate", "--step", "all", "--deformed"],
-                          ["plate", "--step", "all", "--crack"], ["plate", "--field", "Displacement", "--component", "y"],
+                          ["plate", "--step", "all", "--crack"],
+                          ["plate", "--field", "Displacement", "--component", "y"],
                           ["plate", "--deformed"], ["plate", "--deformed", "3"], ["plate", "other"], ["bar"],
                           ["solid", "--slice", "x=2"], ["plate", "--history"],
                           ["plate.h5", "--history", "Crack_Length", "--against", "step"],
@@ -137,8 +138,8 @@ class PdplotTest(unittest.TestCase):
         if shutil.which("ffmpeg") is None:
             self.skipTest("no ffmpeg")
         self.pdplot("plate", "--animate", "a.mp4")
-        count = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames", "-of",
-                                "csv=p=0", "a.mp4"], cwd=self.folder, text=True, stdout=subprocess.PIPE, check=True)
+        count = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames",
+                                "-of", "csv=p=0", "a.mp4"], cwd=self.folder, text=True, capture_output=True, check=True)
         self.assertEqual(int(count.stdout), 3)
 
     def test_without_options_a_field_that_is_the_same_everywhere_is_passed_over(self):
@@ -162,7 +163,8 @@ class PdplotTest(unittest.TestCase):
         self.assertAlmostEqual(Results(self.folder / "ring").spacing(), 0.1, delta=0.012)
 
     def test_a_history_is_found_in_any_case_and_by_vector(self):
-        (self.folder / "plate.csv").write_text("step,time,Top_ReactionX,Top_ReactionY,Top_ReactionZ\n0,0,0,0,0\n5,1,2,3,0\n")
+        (self.folder / "plate.csv").write_text("step,time,Top_ReactionX,Top_ReactionY,Top_ReactionZ\n0,0,0,0,0\n"
+                                               "5,1,2,3,0\n")
         history = read_history(self.folder / "plate")
         figure = history_panels([("plate", history)], ["top_reaction"])
         self.assertEqual([axis.get_ylabel() for axis in figure.axes if axis.lines],

@@ -9,7 +9,6 @@ import unittest
 from pathlib import Path
 
 import h5py
-import numpy as np
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
