@@ -21,7 +21,7 @@ _EPILOG = """sample runs
   pdmesh convert part.inp part.txt --at nodes --scale 1e-3
       points at the nodes of an Abaqus mesh in millimetres
   pdmesh grid box --size 0.2 0.1 --spacing 0.001 --thickness 0.004 --node-set "top: y > 0.097" -o plate.txt
-  pdmesh grid disc --radius 0.05 --spacing 0.001 --notch 0 0 0.03 0 0.001 -o disc.txt
+  pdmesh grid disc --radius 0.05 --spacing 0.001 --notch 0 0 0.05 0 0.004 --horizon 0.003015 -o disc.txt
   pdmesh grid tube --radius 0.02 --inner-radius 0.01 --length 0.1 --spacing 0.001 -o tube.txt
   pdmesh info plate.txt top.txt bottom.txt --horizon 0.005
   pdmesh export plate.txt plate.vtu
@@ -120,6 +120,9 @@ def _add_grid(commands):
     command.add_argument("--jitter", type=float, default=0.0, metavar="A",
                          help="move points by up to A spacings at random, A < 0.5; volumes stay")
     command.add_argument("--seed", type=int, default=1, help="of the jitter")
+    command.add_argument("--turn", type=float, default=0.0, metavar="DEGREES",
+                         help="turn the finished lattice about z through the origin; rows of points then favour other "
+                              "directions. Expressions see it before")
     command.add_argument("--fit-volume", action="store_true", help="round shapes: scale volumes to the exact sum")
     _add_common(command)
     command.set_defaults(run=_grid)
@@ -178,7 +181,7 @@ def _grid(options):
             options.radius, options.inner_radius or 0.0, options.length if is_long else None,
             _spacings(options.spacing, dimension), origin, measure)
     whole = points.volume.sum()
-    points = _cut(points, options)
+    points, warnings = _cut(points, options)
     facts = ["spacing " + " x ".join(f"{step:.6g}" for step in steps) + " m"]
     if exact is not None:
         facts.append(f"lattice volume of the whole shape {whole:.8g} m3, exact {exact:.8g} m3 "
@@ -195,21 +198,31 @@ def _grid(options):
     if options.jitter:
         lattice.jitter(points, steps, options.jitter, options.seed)
         facts.append(f"jittered by {options.jitter:g} spacings, seed {options.seed}")
+    if options.turn:
+        if points.dimension == 1:
+            raise MeshError("--turn is for plane and solid lattices")
+        lattice.turn(points, origin, options.turn)
     points.node_sets = sets
-    _finish(options, points, facts, [], f"lattice: {options.shape}", from_grid=True)
+    _finish(options, points, facts, warnings, f"lattice: {options.shape}", from_grid=True)
 
 
 def _cut(points, options):
-    gone = np.zeros(len(points), bool)
-    for hole in options.hole:
-        gone |= lattice.in_hole(points.x, hole)
-    for notch in options.notch:
-        gone |= lattice.in_notch(points.x, notch)
-    for wedge in options.wedge:
-        gone |= lattice.in_wedge(points.x, wedge)
-    for expression in options.remove:
-        gone[select(expression, variables_of(points))] = True
-    return lattice.keep(points, ~gone)
+    """(what is left of the points, warnings)"""
+    cuts = [(f"hole {_words(hole)}", lattice.in_hole(points.x, hole)) for hole in options.hole]
+    cuts += [(f"notch {_words(notch)}", lattice.in_notch(points.x, notch)) for notch in options.notch]
+    cuts += [(f"wedge {_words(wedge)}", lattice.in_wedge(points.x, wedge)) for wedge in options.wedge]
+    cuts += [(f"remove `{text}`", np.isin(np.arange(len(points)), select(text, variables_of(points))))
+             for text in options.remove]
+    warnings = [f"--{name} removes no point: it lies between them, or beside the body" for name, gone in cuts
+                if not gone.any()]
+    warnings += [f"--notch {_words(notch)} is narrower than the horizon: bonds span it; widen it, or cut them by a bond "
+                 "filter in the deck" for notch in options.notch if options.horizon and notch[4] < options.horizon]
+    gone = np.any([gone for _, gone in cuts], axis=0) if cuts else np.zeros(len(points), bool)
+    return lattice.keep(points, ~gone), warnings
+
+
+def _words(numbers):
+    return " ".join(f"{number:g}" for number in numbers)
 
 
 def _finish(options, points, facts, warnings, heading, from_grid=False):

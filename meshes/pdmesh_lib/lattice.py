@@ -70,6 +70,13 @@ def in_wedge(x, wedge):
     return np.abs((heading + np.pi) % (2 * np.pi) - np.pi) < np.radians(angle) / 2
 
 
+def turn(points, centre, degrees):
+    """Turns the points about the z axis through `centre`, anticlockwise."""
+    cosine, sine = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    x, y = points.x[:, 0] - centre[0], points.x[:, 1] - centre[1]
+    points.x[:, 0], points.x[:, 1] = centre[0] + cosine * x - sine * y, centre[1] + sine * x + cosine * y
+
+
 def jitter(points, steps, amplitude, seed):
     """Moves each point by a uniform random share (at most `amplitude`) of the spacing in each direction of the mesh."""
     if not 0 <= amplitude < 0.5:

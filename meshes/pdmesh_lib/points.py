@@ -139,6 +139,7 @@ def report(points, horizon=None):
     for number in np.unique(points.block):
         mask = points.block == number
         name = points.block_names.get(number)
+        name = None if name == f"block_{number}" else name
         facts.append(f"block_{number}{f' ({name})' if name else ''}: {mask.sum()} points, "
                      f"{points.volume[mask].sum():.6g} m3")
     for name, indices in points.node_sets.items():

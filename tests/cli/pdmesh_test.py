@@ -222,6 +222,24 @@ class Lattices(PdmeshCase):
         self.assertIn("fitting horizon 0.1508 m", output)
         self.assertIn("shorter than 3 spacings", errors)
 
+    def test_cuts_that_do_nothing_and_notches_that_bonds_span_are_warned_of(self):
+        arguments = ["grid", "box", "--size", 1, 1, "--spacing", 0.1, "-o", "a.txt", "--horizon", 0.301]
+        errors = self.pdmesh(*arguments, "--notch", 0, 0.5, 0.5, 0.5, 0.05, "--hole", 3, 3, 1)[1]
+        self.assertIn("--notch 0 0.5 0.5 0.5 0.05 removes no point", errors)
+        self.assertIn("--notch 0 0.5 0.5 0.5 0.05 is narrower than the horizon", errors)
+        self.assertIn("--hole 3 3 1 removes no point", errors)
+        self.assertEqual(self.pdmesh(*arguments, "--notch", 0, 0.5, 0.5, 0.5, 0.4)[1], "")
+
+    def test_a_turned_lattice_is_the_same_body_elsewhere(self):
+        common = ["box", "--size", 2, 1, "--spacing", 0.1, "--origin", 1, 1, "--node-set", "right: x > 2.9"]
+        still = self.grid(*common)
+        chosen = np.loadtxt(self.folder / "right.txt", comments="#")
+        turned = self.grid(*common, "--turn", 90)
+        np.testing.assert_array_equal(np.loadtxt(self.folder / "right.txt", comments="#"), chosen)
+        np.testing.assert_array_equal(turned.volume, still.volume)
+        x, y = still.x[:, 0] - 1, still.x[:, 1] - 1
+        np.testing.assert_allclose(turned.x, np.column_stack([1 - y, 1 + x, 0 * x]), atol=1e-14)
+
     def test_jitter_is_bounded_and_repeats_with_its_seed(self):
         still = self.grid("box", "--size", 1, 1, "--spacing", 0.1)
         moved = self.grid("box", "--size", 1, 1, "--spacing", 0.1, "--jitter", 0.3, "--seed", 5)
