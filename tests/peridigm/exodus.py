@@ -1,4 +1,4 @@
-"""What Peridigm writes: Exodus files, one a rank, in one of NetCDF's formats."""
+"""What Peridigm writes and reads: Exodus files, one a rank, in one of NetCDF's formats."""
 import glob
 
 import numpy as np
@@ -23,6 +23,38 @@ def _names(variables, kind):
     """Labels of the variables of this kind ("nod", "elem", "glo")."""
     rows = variables.get(f"name_{kind}_var", [])
     return [b"".join(row).split(b"\0")[0].decode().strip() for row in rows]
+
+
+def write_mesh(path, nodes, blocks, node_sets):
+    """`blocks`: (id, name, element type, [m, k] nodes from 0); `node_sets`: id -> nodes from 0. Names may be empty."""
+    with netcdf_file(path, "w", version=2) as file:
+        def put(name, dimensions, values, kind):
+            for dimension, size in zip(dimensions, np.shape(values)):
+                if dimension not in file.dimensions:
+                    file.createDimension(dimension, size)
+            variable = file.createVariable(name, kind, dimensions)
+            variable[:] = values
+            return variable
+
+        file.api_version, file.version = np.float32(4.98), np.float32(4.98)
+        file.floating_point_word_size, file.file_size, file.title = np.int32(8), np.int32(1), "mesh"
+        for name, size in (("time_step", None), ("len_string", 33), ("len_name", 33), ("len_line", 81), ("num_dim", 3), ("four", 4),
+                           ("num_elem", sum(len(block[3]) for block in blocks))):
+            file.createDimension(name, size)
+        file.createVariable("time_whole", "d", ("time_step",))
+        for d, axis in enumerate("xyz"):
+            put("coord" + axis, ("num_nodes",), nodes[:, d], "d")
+        put("eb_status", ("num_el_blk",), np.ones(len(blocks)), "i")
+        put("eb_prop1", ("num_el_blk",), [block[0] for block in blocks], "i").name = "ID"
+        characters = np.array([list(block[1].ljust(33, "\0")) for block in blocks], "S1")
+        put("eb_names", ("num_el_blk", "len_name"), characters, "c")
+        for number, (_, _, kind, elements) in enumerate(blocks, 1):
+            put(f"connect{number}", (f"num_el_in_blk{number}", f"num_nod_per_el{number}"), elements + 1,
+                "i").elem_type = kind
+        put("ns_status", ("num_node_sets",), np.ones(len(node_sets)), "i")
+        put("ns_prop1", ("num_node_sets",), list(node_sets), "i").name = "ID"
+        for number, members in enumerate(node_sets.values(), 1):
+            put(f"node_ns{number}", (f"num_nod_ns{number}",), members + 1, "i")
 
 
 class ExodusSeries:

@@ -15,6 +15,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
+import exodus  # noqa: E402
 from exodus import ExodusResult  # noqa: E402
 from scene import Result, SceneTest, lattice, pdrun_path, yaml  # noqa: E402
 
@@ -60,10 +61,10 @@ class InPeridigm(SceneTest):
         self.assertEqual(process.returncode, 0, process.stdout[-3000:] + process.stderr[-3000:])
         return process
 
-    def compare(self, deck, tolerance, fields, histories=(), pdrun_deck=None):
+    def compare(self, deck, tolerance, fields, histories=(), pdrun_deck=None, all_ranks=(1, 2)):
         """Decks write "result"; `pdrun_deck` where pdrun has another name for a solver of the same equations. Returns
         the fields."""
-        for ranks in (1, 2):
+        for ranks in all_ranks:
             self.run_program(PERIDIGM, deck, ranks)
             theirs = ExodusResult(self.path("result"))
             ours = Result(self.folder, "result", self.run_program(pdrun_path(), pdrun_deck or deck, ranks))
@@ -113,6 +114,31 @@ class Mechanics(InPeridigm):
     def test_two_blocks(self):
         corrected = {**STEEL, "Surface Correction": "Volume Method"}
         self.fly([corrected, {**corrected, "Young's Modulus": 50e9, "Density": 3000.0}], boundary=6.2e-3)
+
+    def test_exodus_mesh(self):
+        """Distorted hexahedra, and tetrahedra cut out of others. (On two ranks Peridigm wants the file in parts.)"""
+        n = np.array([10, 6, 5])
+        grid = np.stack(np.meshgrid(*[np.arange(k + 1) for k in n], indexing="ij"), axis=-1)
+        nodes = grid.reshape(-1, 3) * SPACING
+        nodes += np.random.default_rng(3).uniform(-0.15, 0.15, nodes.shape) * SPACING
+        number = np.arange(len(nodes)).reshape(n + 1)
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+        hexahedra = np.stack([number[i:n[0] + i, j:n[1] + j, k:n[2] + k].ravel() for i, j, k in corners], axis=1)
+        isCut = np.arange(len(hexahedra)) >= 6 * n[1] * n[2]
+        # Six tetrahedra around the diagonal from corner 0 to corner 6.
+        around = [1, 2, 3, 7, 4, 5, 1]
+        tetrahedra = np.concatenate([hexahedra[isCut][:, [0, a, b, 6]] for a, b in zip(around, around[1:])])
+        exodus.write_mesh(self.path("mesh.g"), nodes,
+                          [(1, "", "HEX8", hexahedra[~isCut]), (20, "Tets_20", "TETRA", tetrahedra)],
+                          {4: number[0].ravel(), 9: number[-1].ravel()})
+        conditions = {name: {"Type": "Initial Velocity", "Node Set": node_set, "Coordinate": axis, "Value": value}
+                      for name, node_set, axis, value in (("Left", "nodelist_4", "x", "-5.0"),
+                                                          ("Right", "nodelist_9", "z", "10.0 + 1000.0*y"))}
+        fields = ["Displacement", "Volume", "Number_Of_Neighbors"]
+        deck = self.deck([STEEL, STEEL], conditions, {"Final Time": 1.005e-6, "Verlet": {"Fixed dt": 1e-8}}, fields, 100)
+        for old, new in (("Text File", "Exodus"), ("mesh.txt", "mesh.g"), ("block_2", "Tets_20")):
+            deck = deck.replace(old, new)
+        self.compare(deck, 1e-10, fields, all_ranks=(1,))
 
     def test_quasi_static(self):
         conditions = self.block()
