@@ -3,7 +3,7 @@ import numpy as np
 
 from .figures import plt
 from .results import PlotError
-from .units import history_unit, with_unit
+from .units import history_unit, time_unit, with_unit
 
 
 def history_panels(runs, columns=None, against=None):
@@ -14,8 +14,8 @@ def history_panels(runs, columns=None, against=None):
         columns = [name for wanted in columns for name in _found(first, wanted)]
     else:
         columns = [name for name in first if name not in ("step", "time", against)]
-        # What is zero all along, as a reaction across the plane, says nothing.
-        columns = [name for name in columns if any(np.any(run.get(name, 0.0)) for _, run in runs)] or columns
+        # What is the same all along, as a reaction across the plane, says nothing.
+        columns = [name for name in columns if any(np.ptp(run.get(name, 0.0)) > 0 for _, run in runs)] or columns
     if not columns:
         raise PlotError("the history has no columns; name computes for the whole body under Output Variables")
     across = 1 if len(columns) == 1 else 2
@@ -24,11 +24,13 @@ def history_panels(runs, columns=None, against=None):
                                 constrained_layout=True)
     for axis in axes.ravel()[len(columns):]:
         axis.axis("off")
+    seconds, unit = time_unit(max(np.max(run["time"]) for _, run in runs if "time" in run)) if against == "time" else (
+        1.0, history_unit(against))
     for axis, column in zip(axes.ravel(), columns):
         for label, history in runs:
             if column in history and against in history:
-                axis.plot(history[against], history[column], label=label, linewidth=1.2)
-        axis.set_xlabel("time (s)" if against == "time" else with_unit(against, history_unit(against)))
+                axis.plot(history[against] / seconds, history[column], label=label, linewidth=1.2)
+        axis.set_xlabel(with_unit(against, unit))
         axis.set_ylabel(with_unit(column, history_unit(column)))
         axis.grid(alpha=0.3)
         if len(runs) > 1:

@@ -8,9 +8,6 @@ class Raster:
     """Pixels over the points `x` [n, 2]. spacing: of the points (m), one number or [n]. `extent` for imshow,
     `columns` and `rows` for its contour."""
 
-    # A cell's corner is 0.71 spacings from a square's centre, 0.88 from an equilateral triangle's.
-    REACH = 0.9
-
     def __init__(self, x, spacing, pixels=1400, window=None):
         spacing = np.broadcast_to(spacing, len(x))
         mean = float(spacing.mean())
@@ -22,11 +19,13 @@ class Raster:
         self.extent = [low[0], high[0], low[1], high[1]]
         self.columns, self.rows = columns, rows
         grid = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 2)
-        distance, index = cKDTree(x, balanced_tree=False, compact_nodes=False).query(
-            grid, distance_upper_bound=1.5 * float(spacing.max()))
+        tree = cKDTree(x, balanced_tree=False, compact_nodes=False)
+        distance, index = tree.query(grid, distance_upper_bound=1.5 * float(spacing.max()))
         found = np.isfinite(distance)
-        near = found & (distance < self.REACH * spacing[np.where(found, index, 0)])
-        near = _without_specks(near.reshape(len(rows), len(columns)), (mean * counts[0] / size[0]) ** 2)
+        index = np.where(found, index, 0)
+        # Cells are squares; what irregular or displaced ones leave open between them is closed below.
+        near = found & (np.abs(grid - x[index]).max(axis=1) < 0.55 * spacing[index])
+        near = _closed(near.reshape(len(rows), len(columns)), 0.45 * mean * counts[0] / size[0])
         self._index = np.where(near & found.reshape(near.shape), index.reshape(near.shape), -1)
 
     def image(self, values):
@@ -34,11 +33,12 @@ class Raster:
         return np.ma.masked_where(self._index < 0, values[self._index])
 
 
-def _without_specks(near, cell):
-    """Fills what is empty and smaller than two cells (in pixels): corners that irregular cells have farther out."""
-    labels, count = ndimage.label(~near)
-    if count == 0:
+def _closed(near, radius):
+    """Fills gaps up to twice the radius (pixels) wide; straight edges stay where they are."""
+    if near.all():
         return near
-    small = np.bincount(labels.ravel()) < 2 * cell
-    small[0] = False
-    return near | small[labels]
+    margin = int(radius) + 2  # what lies outside the picture is empty, too
+    padded = np.pad(near, margin)
+    grown = ndimage.distance_transform_edt(~padded) <= radius
+    closed = ndimage.distance_transform_edt(grown) > radius
+    return near | closed[margin:-margin, margin:-margin]

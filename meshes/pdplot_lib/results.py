@@ -75,17 +75,21 @@ class Results:
 
 def _spacing_by_edge(x, edges):
     n_points, dimension = x.shape
-    # Full shells of a lattice, so that half the way to the next is a fair radius.
-    count = {1: 4, 2: 20, 3: 32}[dimension]
+    # Full shells of a lattice; the ball reaches half the way to the next shell. `exact` makes lattices come out right.
+    count, shells = {1: (4, (2, 3)), 2: (20, (5 ** 0.5, 8 ** 0.5)), 3: (32, (2, 5 ** 0.5))}[dimension]
+    exact = (_ball(sum(shells) / 2, dimension) / (count + 1)) ** (1 / dimension)
     if n_points <= count + 1:
         extent = np.ptp(x, axis=0).max()
         return (extent / max(1.0, n_points ** (1 / dimension) - 1) if extent > 0 else 1.0) / edges.mean()
     sample = np.random.default_rng(0).choice(n_points, min(n_points, 2000), replace=False)
     distances = cKDTree(x, balanced_tree=False, compact_nodes=False).query(x[sample], k=count + 2)[0]
     radius = distances[:, -2:].mean(axis=1)
-    ball = {1: 2 * radius, 2: np.pi * radius ** 2, 3: 4 / 3 * np.pi * radius ** 3}[dimension]
     # Near a boundary the ball is partly empty: the fifth that is fullest lies inside.
-    return np.quantile((ball / (count + 1)) ** (1 / dimension) / edges[sample], 0.2)
+    return np.quantile((_ball(radius, dimension) / (count + 1)) ** (1 / dimension) / exact / edges[sample], 0.2)
+
+
+def _ball(radius, dimension):
+    return {1: 2 * radius, 2: np.pi * radius ** 2, 3: 4 / 3 * np.pi * radius ** 3}[dimension]
 
 
 def find_results(name=None):

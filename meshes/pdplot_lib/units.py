@@ -28,12 +28,17 @@ def scaled(limit, unit):
 
 def time_text(seconds, longest=None):
     """A time in the unit that people use for its size, or for that of `longest`, so that all of a run have one."""
-    size = seconds if longest is None else longest
+    length, name = time_unit(seconds if longest is None else longest)
+    return f"{seconds / length:.4g} {name}"
+
+
+def time_unit(longest):
+    """(seconds in it, name) of the unit that people use for a time of this size."""
     for value, length, name in ((2 * 86400, 86400, "d"), (2 * 3600, 3600, "h"), (1, 1, "s"), (1e-3, 1e-3, "ms"),
                                 (1e-6, 1e-6, "µs"), (1e-9, 1e-9, "ns")):
-        if size >= value:
-            return f"{seconds / length:.4g} {name}"
-    return f"{seconds:.3g} s"
+        if longest >= value:
+            return length, name
+    return 1.0, "s"
 
 
 def history_unit(column):

@@ -13,6 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 from PIL import Image
+from scipy import ndimage
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 sys.dont_write_bytecode = True
@@ -100,6 +101,21 @@ class PdplotTest(unittest.TestCase):
             self.assertEqual(image[row, column], nearest)
         self.assertTrue(image.mask[100, 100])
         np.testing.assert_allclose(raster.extent, [0, 10, 0, 10], atol=1e-12)
+
+    def test_pixels_fill_the_area_of_the_points_and_no_more(self):
+        # A slot of 4 spacings and a hole: the picture's share is that of the points' area. In rows shifted by half a
+        # spacing, with points moved at random by up to 0.2 spacings, corners lie farther from the points: no speck is
+        # left open.
+        for shift, jitter, tolerance in ((0.0, 0.0, 0.002), (0.5, 0.2, 0.02)):
+            x = lattice(60, 40, 1.0)[:, :2]
+            x[:, 0] += shift * (np.floor(x[:, 1]) % 2)
+            x += np.random.default_rng(3).uniform(-jitter, jitter, x.shape)
+            slot = (x[:, 0] < 20) & (np.abs(x[:, 1] - 20) < 2)
+            kept = x[~slot & (np.hypot(x[:, 0] - 40, x[:, 1] - 20) > 8)]
+            image = Raster(kept, 1.0, pixels=600, window=np.array([[0, 0], [60, 40]])).image(np.ones(len(kept)))
+            self.assertAlmostEqual(1 - image.mask.mean(), len(kept) / 2400, delta=tolerance)
+            inside = image.mask[20:-20, 20:-20]
+            self.assertEqual(ndimage.label(inside)[1], 2)
 
     def test_without_options_the_damage_of_the_newest_run_is_drawn(self):
         self.assertEqual(self.pdplot()[0], ["plate_Damage.png"])
