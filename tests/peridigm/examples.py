@@ -363,9 +363,11 @@ def check_deck(deck, arguments, table):
         if arguments.peridigm:
             os.mkdir(theirs_in)
             copy_of_folder(deck, theirs_in)
-            their_code, _ = run([arguments.peridigm, os.path.basename(deck)], theirs_in, arguments.timeout)
+            # Of a deck that is refused here only the first seconds matter.
+            their_code, _ = run([arguments.peridigm, os.path.basename(deck)], theirs_in,
+                                arguments.timeout if code == 0 else 5.0)
         if code != 0:
-            theirs = f"; Peridigm exits with {their_code} too" if their_code else ""
+            theirs = f"; Peridigm exits with {their_code} too" if their_code not in (None, 0, 124) else ""
             table.row(name, "-", "", "", f"exit {code}: {reason_of(output, os.path.basename(deck))}{theirs}")
             return set()
         outputs = values_of(text, "Output Filename")

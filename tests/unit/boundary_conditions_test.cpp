@@ -164,7 +164,46 @@ TEST_F(BoundaryConditionsTest, ConflictingPrescriptionsNameBothConditions) {
   Model model = modelOf(peridigm);
   BoundaryConditions last(peridigm, model);
   last.applyPrescribed(2.0);
+  last.applyPrescribed(3.0);
   EXPECT_DOUBLE_EQ(model.field("Displacement")[3 * 1], 1.0);
+}
+
+/// Peridigm adds to the displacement what the value changes in a step; where that is nothing, the value itself holds.
+TEST_F(BoundaryConditionsTest, PeridigmsDisplacementsGoByIncrements) {
+  const char* const conditions =
+      "  Shift: {Type: Initial Displacement, Node Set: Left Node Set, Value: 0.25}\n"
+      "  Ramp: {Type: Prescribed Displacement, Node Set: Left Node Set, Value: \"if(t < 5){value=t;}else{value=5;}\"}\n"
+      "  Hold: {Type: Prescribed Displacement, Node Set: Right Node Set, Value: 0.5}\n";
+  const Deck deck = deckWith(conditions, true);
+  Model model = modelOf(deck);
+  BoundaryConditions applied(deck, model);
+  const double *ramp = model.field("Displacement"), *hold = model.field("Displacement") + 3 * 5;
+  applied.applyInitial();
+  applied.applyPrescribed(2.0);
+  EXPECT_DOUBLE_EQ(ramp[0], 0.25);
+  EXPECT_DOUBLE_EQ(hold[0], 0.0);
+  applied.applyPrescribed(2.0);  // the same time again changes nothing
+  EXPECT_DOUBLE_EQ(ramp[0], 0.25);
+  applied.applyPrescribed(4.0);
+  EXPECT_DOUBLE_EQ(ramp[0], 0.25 + 2.0);
+  EXPECT_DOUBLE_EQ(hold[0], 0.5);
+  applied.applyPrescribed(5.0);
+  EXPECT_DOUBLE_EQ(ramp[0], 0.25 + 3.0);
+
+  // A restart finds the displacements and goes on in the same way.
+  BoundaryConditions resumed(deck, model);
+  resumed.resume(4.5);
+  resumed.applyPrescribed(5.0);
+  EXPECT_DOUBLE_EQ(ramp[0], 0.25 + 3.5);
+  resumed.applyPrescribed(6.0);
+  EXPECT_DOUBLE_EQ(ramp[0], 5.0);
+
+  const Deck own = deckWith(conditions);
+  Model ours = modelOf(own);
+  BoundaryConditions plain(own, ours);
+  plain.applyInitial();
+  plain.applyPrescribed(2.0);
+  EXPECT_DOUBLE_EQ(ours.field("Displacement")[0], 2.0);
 }
 
 TEST_F(BoundaryConditionsTest, OverlapIsNoConflictWhereValuesOrComponentsAgree) {
