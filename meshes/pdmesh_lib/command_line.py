@@ -215,8 +215,8 @@ def _cut(points, options):
              for text in options.remove]
     warnings = [f"--{name} removes no point: it lies between them, or beside the body" for name, gone in cuts
                 if not gone.any()]
-    warnings += [f"--notch {_words(notch)} is narrower than the horizon: bonds span it; widen it, or cut them by a bond "
-                 "filter in the deck" for notch in options.notch if options.horizon and notch[4] < options.horizon]
+    warnings += [f"--notch {_words(notch)} is narrower than the horizon: bonds span it; widen it, or cut them by a "
+                 "bond filter in the deck" for notch in options.notch if options.horizon and notch[4] < options.horizon]
     gone = np.any([gone for _, gone in cuts], axis=0) if cuts else np.zeros(len(points), bool)
     return lattice.keep(points, ~gone), warnings
 

@@ -1,5 +1,6 @@
 """The command line of pdplot."""
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -109,7 +110,17 @@ def _view(options, results, figures):
     field = options.field or _most_telling(results, fields)
     if field is None:
         raise PlotError(f"{results.path}: no fields in the last step")
+    field = next((name for name in fields if name.lower() == field.lower()), field)
     component = None if options.component is None else "xyz".index(options.component)
+    if component is not None and results.field(field, results.steps[-1]).ndim == 1:
+        raise PlotError(f"--component {options.component}: {field} is one number a point, not a vector")
+    if options.slice and results.dimension < 3:
+        raise PlotError(f"--slice {options.slice}: {results.path} is no solid; all its points are shown")
+    if options.range and not options.range[0] < options.range[1]:
+        raise PlotError(f"--range {options.range[0]:g} {options.range[1]:g}: expected the lower end first")
+    if options.map and options.map not in figures.plt.colormaps():
+        raise PlotError(f"--map {options.map}: no such map; even in lightness are viridis, cividis, inferno, "
+                        "magma, plasma")
     return figures.View(field, component, crack=options.crack, slice=_slice(options.slice), limits=options.range,
                         map=options.map, unit=options.unit, factor=options.factor)
 
@@ -142,6 +153,9 @@ def _slice(text):
 
 def _number(text):
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
         raise PlotError(f"`{text}` is not a number") from None
+    if not math.isfinite(number):
+        raise PlotError(f"`{text}` is not a finite number")
+    return number
