@@ -1,6 +1,4 @@
 // Nonlocal diffusion of the temperature under Peridigm's name, with its constants.
-#include <stdexcept>
-
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Material.hpp"
 #include "nonlocal_diffusion.hpp"
@@ -23,8 +21,10 @@ class DiffusionMaterial : public PeridigmNS::Material {
         .required();
     declare
         .flag("Use Improved Quadrature",
-              "Only false: quadrature weights fitted to each neighbourhood are not there, volumes are used.")
-        .defaultTo(false);
+              "Weights fitted to each neighbourhood in place of volumes: quadratic fields have their exact Laplacian "
+              "everywhere, at faces and on irregular meshes too; fluxes are no longer balanced.")
+        .defaultTo(false)
+        .from("Trask, You, Yu & Parks, CMAME 343 (2019) 151");
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
@@ -64,12 +64,6 @@ class DiffusionMaterial : public PeridigmNS::Material {
     ParameterDeclarations own, shared;
     declareParameters(own);
     const Teuchos::ParameterList params = own.complete(given, owner);
-    if (params.get<bool>("Use Improved Quadrature"))
-      throw std::invalid_argument(
-          owner +
-          ": \"Use Improved Quadrature: true\" is not available; leave it out (on a uniform lattice linear profiles "
-          "are "
-          "exact without it), or use PDHE with \"Diffusion Kernel: Inverse\" and \"Lattice Rescaling: true\"");
     BondFamily::declareParameters(shared);
     NonlocalDiffusion::declareParameters(shared);
     Teuchos::ParameterList list;
@@ -79,7 +73,9 @@ class DiffusionMaterial : public PeridigmNS::Material {
     list.set<std::string>("Diffusing Field", "Temperature");
     list.set("Volume Correction", params.get<std::string>("Volume Correction"));
     list = shared.complete(list, owner);
-    return NonlocalDiffusion(list, BondFamily(list, owner), owner, NonlocalDiffusion::Interface::OwnConstants);
+    return NonlocalDiffusion(list, BondFamily(list, owner), owner, NonlocalDiffusion::Interface::OwnConstants,
+                             params.get<bool>("Use Improved Quadrature") ? NonlocalDiffusion::Quadrature::Fitted
+                                                                         : NonlocalDiffusion::Quadrature::Volumes);
   }
 
   NonlocalDiffusion diffusion_;

@@ -1,9 +1,11 @@
 #include "nonlocal_diffusion.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "field_names.hpp"
+#include "meshfree_quadrature.hpp"
 
 namespace pd {
 
@@ -26,8 +28,12 @@ void NonlocalDiffusion::declareParameters(ParameterDeclarations& declare) {
 }
 
 NonlocalDiffusion::NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family,
-                                     const std::string& owner, Interface interface)
-    : owner_(owner), family_(family), interface_(interface), diffusivity_(params.get<double>("Diffusivity")) {
+                                     const std::string& owner, Interface interface, Quadrature quadrature)
+    : owner_(owner),
+      family_(family),
+      interface_(interface),
+      quadrature_(quadrature),
+      diffusivity_(params.get<double>("Diffusivity")) {
   const std::string kernel = params.get<std::string>("Diffusion Kernel");
   if (kernel == "Inverse") kernel_ = kernels::DiffusionKernel::Inverse;
   if (kernel == "Constant") kernel_ = kernels::DiffusionKernel::Constant;
@@ -62,6 +68,36 @@ double NonlocalDiffusion::weight(const ReferenceBond& bond, double volume, doubl
          family_.share(bond.length, volume, neighborVolume);
 }
 
+std::vector<double> NonlocalDiffusion::fittedWeights(const Call& call, const double* x) const {
+  std::vector<double> all, xi;
+  if (quadrature_ == Quadrature::Volumes) return all;
+  std::size_t at = 0;
+  for (int p = 0; p < call.nOwned; ++p) {
+    const int point = call.ownedIds[p], count = call.neighborhoodList[at++];
+    xi.clear();
+    for (int k = 0; k < count; ++k) {
+      const ReferenceBond bond(x, point, call.neighborhoodList[at++]);
+      xi.insert(xi.end(), bond.xi.begin(), bond.xi.end());
+    }
+    const std::vector<double> own = kernels::meshfreeWeights(xi, family_.horizon, kernel_);
+    if (own.empty())
+      throw std::invalid_argument(
+          owner_ + ": the " + std::to_string(count) + " neighbours of the point at (" + std::to_string(x[3 * point]) +
+          ", " + std::to_string(x[3 * point + 1]) + ", " + std::to_string(x[3 * point + 2]) +
+          ") m cannot integrate quadratic fields, as the improved quadrature asks for; choose a larger Horizon, or "
+          "leave \"Use Improved Quadrature\" out");
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+double NonlocalDiffusion::rateConstant(const double* x, const double* volume, int i, int j,
+                                       const std::vector<double>& fitted, std::size_t bond) const {
+  const ReferenceBond geometry(x, i, j);
+  if (fitted.empty()) return weight(geometry, volume[i], volume[j]) * volume[j];
+  return microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) * fitted[bond];
+}
+
 DamageViews NonlocalDiffusion::cuts(DataManager& dataManager) const {
   return stopsAtBrokenBonds_ ? damageViews(dataManager, bondDamageId_, damageId_) : DamageViews();
 }
@@ -87,9 +123,9 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
   Cache& cache = caches_.of(call, x, [&](const Call& c) {
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
-    made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
-      const double part = isShared(blockId, i, j) ? 0.5 : 1.0;
-      values[0] = part * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[j];
+    const std::vector<double> fitted = fittedWeights(c, x);
+    made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
+      values[0] = (isShared(blockId, i, j) ? 0.5 : 1.0) * rateConstant(x, volume, i, j, fitted, bond);
     });
     if (interface_ == Interface::Balanced) made.interfaceBonds = findInterfaceBonds(c, blockId);
     if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
@@ -113,11 +149,11 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
+  const std::vector<double> fitted = fittedWeights(call, x);
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
     const bool isInterface = isShared(blockId, i, j);
-    const double w =
-        (isInterface ? 0.5 : 1.0) * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * volume[j];
+    const double w = (isInterface ? 0.5 : 1.0) * rateConstant(x, volume, i, j, fitted, bond) * volume[i];
     const int row = perPoint * map.GID(i) + offset, column = perPoint * map.GID(j) + offset;
     jacobian.addValue(row, row, -w);
     jacobian.addValue(row, column, w);

@@ -21,10 +21,13 @@ class NonlocalDiffusion {
  public:
   /// Between blocks of different constants: the mean of both to both ends, or to each end what its own block says.
   enum class Interface { Balanced, OwnConstants };
+  /// What the flux of a bond is multiplied with: the (share of the) volume of the neighbour, or weights fitted to each
+  /// neighbourhood (kernels/meshfree_quadrature.hpp), whose fluxes are not balanced.
+  enum class Quadrature { Volumes, Fitted };
 
   static void declareParameters(ParameterDeclarations& declare);
   NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner,
-                    Interface interface = Interface::Balanced);
+                    Interface interface = Interface::Balanced, Quadrature quadrature = Quadrature::Volumes);
 
   std::vector<int> fieldIds() const;
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
@@ -44,6 +47,11 @@ class NonlocalDiffusion {
 
   /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
   double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  /// [bonds] Fitted weights, m3; empty where volumes are taken. Throws std::invalid_argument.
+  std::vector<double> fittedWeights(const Call& call, const double* x) const;
+  /// Rate constant of a bond, 1/s, as if all of it were the point's own. `fitted`: of fittedWeights().
+  double rateConstant(const double* x, const double* volume, int i, int j, const std::vector<double>& fitted,
+                      std::size_t bond) const;
   bool isShared(const double* blockId, int i, int j) const {
     return interface_ == Interface::Balanced && blockId[i] != blockId[j];
   }
@@ -56,6 +64,7 @@ class NonlocalDiffusion {
   std::string owner_;
   BondFamily family_;
   Interface interface_;
+  Quadrature quadrature_;
   kernels::DiffusionKernel kernel_ = kernels::DiffusionKernel::InverseSquare;
   double diffusivity_ = 0.0, microDiffusivity_ = 0.0;
   bool stopsAtBrokenBonds_ = false;

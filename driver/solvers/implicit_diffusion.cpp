@@ -186,7 +186,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
     const double target = std::max({relativeTolerance_ * balance.held, absoluteTolerance_, roundOff});
     const double relative = balance.free / std::max(balance.held, std::numeric_limits<double>::min());
     if (balance.free <= target) {
-      if (balance.held > 0.0) largestResidual_ = std::max(largestResidual_, relative);
+      if (balance.free > roundOff) largestResidual_ = std::max(largestResidual_, relative);
       break;
     }
     if (iteration == maximumIterations_ || !std::isfinite(balance.free))
@@ -214,7 +214,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
 std::vector<std::string> ImplicitDiffusion::summary() const {
   return {fmt::format(
       "ImplicitDiffusion of {}: {} load steps, {} linear solves ({}{}), {} iterations, {} matrices; largest residual "
-      "relative to what flows into prescribed points {:.3g}",
+      "above rounding, relative to what flows into prescribed points {:.3g}",
       field_, nLoadSteps_, nSolves_, linear_.method, linear_.method == "Direct" ? "" : ", " + linear_.preconditioner,
       nLinearIterations_, nMatrices_, largestResidual_)};
 }

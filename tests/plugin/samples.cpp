@@ -74,6 +74,8 @@ std::vector<Sample> materialSamples() {
   Teuchos::ParameterList diffusion;
   diffusion.set("Coefficient", 3.0);
   samples.push_back({"DiffusionOfPeridigm", "Diffusion", 3, diffusion});
+  samples.push_back({"DiffusionByFittedWeights", "Diffusion", 3, with(diffusion, "Use Improved Quadrature", true)});
+  samples.back().conserves = false;
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;

@@ -21,6 +21,7 @@ struct Sample {
   // What a material claims beyond what all must keep.
   bool isObjective = true;  ///< forces turn with the body
   bool conservesAngularMomentum = true;
+  bool conserves = true;  ///< forces or fluxes add up to zero
 };
 
 std::vector<Sample> materialSamples();

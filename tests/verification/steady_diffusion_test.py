@@ -71,6 +71,18 @@ class Diffusion(SceneTest):
         self.assertAlmostEqual(np.log2(errors[0] / errors[1]), 2.0, delta=0.1, msg=errors)
         self.assertLess(errors[1], 0.05)
 
+    def test_fitted_weights_know_quadratic_fields_anywhere(self):
+        # On an irregular mesh, faces, edges and corners included. The temperature is held: only its flux is looked at.
+        points = lattice([0.1, 0.08, 0.07], 0.01)
+        points += np.random.default_rng(2).uniform(-0.2, 0.2, points.shape) * 0.01
+        self.write_mesh(points, 0.01**3)
+        deck = self.deck(RATIO * 0.01, "x > -1000", "5 + x - 3*y + 100*(x^2 + 2*y^2 - z^2) + 50*x*y - 20*y*z")
+        deck["Materials"]["Solid"]["Use Improved Quadrature"] = True
+        flux = self.solve(deck).field("Flux_Divergence")
+        np.testing.assert_allclose(flux, COEFFICIENT * 100 * (2 + 4 - 2), rtol=1e-9)
+        deck["Materials"]["Solid"]["Use Improved Quadrature"] = False
+        self.assertGreater(np.max(np.abs(self.solve(deck).field("Flux_Divergence") / COEFFICIENT - 400)), 400)
+
 
 if __name__ == "__main__":
     unittest.main()
