@@ -1,4 +1,7 @@
 """What the tests of pdmesh share: drawings for Gmsh, and how the programs are called."""
+import contextlib
+import io
+import os
 import subprocess
 import sys
 import tempfile
@@ -8,6 +11,11 @@ from pathlib import Path
 import numpy as np
 
 PDMESH = Path(__file__).resolve().parents[2] / "meshes" / "pdmesh"
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(PDMESH.parent))
+
+from pdmesh_lib.command_line import main  # noqa: E402
+
 # Volumes are sums of at most 1e5 products in double precision: 1e-12 leaves four digits for round-off.
 TOLERANCE = 1e-12
 
@@ -72,10 +80,16 @@ class PdmeshCase(unittest.TestCase):
         return self.folder / name
 
     def pdmesh(self, *arguments, expect=0):
-        run = subprocess.run([sys.executable, str(PDMESH), *map(str, arguments)], cwd=self.folder, text=True,
-                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.assertEqual(run.returncode, expect, run.stdout + run.stderr)
-        return run.stdout, run.stderr
+        """Output and errors of the program, run within this process: starting it a hundred times takes long."""
+        output, errors, before = io.StringIO(), io.StringIO(), os.getcwd()
+        os.chdir(self.folder)
+        try:
+            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+                code = main([str(argument) for argument in arguments])
+        finally:
+            os.chdir(before)
+        self.assertEqual(code, expect, output.getvalue() + errors.getvalue())
+        return output.getvalue(), errors.getvalue()
 
     def convert(self, mesh, *arguments):
         self.pdmesh("convert", mesh, "points.txt", *arguments)

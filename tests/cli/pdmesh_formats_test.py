@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Tests of meshes/pdmesh: formats, blocks and node sets from groups, reports and refusals."""
 import re
+import subprocess
 import unittest
 
 import meshio
 import numpy as np
-from pdmesh_case import BALL, BENT, BOX, SQUARE, TOLERANCE, PdmeshCase
+from pdmesh_case import BALL, BENT, BOX, PDMESH, SQUARE, TOLERANCE, PdmeshCase
 
 
 class Groups(PdmeshCase):
@@ -205,6 +206,12 @@ class Groups(PdmeshCase):
 
 
 class Refusals(PdmeshCase):
+    def test_the_program_starts(self):
+        for arguments, code, text in ((["--help"], 0, "sample runs"), (["info", "none.txt"], 2, "pdmesh: none.txt")):
+            run = subprocess.run([str(PDMESH), *arguments], cwd=self.folder, text=True, capture_output=True)
+            self.assertEqual(run.returncode, code)
+            self.assertIn(text, run.stdout + run.stderr)
+
     def cut_short(self, name, length):
         (self.folder / f"short_{name}").write_text((self.folder / name).read_text()[:length])
         return f"short_{name}"
