@@ -6,13 +6,8 @@ source "$here/../scene.sh"
 
 # Three lattices, turned by 0, 30 and 60 degrees and jittered, so that rows of points favour no direction.
 for mesh in 1 2 3; do
-  "$pdmesh" grid disc --radius 0.02 --spacing 0.00025 --jitter 0.2 --seed "$mesh" --thickness 0.004 --quiet \
-    -o "$results/lattice.txt"
-  awk -v turn="$((30 * mesh - 30))" '
-    BEGIN { c = cos(turn * atan2(0, -1) / 180); s = sin(turn * atan2(0, -1) / 180) }
-    /^#/ { print; next }
-    { printf "%.9f %.9f 0 %s %s\n", c * $1 - s * $2, s * $1 + c * $2, $4, $5 }' \
-    "$results/lattice.txt" >"$here/disc_$mesh.txt"
+  "$pdmesh" grid disc --radius 0.02 --spacing 0.00025 --jitter 0.2 --seed "$mesh" --turn "$((30 * mesh - 30))" \
+    --thickness 0.004 --quiet -o "$here/disc_$mesh.txt"
 done
 
 cd "$results"
