@@ -51,7 +51,7 @@ class CombinationCheck {
     const std::vector<std::string> names{"One", "Parabolic Decay", "Gaussian"};
     if (std::find(names.begin(), names.end(), node.text()) != names.end()) return;
     try {
-      influenceFunction(node.text(), node.place());
+      influenceFunction(node.text(), node.place(), node.isPeridigms());
     } catch (const DeckError& error) {
       if (const std::string meant = didYouMean(node.text(), names); !meant.empty())
         mistakes_.add(node.place(), "unknown influence function \"" + node.text() + "\"" + meant +

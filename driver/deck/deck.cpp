@@ -80,6 +80,12 @@ void DeckNode::Data::setPath(const std::string& newPath) {
   for (std::size_t i = 0; i < items.size(); ++i) items[i]->setPath(path + "[" + std::to_string(i + 1) + "]");
 }
 
+void DeckNode::Data::setPeridigms() {
+  isPeridigms = true;
+  for (auto& entry : entries) entry.second->setPeridigms();
+  for (auto& item : items) item->setPeridigms();
+}
+
 namespace {
 
 /// `"abc"`, "a list", ... as a user would call the value in a message.
@@ -114,6 +120,7 @@ bool DeckNode::isMap() const { return data_ && (data_->kind == Kind::Map || data
 bool DeckNode::isSequence() const { return data_ && data_->kind == Kind::Sequence; }
 bool DeckNode::isScalar() const { return data_ && data_->kind == Kind::Scalar; }
 bool DeckNode::isQuoted() const { return data_ && data_->isQuoted; }
+bool DeckNode::isPeridigms() const { return data_ && data_->isPeridigms; }
 std::string DeckNode::xmlType() const { return data_ ? data_->xmlType : ""; }
 
 DeckNode DeckNode::operator[](const std::string& key) const {

@@ -28,6 +28,8 @@ class DeckNode {
   /// The type that XML gives a scalar: "int", "double", "bool" or "string"; empty in YAML.
   std::string xmlType() const;
 
+  bool isPeridigms() const;  ///< of a deck of Peridigm
+
   /// The entry of a map; a node that does not exist where there is none.
   DeckNode operator[](const std::string& key) const;
   /// Entries of a map in the order of the file: (key, value).

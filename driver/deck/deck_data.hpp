@@ -23,6 +23,7 @@ struct DeckNode::Data {
   int line = 0, column = 0;                   ///< from 1; 0 where they are not known (overrides; columns in XML)
   int keyLine = 0, keyColumn = 0;
   std::string path;
+  bool isPeridigms = false;        ///< of a deck of Peridigm
   mutable bool isIgnored = false;  ///< an unknown key that its user was warned of; DeckNode does not show it
   std::vector<std::pair<std::string, std::shared_ptr<Data>>> entries;
   std::vector<std::shared_ptr<Data>> items;
@@ -32,6 +33,8 @@ struct DeckNode::Data {
   std::shared_ptr<Data> deepCopy() const;
   /// Sets the paths of this value and of everything below it.
   void setPath(const std::string& newPath);
+  /// Marks this value and everything below it as Peridigm's.
+  void setPeridigms();
 };
 
 /// The tree of a YAML text. `source` names it in messages; with `hasLines` they add line and column. Throws DeckError

@@ -29,12 +29,19 @@ struct Function::Implementation {
   }
 };
 
-Function::Function(const std::string& text, const std::string& place) {
+namespace {
+
+MinusSign minusSignOf(bool isPeridigms) { return isPeridigms ? MinusSign::BeforePower : MinusSign::AfterPower; }
+
+}  // namespace
+
+Function::Function(const std::string& text, const std::string& place, bool isPeridigms) {
   auto implementation = std::make_shared<Implementation>();
   if (const auto number = parseReal(text)) {
     implementation->constant = *number;
   } else {
-    auto program = std::make_unique<FunctionProgram>(text, place, std::vector<std::string>{"x", "y", "z", "t"});
+    auto program = std::make_unique<FunctionProgram>(text, place, std::vector<std::string>{"x", "y", "z", "t"},
+                                                     minusSignOf(isPeridigms));
     const bool usesPlace = program->uses(0) || program->uses(1) || program->uses(2);
     implementation->dependsOnTime = program->uses(3);
     if (usesPlace || implementation->dependsOnTime) {
@@ -109,7 +116,7 @@ Function tableFromDeck(const DeckNode& node) {
 }  // namespace
 
 Function Function::fromDeck(const DeckNode& node) {
-  if (node.isScalar()) return Function(node.text(), node.place());
+  if (node.isScalar()) return Function(node.text(), node.place(), node.isPeridigms());
   if (node.isMap()) return tableFromDeck(node);
   throw DeckError(node.place() + ": " + node.path() +
                   " must be a number, a function of x, y, z, t or {Table: [[time, value], ...]}");
@@ -132,8 +139,10 @@ double Function::operator()(double x, double y, double z, double t) const {
 bool Function::isConstant() const { return !implementation_->program && implementation_->times.empty(); }
 bool Function::dependsOnTime() const { return implementation_->dependsOnTime; }
 
-std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place) {
-  auto program = std::make_shared<FunctionProgram>(text, place, std::vector<std::string>{"zeta", "horizon"});
+std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place,
+                                                        bool isPeridigms) {
+  auto program = std::make_shared<FunctionProgram>(text, place, std::vector<std::string>{"zeta", "horizon"},
+                                                   minusSignOf(isPeridigms));
   return [program](double zeta, double horizon) {
     const double values[2] = {zeta, horizon};
     return program->evaluate(values);

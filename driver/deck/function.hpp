@@ -17,12 +17,12 @@ namespace pd {
 /// Copies share their state: evaluate one function on one thread at a time.
 class Function {
  public:
-  /// Throws DeckError naming `place` where the text cannot be understood.
-  Function(const std::string& text, const std::string& place);
+  /// Throws DeckError naming `place` where the text cannot be understood. `isPeridigms`: "-x^2" is (-x)^2, as there.
+  Function(const std::string& text, const std::string& place, bool isPeridigms = false);
   static Function constant(double value);
   /// `times` must not decrease and be as many as `values`, at least one; throws std::invalid_argument.
   static Function table(std::vector<double> times, std::vector<double> values);
-  /// From a deck value: number, string or {Table: [[t, v], ...]}. Throws DeckError.
+  /// From a deck value: number, string (Peridigm's in its decks) or {Table: [[t, v], ...]}. Throws DeckError.
   static Function fromDeck(const DeckNode& node);
 
   double operator()(double x, double y, double z, double t) const;
@@ -37,7 +37,9 @@ class Function {
 };
 
 /// omega(zeta, horizon), the form of Peridigm's user-defined influence functions ("1.0/zeta"). Throws DeckError.
-std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place);
+/// `isPeridigms` as of Function.
+std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place,
+                                                        bool isPeridigms = false);
 
 }  // namespace pd
 

@@ -21,8 +21,11 @@ constexpr int maximumDepth = 40;              // of nested statements
 
 double besselI0(double x) { return std::cyl_bessel_i(0.0, std::fabs(x) < 700.0 ? std::fabs(x) : 700.0); }
 
-mu::Parser makeParser() {
+mu::Parser makeParser(MinusSign minusSign) {
   mu::Parser parser;
+  if (minusSign == MinusSign::BeforePower)
+    parser.DefineInfixOprt(
+        "-", [](double a) { return -a; }, mu::prPOW + 1);
   const auto one = [&](const char* name, double (*function)(double)) { parser.DefineFun(name, function); };
   const auto two = [&](const char* name, double (*function)(double, double)) { parser.DefineFun(name, function); };
   one("fabs", [](double a) { return std::fabs(a); });
@@ -35,15 +38,17 @@ mu::Parser makeParser() {
   one("ceil", [](double a) { return std::ceil(a); });
   two("pow", [](double a, double b) { return std::pow(a, b); });
   two("fmod", [](double a, double b) { return std::fmod(a, b); });
+  parser.DefineOprt(
+      "%", [](double a, double b) { return std::fmod(a, b); }, mu::prMUL_DIV);
   parser.DefineConst("pi", 3.14159265358979323846);
   parser.DefineConst("_pi", 3.14159265358979323846);  // muParser's own has 13 digits
   parser.DefineInfixOprt("!", [](double a) { return a == 0.0 ? 1.0 : 0.0; });
   return parser;
 }
 
-const mu::Parser& prototype() {
-  static const mu::Parser parser = makeParser();
-  return parser;
+const mu::Parser& prototype(MinusSign minusSign = MinusSign::AfterPower) {
+  static const mu::Parser ours = makeParser(MinusSign::AfterPower), peridigms = makeParser(MinusSign::BeforePower);
+  return minusSign == MinusSign::AfterPower ? ours : peridigms;
 }
 
 bool isNameStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -134,8 +139,8 @@ using Statement = FunctionProgram::Statement;
 class BodyReader {
  public:
   BodyReader(FunctionProgram::Implementation& program, std::string text, std::string place,
-             const std::vector<std::string>& variables)
-      : program_(program), text_(std::move(text)), place_(std::move(place)) {
+             const std::vector<std::string>& variables, MinusSign minusSign)
+      : program_(program), text_(std::move(text)), place_(std::move(place)), minusSign_(minusSign) {
     scopes_.emplace_back();
     for (std::size_t i = 0; i < variables.size(); ++i) scopes_.back()[variables[i]] = &program_.inputs[i];
   }
@@ -146,7 +151,7 @@ class BodyReader {
     if (findAssignment(text) != std::string::npos) refuse("\"=\" in \"" + text + "\": compare with \"==\"");
     if (text.find('"') != std::string::npos) refuse("quotes in \"" + text + "\"");
     const Names names = visibleNames();
-    auto parser = std::make_unique<mu::Parser>(prototype());
+    auto parser = std::make_unique<mu::Parser>(prototype(minusSign_));
     try {
       for (const auto& [name, address] : names) parser->DefineVar(name, address);
       parser->SetExpr(text);
@@ -316,6 +321,7 @@ class BodyReader {
 
   FunctionProgram::Implementation& program_;
   std::string text_, place_;
+  MinusSign minusSign_;
   std::size_t at_ = 0;
   std::vector<Names> scopes_;  ///< the inputs, then the body, then its blocks
   std::map<double*, bool> integers_;
@@ -325,7 +331,7 @@ class BodyReader {
 }  // namespace
 
 FunctionProgram::FunctionProgram(const std::string& rawText, const std::string& place,
-                                 const std::vector<std::string>& variables)
+                                 const std::vector<std::string>& variables, MinusSign minusSign)
     : implementation_(std::make_unique<Implementation>()) {
   if (rawText.size() > maximumLength)
     throw DeckError(place + ": a function may have at most " + std::to_string(maximumLength) + " characters");
@@ -333,7 +339,7 @@ FunctionProgram::FunctionProgram(const std::string& rawText, const std::string& 
   const std::string text = cleaned(rawText);
   implementation_->inputs.resize(variables.size(), 0.0);
   implementation_->isUsed.resize(variables.size(), 0);
-  BodyReader reader(*implementation_, text, place, variables);
+  BodyReader reader(*implementation_, text, place, variables, minusSign);
   const bool isBody = findAssignment(text) != std::string::npos || text.find_first_of(";{}") != std::string::npos;
   if (isBody)
     implementation_->statements = reader.body();

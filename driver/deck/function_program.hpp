@@ -8,12 +8,16 @@
 
 namespace pd {
 
+/// What "-x^2" means: -(x^2) in mathematics and in our decks, (-x)^2 in Peridigm's.
+enum class MinusSign { AfterPower, BeforePower };
+
 /// A muParser expression, or the C-like body that Peridigm's functions have: assignments to `value`, local variables,
 /// if/else. Not to be evaluated by several threads at once.
 class FunctionProgram {
  public:
   /// Throws DeckError naming `place` where the text cannot be understood.
-  FunctionProgram(const std::string& text, const std::string& place, const std::vector<std::string>& variables);
+  FunctionProgram(const std::string& text, const std::string& place, const std::vector<std::string>& variables,
+                  MinusSign minusSign = MinusSign::AfterPower);
   ~FunctionProgram();
   FunctionProgram(FunctionProgram&&) noexcept;
 

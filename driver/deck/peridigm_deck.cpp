@@ -1,7 +1,11 @@
 #include "peridigm_deck.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
+
+#include "section_walk.hpp"
+#include "sections.hpp"
 
 namespace pd {
 
@@ -95,7 +99,10 @@ class Translation {
       if (name.find("Output") != std::string::npos) foreignKeys(*node, keysOfOutput);
     }
     if (Data* discretization = section(root, "Discretization")) foreignKeys(*discretization, keysOfDiscretization);
-    if (Data* conditions = section(root, "Boundary Conditions")) foreignKeys(*conditions, keysOfConditions);
+    if (Data* list = section(root, "Boundary Conditions")) {
+      foreignKeys(*list, keysOfConditions);
+      for (const auto& entry : list->entries) condition(*entry.second);
+    }
     inEachEntry(root, "Materials", keysOfMaterials);
     inEachEntry(root, "Damage Models", keysOfDamageModels);
     neighbourhoodsAsTheyAre(root);
@@ -147,6 +154,19 @@ class Translation {
     if (list == nullptr) return;
     for (const auto& entry : list->entries)
       if (entry.second->kind == Data::Kind::Map) foreignKeys(*entry.second, keys);
+  }
+
+  /// Peridigm does not tell apart upper and lower case, nor blanks and underscores, in types; and where a field has no
+  /// components, it takes Coordinate x.
+  static void condition(const Data& node) {
+    Data *type = node.entry("Type"), *coordinate = node.entry("Coordinate");
+    if (type == nullptr) return;
+    for (const std::string& known : boundaryConditionTypes())
+      if (plainName(known) == plainName(type->scalar)) type->scalar = known;
+    if (coordinate == nullptr || coordinate->scalar.size() != 1) return;
+    coordinate->scalar[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(coordinate->scalar[0])));
+    const bool isScalarField = type->scalar.find("Temperature") != std::string::npos;
+    if (isScalarField && coordinate->scalar == "x") coordinate->isIgnored = true;
   }
 
   void solver(Data& node) {
@@ -241,6 +261,7 @@ class Translation {
 void translatePeridigmDeck(Data& root, Mistakes& mistakes, Mistakes& warnings) {
   Translation(mistakes, warnings).deck(root);
   root.setPath(root.path);
+  root.setPeridigms();
 }
 
 const std::vector<std::string>& fieldsOfPeridigmAlone() {

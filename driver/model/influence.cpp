@@ -12,7 +12,7 @@ void setInfluenceFunction(const Deck& deck) {
   if (text == "One" || text == "Parabolic Decay" || text == "Gaussian")
     influence.setInfluenceFunction(text);
   else
-    influence.setInfluenceFunction(influenceFunction(text, node.place()));
+    influence.setInfluenceFunction(influenceFunction(text, node.place(), node.isPeridigms()));
 }
 
 }  // namespace pd

@@ -159,5 +159,22 @@ TEST(Function, InfluenceFunctionsTakeZetaAndHorizon) {
             std::string::npos);
 }
 
+/// Seen in Peridigm's own runs: a sign binds tighter than a power.
+TEST(Function, APeridigmMinusComesBeforePowers) {
+  const auto both = [](const std::string& text) {
+    return std::make_pair(Function(text, "deck", false)(3.0, 0.0, 0.0, 1.0),
+                          Function(text, "deck", true)(3.0, 0.0, 0.0, 1.0));
+  };
+  EXPECT_EQ(both("-x^2"), std::make_pair(-9.0, 9.0));
+  EXPECT_EQ(both("2*-x^2"), std::make_pair(-18.0, 18.0));
+  EXPECT_EQ(both("1 - -x^2"), std::make_pair(10.0, -8.0));
+  EXPECT_EQ(both("value = -sqrt(x + 1)^2;"), std::make_pair(-4.0, 4.0));
+  // With a number or a value on its left the sign is a difference, and alike.
+  for (const char* text : {"0 - x^2", "-t - x^2", "-1.0*x^2", "-x", "2^3^2", "7 - 4 - 2", "x % 2"})
+    EXPECT_DOUBLE_EQ(both(text).first, both(text).second) << text;
+  EXPECT_DOUBLE_EQ(both("8 % x").first, 2.0);
+  EXPECT_DOUBLE_EQ(influenceFunction("-zeta^2", "deck", true)(3.0, 1.0), 9.0);
+}
+
 }  // namespace
 }  // namespace pd

@@ -114,6 +114,18 @@ TEST(PeridigmDeck, TimeStepsSayWhenASolverStartsAndEnds) {
   EXPECT_TRUE(hasLine(deck.warnings(), ":3:5: \"Final Time\" has no effect here: the Time Steps say 2.0"));
 }
 
+TEST(PeridigmDeck, TypesOfConditionsMayBeWrittenLoosely) {
+  const Deck deck = peridigmDeck(R"(Boundary Conditions:
+  Push: {Type: INITIAL_VELOCITY, Coordinate: Y, Value: "-t^2"}
+  Warm: {Type: Initial Temperature, Coordinate: x, Value: 1.0}
+)");
+  const DeckNode push = deck["Boundary Conditions"]["Push"], warm = deck["Boundary Conditions"]["Warm"];
+  EXPECT_EQ(push["Type"].text(), "Initial Velocity");
+  EXPECT_EQ(push["Coordinate"].text(), "y");
+  EXPECT_TRUE(push["Value"].isPeridigms());
+  EXPECT_FALSE(warm["Coordinate"].exists());
+}
+
 TEST(PeridigmDeck, HasPeridigmsDefaults) {
   const char* const sections = R"(Materials:
   Rock: {Material Model: Elastic}
