@@ -80,7 +80,7 @@ def copy_of_folder(deck, into):
     for mesh in values_of(open(deck).read(), "Input Mesh File"):
         if not os.path.exists(os.path.join(into, mesh)):
             for script in glob.glob(os.path.join(into, "*_generate_mesh.py")):
-                subprocess.run([sys.executable, script], cwd=into, capture_output=True, check=False)
+                subprocess.run([sys.executable, os.path.basename(script)], cwd=into, capture_output=True, check=False)
 
 
 def run(command, folder, timeout):
