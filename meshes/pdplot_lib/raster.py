@@ -14,10 +14,13 @@ class Raster:
         low, high = (x.min(axis=0) - mean / 2, x.max(axis=0) + mean / 2) if window is None else window
         size = np.maximum(high - low, 1e-300)
         counts = np.maximum(2, np.rint(size / size.max() * pixels)).astype(int)
-        columns = low[0] + (np.arange(counts[0]) + 0.5) * size[0] / counts[0]
-        rows = low[1] + (np.arange(counts[1]) + 0.5) * size[1] / counts[1]
+        pixel = size / counts
         self.extent = [low[0], high[0], low[1], high[1]]
-        self.columns, self.rows = columns, rows
+        radius = 0.45 * mean / pixel[0]
+        margin = int(radius) + 2  # pixels around the picture, for gaps that its edge cuts
+        columns, rows = (low[d] + (np.arange(-margin, counts[d] + margin) + 0.5) * pixel[d] for d in (0, 1))
+        inner = slice(margin, -margin)
+        self.columns, self.rows = columns[inner], rows[inner]
         grid = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 2)
         tree = cKDTree(x, balanced_tree=False, compact_nodes=False)
         distance, index = tree.query(grid, distance_upper_bound=1.5 * float(spacing.max()))
@@ -25,8 +28,9 @@ class Raster:
         index = np.where(found, index, 0)
         # Cells are squares; what irregular or displaced ones leave open between them is closed below.
         near = found & (np.abs(grid - x[index]).max(axis=1) < 0.55 * spacing[index])
-        near = _closed(near.reshape(len(rows), len(columns)), 0.45 * mean * counts[0] / size[0])
-        self._index = np.where(near & found.reshape(near.shape), index.reshape(near.shape), -1)
+        shape = len(rows), len(columns)
+        near = _closed(near.reshape(shape), radius) & found.reshape(shape)
+        self._index = np.where(near, index.reshape(shape), -1)[inner, inner]
 
     def image(self, values):
         """[rows, columns], masked where there is no point."""
@@ -37,8 +41,5 @@ def _closed(near, radius):
     """Fills gaps up to twice the radius (pixels) wide; straight edges stay where they are."""
     if near.all():
         return near
-    margin = int(radius) + 2  # what lies outside the picture is empty, too
-    padded = np.pad(near, margin)
-    grown = ndimage.distance_transform_edt(~padded) <= radius
-    closed = ndimage.distance_transform_edt(grown) > radius
-    return near | closed[margin:-margin, margin:-margin]
+    grown = ndimage.distance_transform_edt(~near) <= radius
+    return near | (grown if grown.all() else ndimage.distance_transform_edt(grown) > radius)
