@@ -156,6 +156,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   if (!result.studyFile.empty()) {
     if (!options.deckFile.empty() || !options.restartFile.empty())
       throw DeckError("pdrun: a study names its deck itself and starts it anew; leave out the deck and --restart");
+    if (options.unknownKeys != UnknownKeys::AreMistakes)
+      throw DeckError("pdrun: the deck of a study is read strictly; leave out --peridigm-keys");
     result.action = isCheck ? CommandLine::Action::CheckStudy : CommandLine::Action::Study;
     return result;
   }

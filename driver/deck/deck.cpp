@@ -327,7 +327,12 @@ std::string Deck::directory() const {
 
 std::string Deck::resolvePath(const std::string& fileName) const {
   const std::filesystem::path path(fileName);
-  return path.is_absolute() ? fileName : (std::filesystem::path(directory()) / path).lexically_normal().string();
+  if (path.is_absolute()) return fileName;
+  const std::string here = (std::filesystem::path(directory()) / path).lexically_normal().string();
+  std::error_code error;
+  const bool isInWorkingFolder =
+      isPeridigmDeck_ && !std::filesystem::exists(here, error) && std::filesystem::exists(path, error);
+  return isInWorkingFolder ? path.lexically_normal().string() : here;
 }
 
 }  // namespace pd

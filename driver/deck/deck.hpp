@@ -103,7 +103,8 @@ class Deck {
   DeckNode root() const { return root_; }
   DeckNode operator[](const std::string& section) const { return root_[section]; }
   std::string fileName() const { return fileName_; }
-  /// Folder of the deck; relative file names in it start here.
+  /// Folder of the deck; relative file names in it start here. Those in a deck of Peridigm, which takes them from the
+  /// working folder, start there where the deck's folder has no such file.
   std::string directory() const;
   std::string resolvePath(const std::string& fileName) const;
   /// Whether the deck is in XML or has the root key `Peridigm`: then Peridigm's defaults hold

@@ -1,5 +1,6 @@
 // Decks of Peridigm brought into our own form: what is left out, refused, renamed and filled in.
 #include <algorithm>
+#include <filesystem>
 
 #include "deck_from_text.hpp"
 
@@ -139,6 +140,24 @@ Solver2: {QuasiStatic: {Number of Load Steps: 1}}
   EXPECT_EQ(deck["Materials"]["Rock"]["Volume Correction"].text(), "Every Neighbor");
   EXPECT_FALSE(deck["Materials"]["Steel"]["Volume Correction"].exists());  // not Peridigm's own
   EXPECT_FALSE(deckFromText(sections)["Solver1"]["Verlet"]["Critical Step"].exists());
+}
+
+TEST(PeridigmDeck, FilesMayBeInTheWorkingFolder) {
+  const std::string folder = deckFileName() + "_folder", name = deckFileName() + "_mesh.txt";
+  std::filesystem::create_directory(folder);
+  const auto read = [&](const char* text) {
+    std::ofstream(folder + "/deck.yaml") << text;
+    return Deck::read(folder + "/deck.yaml");
+  };
+  const Deck deck = read("Peridigm: {Solver: {Verlet: {}}}\n");
+  EXPECT_EQ(deck.resolvePath(name), folder + "/" + name);  // which a message would name
+  std::ofstream{name};
+  EXPECT_EQ(deck.resolvePath(name), name);
+  EXPECT_EQ(read("Solver: {Verlet: {}}\n").resolvePath(name), folder + "/" + name);
+  std::ofstream{folder + "/" + name};
+  EXPECT_EQ(deck.resolvePath(name), folder + "/" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove(name);
 }
 
 TEST(PeridigmDeck, OurOwnDecksAreLeftAlone) {
