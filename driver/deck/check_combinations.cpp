@@ -135,7 +135,7 @@ class CombinationCheck {
   }
 
   void directions(const CheckedSection& filter) {
-    if (!filter.isGood || filter.section.plugin == "Node Set Pair") return;
+    if (!filter.isGood || filter.section.declarations.find("Normal_X") == nullptr) return;
     const DeckNode& node = filter.section.node;
     const auto normal = vectorOf(filter.list, "Normal");
     const double normalLength = std::sqrt(dot(normal, normal));

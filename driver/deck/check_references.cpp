@@ -26,6 +26,7 @@ class ReferenceCheck {
     nodeSets();
     for (const CheckedSection& checked : check_.sections) namesOfSets(checked);
     fileExists(deck_["Discretization"]["Input Mesh File"]);
+    for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) fileExists(filter->section.node["File Name"]);
   }
 
  private:

@@ -115,6 +115,11 @@ std::map<std::string, Declarations> declareBondFilters() {
   declareFilterType(pair, "Node Set Pair");
   pair.text("First Node Set", "Points of one crack lip.").required();
   pair.text("Second Node Set", "Points of the other; every bond between the two sets is cut.").required();
+
+  Declarations& surface = filters["Exodus Mesh"];
+  declareFilterType(surface, "Exodus Mesh");
+  surface.text("File Name", "Exodus file of triangles and quadrilaterals, seen from the folder of the deck.")
+      .required();
   return filters;
 }
 
@@ -201,7 +206,7 @@ const Declarations& discretizationDeclarations(const std::string& type) {
   return it->second;
 }
 
-std::vector<std::string> bondFilterTypes() { return {"Rectangular_Plane", "Disk", "Node Set Pair"}; }
+std::vector<std::string> bondFilterTypes() { return {"Rectangular_Plane", "Disk", "Node Set Pair", "Exodus Mesh"}; }
 
 const Declarations& bondFilterDeclarations(const std::string& type) {
   const auto it = bondFilters().find(type);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "exodus_surface.hpp"
 #include "mesh_geometry.hpp"
 
 namespace pd {
@@ -128,10 +129,12 @@ Vector directionOf(const DeckNode& node, const std::string& stem) {
 
 class FilterReader {
  public:
-  FilterReader(const MeshPoints& points, const NodeSets& nodeSets, bool isPeridigmDeck)
-      : points_(points),
+  FilterReader(const Deck& deck, const Communicator& comm, const MeshPoints& points, const NodeSets& nodeSets)
+      : deck_(deck),
+        comm_(comm),
+        points_(points),
         nodeSets_(nodeSets),
-        isPeridigmDeck_(isPeridigmDeck),
+        isPeridigmDeck_(deck.isPeridigmDeck()),
         tolerance_(geometricTolerance(boundingBox(points))) {}
 
   std::unique_ptr<BondFilter> read(const DeckNode& node) const {
@@ -139,8 +142,9 @@ class FilterReader {
     if (type == "Rectangular_Plane") return rectangle(node);
     if (type == "Disk") return disk(node);
     if (type == "Node Set Pair") return nodeSetPair(node);
+    if (type == "Exodus Mesh") return surface(node);
     throw DeckError(node["Type"].place() + ": unknown bond filter \"" + type +
-                    "\"; there are Rectangular_Plane, Disk, Node Set Pair");
+                    "\"; there are Rectangular_Plane, Disk, Node Set Pair, Exodus Mesh");
   }
 
  private:
@@ -180,6 +184,12 @@ class FilterReader {
                                                nodeSet(node, "Second Node Set"));
   }
 
+  std::unique_ptr<BondFilter> surface(const DeckNode& node) const {
+    const DeckNode name = required(node, "File Name");
+    return std::make_unique<SurfaceFilter>(points_,
+                                           readExodusSurface(deck_.resolvePath(name.text()), name.place(), comm_));
+  }
+
   const std::vector<int>& nodeSet(const DeckNode& node, const std::string& key) const {
     const DeckNode name = required(node, key);
     if (const std::vector<int>* ids = findNodeSet(nodeSets_, name.text())) return *ids;
@@ -189,6 +199,8 @@ class FilterReader {
                     (known.empty() ? "" : " (there are: " + known + ")"));
   }
 
+  const Deck& deck_;
+  const Communicator& comm_;
   const MeshPoints& points_;
   const NodeSets& nodeSets_;
   bool isPeridigmDeck_;
@@ -197,9 +209,10 @@ class FilterReader {
 
 }  // namespace
 
-BondFilters::BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets) {
+BondFilters::BondFilters(const Deck& deck, const Communicator& comm, const MeshPoints& points,
+                         const NodeSets& nodeSets) {
   const DeckNode section = deck["Discretization"];
-  const FilterReader reader(points, nodeSets, deck.isPeridigmDeck());
+  const FilterReader reader(deck, comm, points, nodeSets);
   for (const auto& item : section["Bond Filters"].entries()) {
     try {
       filters_.push_back({reader.read(item.second), item.second.flag("Count In Damage", false), item.second.keyPlace(),

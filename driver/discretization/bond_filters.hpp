@@ -26,13 +26,15 @@ class BondFilter {
 ///     surface, border included. A point on the surface loses its bonds to either side and keeps those within the
 ///     surface (Peridigm's rule).
 ///   * Node Set Pair: bonds between the points of two node sets.
+///   * Exodus Mesh: bonds that meet a surface of triangles and quadrilaterals in an Exodus file.
 /// Cut bonds are removed, or with `Count In Damage: true` kept and marked, so that they count as broken.
 class BondFilters {
  public:
   enum class Verdict { keep, mark, remove };
 
   /// Refers to `points`, which must outlive this object. Mistakes are added to deck.mistakes().
-  BondFilters(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets);
+  /// Collective.
+  BondFilters(const Deck& deck, const Communicator& comm, const MeshPoints& points, const NodeSets& nodeSets);
 
   /// Removes pairs that are further apart than this along x, y or z, m.
   void keepWithin(const std::array<double, 3>& box, const MeshPoints& points);

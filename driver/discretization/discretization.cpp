@@ -136,7 +136,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const MeshPoints points = readMesh(deck, comm);
   const DeckNode section = deck["Discretization"];
   const NodeSets nodeSets = allNodeSets(deck, comm, points);
-  BondFilters filters(deck, points, nodeSets);
+  BondFilters filters(deck, comm, points, nodeSets);
 
   Discretization d;
   d.nGlobal = points.nRows;

@@ -11,7 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "../parallel/broadcast.hpp"
 #include "element_geometry.hpp"
+#include "exodus_surface.hpp"
 #include "netcdf_file.hpp"
 
 namespace pd {
@@ -46,7 +48,7 @@ class ExodusReader {
     if (nElements_ > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw std::runtime_error("it has more than 2.1e9 elements");
     points_.nRows = static_cast<int>(nElements_);
-    readNodes();
+    nodes_ = exodusNodes(file_);
     placeElements();
     readBlocks();
     readNodeSets();
@@ -56,21 +58,6 @@ class ExodusReader {
   std::string problems, notes;
 
  private:
-  void readNodes() {
-    nodes_.assign(3 * nNodes_, 0.0);
-    const std::size_t nAxes = std::min<std::size_t>(3, file_.dimension("num_dim"));
-    // Old files keep all coordinates in one variable.
-    const std::vector<double> together = file_.hasVariable("coord") ? file_.reals("coord") : std::vector<double>();
-    for (std::size_t axis = 0; axis < nAxes; ++axis) {
-      const std::vector<double> values =
-          together.empty() ? file_.reals(std::string("coord") + "xyz"[axis])
-                           : std::vector<double>(together.begin() + static_cast<std::ptrdiff_t>(axis * nNodes_),
-                                                 together.begin() + static_cast<std::ptrdiff_t>((axis + 1) * nNodes_));
-      if (values.size() != nNodes_) throw std::runtime_error("it has coordinates of some nodes alone");
-      for (std::size_t node = 0; node < nNodes_; ++node) nodes_[3 * node + axis] = values[node];
-    }
-  }
-
   /// pointOf_: the place of each element of the file among the points.
   void placeElements() {
     pointOf_.resize(nElements_);
@@ -220,23 +207,6 @@ class ExodusReader {
   std::vector<std::pair<long long, int>> nodeToPoints_;  ///< (node from 1, point) of all elements
   int nBad_ = 0;
 };
-
-template <class Value>
-void broadcast(std::vector<Value>& values, const Communicator& comm) {
-  long long size = static_cast<long long>(values.size());
-  MPI_Bcast(&size, 1, MPI_LONG_LONG, 0, comm.mpi());
-  values.resize(static_cast<std::size_t>(size));
-  constexpr long long portion = 1LL << 24;  // MPI counts in int
-  for (long long start = 0; start < size; start += portion)
-    MPI_Bcast(values.data() + start, static_cast<int>(std::min(portion, size - start) * sizeof(Value)), MPI_BYTE, 0,
-              comm.mpi());
-}
-
-void broadcast(std::string& text, const Communicator& comm) {
-  std::vector<char> characters(text.begin(), text.end());
-  broadcast(characters, comm);
-  text.assign(characters.begin(), characters.end());
-}
 
 void broadcast(MeshPoints& points, const Communicator& comm) {
   broadcast(points.x, comm);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "driver/discretization/discretization.hpp"
 #include "driver/discretization/element_geometry.hpp"
@@ -186,6 +187,68 @@ TEST(Exodus, NodeSetsOfTheMeshServeConditions) {
               HasSubstr("neither Boundary Conditions nor the mesh has a node set \"nodelist_1\" (did you mean "
                         "\"nodelist_7\"?); there are: \"nodelist_7\", \"top\""));
   EXPECT_THAT(complaints(cubes(3, 2, 1), exodusDeck + conditions + "top\n  Top Node Set: 1 2\n"), "no error");
+}
+
+// ---- surfaces that cut bonds ----
+
+namespace {
+
+/// Two columns of four cubes along x, z in [0, 1]; bonds of length 1 alone.
+pd::Discretization cutBy(const ExodusMesh& surface) {
+  const SceneFiles files("exodus");
+  pd_test::writeExodus(files.path("mesh.g"), cubes(4, 2, 1));
+  pd_test::writeExodus(files.path("cut.g"), surface);
+  const std::string deck =
+      "Discretization:\n  Type: Exodus\n  Input Mesh File: mesh.g\n  Thickness: 1.0\n"
+      "  Include Partial Neighbors: false\n"
+      "  Bond Filters:\n    Crack: {Type: Exodus Mesh, File Name: cut.g, Count In Damage: true}\n"
+      "Blocks:\n  Body:\n    Block Names: default\n    Material: None\n    Horizon: 1.1\n";
+  return pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+}
+
+/// Cut pairs of points as (smaller, larger) global ids.
+std::set<std::pair<int, int>> cutPairs(const pd::Discretization& d) {
+  std::set<std::pair<int, int>> pairs;
+  std::size_t bond = 0;
+  for (int i = 0; i < d.nOwned; ++i) {
+    const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
+    for (int k = 1; k <= *entry; ++k)
+      if (d.bondIsCut[bond++] != 0) pairs.insert(std::minmax(d.globalIds[i], d.globalIds[entry[k]]));
+  }
+  return pairs;
+}
+
+ExodusMesh shell(const std::vector<std::array<double, 3>>& nodes) {
+  ExodusMesh mesh;
+  mesh.nodes = nodes;
+  std::vector<int> numbers(nodes.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  mesh.blocks = {{1, "", nodes.size() == 3 ? "TRI3" : "SHELL4", static_cast<int>(nodes.size()), numbers, {}}};
+  return mesh;
+}
+
+}  // namespace
+
+TEST(SurfaceFilter, CutsTheBondsThatMeetIt) {
+  using Pairs = std::set<std::pair<int, int>>;
+  // Points 0 .. 3 at y = 0.5 and 4 .. 7 at y = 1.5, x = 0.5 .. 3.5, z = 0.5.
+  EXPECT_EQ(cutPairs(cutBy(shell({{2, 0, 0}, {2, 2, 0}, {2, 2, 1}, {2, 0, 1}}))), (Pairs{{1, 2}, {5, 6}}));
+  EXPECT_EQ(cutPairs(cutBy(shell({{2, 1, 0}, {2, 2, 0}, {2, 2, 1}, {2, 1, 1}}))), (Pairs{{5, 6}}));
+  // Points on its diagonal, where its two triangles meet.
+  EXPECT_EQ(cutPairs(cutBy(shell({{2, 0, 0}, {2, 1, 0}, {2, 1, 1}, {2, 0, 1}}))), (Pairs{{1, 2}}));
+  // One triangle across the corner of the body; the bond from 2 to 3 passes beside it.
+  EXPECT_EQ(cutPairs(cutBy(shell({{2.2, 2.5, 0.5}, {4, 0.7, -2}, {4, 0.7, 3}}))), (Pairs{{3, 7}, {6, 7}}));
+  // A bond that ends on it is cut, one within it is not.
+  EXPECT_EQ(cutPairs(cutBy(shell({{0, 1.5, 0}, {2, 1.5, 0}, {2, 1.5, 1}, {0, 1.5, 1}}))), (Pairs{{0, 4}, {1, 5}}));
+}
+
+TEST(SurfaceFilter, OtherElementsAreRefused) {
+  try {
+    cutBy(cubes(1, 1, 1));
+    FAIL() << "took a cube for a surface";
+  } catch (const pd::DeckError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cut.g\": it has elements of 8 nodes"));
+  }
 }
 
 // ---- grids that the deck describes ----
