@@ -13,7 +13,7 @@
 
 #include "../parallel/broadcast.hpp"
 #include "element_geometry.hpp"
-#include "exodus_surface.hpp"
+#include "exodus_nodes.hpp"
 #include "netcdf_file.hpp"
 
 namespace pd {

@@ -11,12 +11,8 @@
 #include "../parallel/communicator.hpp"
 #include "bond_filters.hpp"
 #include "mesh_points.hpp"
-#include "netcdf_file.hpp"
 
 namespace pd {
-
-/// [3 nodes] Coordinates of all nodes of an Exodus file, m. Throws std::runtime_error.
-std::vector<double> exodusNodes(const NetcdfFile& file);
 
 /// [9 triangles] Corners of the triangles of a file; quadrilaterals count as two. Read by the root rank. Throws
 /// DeckError, at `place` of the deck, where it holds other elements. Collective.

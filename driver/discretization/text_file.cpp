@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../parallel/broadcast.hpp"
+
 namespace pd {
 
 namespace {
@@ -25,15 +27,6 @@ std::string readOnThisRank(const std::string& fileName, std::string& text) {
   file.seekg(0);
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   return file ? "" : "cannot be read to its end";
-}
-
-void broadcast(std::string& text, const Communicator& comm) {
-  long long length = static_cast<long long>(text.size());
-  MPI_Bcast(&length, 1, MPI_LONG_LONG, 0, comm.mpi());
-  text.resize(static_cast<std::size_t>(length));
-  constexpr long long portion = 1LL << 30;  // MPI counts in int
-  for (long long start = 0; start < length; start += portion)
-    MPI_Bcast(text.data() + start, static_cast<int>(std::min(portion, length - start)), MPI_CHAR, 0, comm.mpi());
 }
 
 }  // namespace
