@@ -241,7 +241,8 @@ def noise_of(text):
         return max((float(v) for key in keys for v in values_of(text, key) if re.fullmatch(r"[-+.\deE]+", v)), default=0)
     horizons = [float(v) for v in values_of(text, "Horizon") if re.fullmatch(r"[-+.\deE]+", v)]
     force = 1e-13 * largest("Bulk Modulus", "Young's Modulus") / min(horizons, default=1.0)
-    return {"Force_Density": force, "Dilatation": 1e-14, "Displacement": 1e-15 * min(horizons, default=1.0)}
+    reach = min(horizons, default=1.0)
+    return {"Force_Density": force, "Force": force * reach ** 3, "Dilatation": 1e-14, "Displacement": 1e-15 * reach}
 
 
 class OtherPoints(ValueError):
@@ -252,7 +253,7 @@ def compare(ours, reference, tolerances, noise):
     result = Comparison(noise)
     scale = max(abs(reference.times[-1]), abs(reference.times[0]), 1e-300)
     order = None
-    if ours.coordinates is not None and len(reference.coordinates):
+    if ours.coordinates is not None and reference.fields:
         distance, order = cKDTree(ours.coordinates).query(reference.coordinates)
         extent = np.ptp(reference.coordinates, axis=0).max() or 1.0
         if distance.max() > 1e-6 * extent or len(set(order)) != len(order) or len(order) != len(ours.coordinates):
