@@ -105,14 +105,14 @@ TEST(XmlDeck, ChecksTypesAgainstTheDeclarations) {
   declare.real("Density", "kg/m3", "Mass density.");
   declare.real("Length", "m", "A length.");
   declare.integer("Steps", "A count.");
-  declare.flag("Verbose", "A flag.");
+  declare.flag("Loud", "A flag.");
   declare.text("Name", "A name.");
   declare.function("Value", "1", "A function.");
   const Deck deck = deckFromXml(R"(<ParameterList>
   <Parameter name="Density" type="string" value="2200.0"/>
   <Parameter name="Length" type="int" value="2"/>
   <Parameter name="Steps" type="double" value="20"/>
-  <Parameter name="Verbose" type="string" value="true"/>
+  <Parameter name="Loud" type="string" value="true"/>
   <Parameter name="Name" type="int" value="7"/>
   <Parameter name="Value" type="string" value="0.5*t"/>
 </ParameterList>
@@ -122,7 +122,7 @@ TEST(XmlDeck, ChecksTypesAgainstTheDeclarations) {
   const std::vector<std::string> expected{
       ":2: Density must be a number in kg/m3, not the string \"2200.0\"; write type=\"double\"",
       ":4: Steps must be an integer, not the double \"20\"; write type=\"int\"",
-      ":5: Verbose must be true or false, not the string \"true\"; write type=\"bool\"",
+      ":5: Loud must be true or false, not the string \"true\"; write type=\"bool\"",
       ":6: Name must be text, not the int \"7\"; write type=\"string\""};
   ASSERT_EQ(mistakes.lines().size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(mistakes.lines()[i], xmlFileName() + expected[i]);
