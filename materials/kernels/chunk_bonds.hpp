@@ -3,6 +3,7 @@
 #ifndef PD_CHUNK_BONDS_HPP
 #define PD_CHUNK_BONDS_HPP
 
+#include <algorithm>
 #include <type_traits>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct GatheredBond {
   Vector xi[D], eta[D], perLength, length, inverseLength, volume;  ///< perLength = g/|xi|; volume V_j
 };
 
+/// Where forces at the neighbours of a chunk's points go.
+struct NeighborForce {
+  double* ofChunk[3];  ///< contiguous: component by component, from the chunk's first point on
+  double* scattered;   ///< else: [4 n], all components of a point together
+};
+
 /// Bonds of a chunk of a uniform lattice: constants broadcast, neighbours contiguous.
 template <int D, int width, class ConstantsOf>
 struct UniformChunk {
@@ -33,79 +40,135 @@ struct UniformChunk {
   const int* indices;
   const double* coefficients;
   ConstantsOf constantsOf;
+  NeighborForce force;
   const double* displacement[3];  ///< of the chunk's first point
   Vector own[D], volume;
 
-  PD_EACH_BOND Vector eta(int k, int d) const { return load(displacement[d] + indices[k]) - own[d]; }
+  template <class Bond>
+  PD_EACH_BOND Vector eta(int k, const Bond&, int d) const {
+    return load(displacement[d] + indices[k]) - own[d];
+  }
   PD_EACH_BOND auto operator()(int k) const { return constantsOf(coefficients + k * width); }
-  double* valuesAtNeighbors(double* values) const { return values + chunk.firstPoint; }
 };
 
-/// Any other chunk.
+/// What bonds need of points, a cache line each, for chunks whose neighbours lie anywhere.
+class PackedPoints {
+ public:
+  PackedPoints() = default;
+  PackedPoints(const BondPoints& points, int dimension) {
+    const int n = points.reference.nPoints();
+    values_.resize(8 * static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+      double* line = &values_[8 * static_cast<std::size_t>(i)];
+      for (int d = 0; d < dimension; ++d) {
+        line[d] = points.reference[d][i];
+        line[4 + d] = points.displacement[d][i];
+      }
+      line[3] = points.volume[i];
+    }
+  }
+  const double* values() const { return values_.data(); }
+
+ private:
+  std::vector<double> values_;  ///< [8 n]: reference place, volume, displacement
+};
+
+/// Makes the bonds of a chunk that is not uniform.
+template <int D, bool contiguous>
+struct BondMaker {
+  const Chunk& chunk;
+  const int* indices;
+  const BondPoints& points;
+  const double* packed;
+  const double* strength;
+  bool hasUniformStrength;
+  Vector own[D], ownReference[D];
+
+  PD_EACH_BOND Vector atNeighbors(const double* values, int k) const {
+    return load(values + chunk.firstPoint + indices[k]);
+  }
+  PD_EACH_BOND GatheredBond<D> operator()(int k) const {
+    GatheredBond<D> bond;
+    Vector place[4], moved[4];
+    if constexpr (contiguous) {
+      unrolled<D>([&](auto d) PD_INLINED {
+        place[d] = atNeighbors(points.reference[d], k);
+        moved[d] = atNeighbors(points.displacement[d], k);
+      });
+      place[3] = atNeighbors(points.volume, k);
+    } else {
+      gatherFour<8>(packed, indices + k * lanes, place);
+      gatherFour<8>(packed + 4, indices + k * lanes, moved);
+    }
+    Vector length2 = 0.0;
+    unrolled<D>([&](auto d) PD_INLINED {
+      bond.xi[d] = place[d] - ownReference[d];
+      bond.eta[d] = moved[d] - own[d];
+      length2 += bond.xi[d] * bond.xi[d];
+    });
+    bond.inverseLength = inverseSquareRoot(length2);
+    bond.length = length2 * bond.inverseLength;
+    bond.volume = place[3];
+    bond.perLength = (hasUniformStrength ? Vector(strength[k]) : load(strength + k * lanes)) * bond.inverseLength;
+    return bond;
+  }
+};
+
+/// Bonds that are made as they are asked for.
 template <int D, bool contiguous, class ConstantsOf>
-struct GatheredChunk {
+struct FreshChunk {
+  static constexpr bool isContiguous = contiguous;
+  const Chunk& chunk;
+  const int* indices;
+  const BondMaker<D, contiguous>& bonds;
+  ConstantsOf constantsOf;
+  NeighborForce force;
+  Vector volume;
+
+  template <class Bond>
+  PD_EACH_BOND Vector eta(int, const Bond& bond, int d) const {
+    return bond.eta(d);
+  }
+  PD_EACH_BOND auto operator()(int k) const { return constantsOf(bonds(k)); }
+};
+
+/// Bonds that are kept, for forces that pass several times over them.
+template <int D, bool contiguous, class ConstantsOf>
+struct KeptChunk {
   static constexpr bool isContiguous = contiguous;
   const Chunk& chunk;
   const int* indices;
   const GatheredBond<D>* bonds;
   ConstantsOf constantsOf;
+  NeighborForce force;
   Vector volume;
 
-  PD_EACH_BOND const Vector& eta(int k, int d) const { return bonds[k].eta[d]; }
+  template <class Bond>
+  PD_EACH_BOND Vector eta(int, const Bond& bond, int d) const {
+    return bond.eta(d);
+  }
   PD_EACH_BOND auto operator()(int k) const { return constantsOf(bonds[k]); }
-  double* valuesAtNeighbors(double* values) const { return values + (contiguous ? chunk.firstPoint : 0); }
 };
-
-/// All bonds of a chunk, so that points are gathered once although forces pass several times over the bonds.
-template <int D, bool isContiguous>
-void gatherBonds(const Chunk& chunk, const int* indices, const int* ownIds, const double* strength,
-                 bool hasUniformStrength, const BondPoints& points, std::vector<GatheredBond<D>>& bonds) {
-  bonds.resize(static_cast<std::size_t>(chunk.nNeighbors));
-  Vector own[D], ownReference[D];
-  for (int d = 0; d < D; ++d) {
-    own[d] = gather(points.displacement[d], ownIds);
-    ownReference[d] = gather(points.reference[d], ownIds);
-  }
-  const auto neighbors = [&](const double* values, int k) {
-    return isContiguous ? load(values + chunk.firstPoint + indices[k]) : gather(values, indices + k * lanes);
-  };
-  for (int k = 0; k < chunk.nNeighbors; ++k) {
-    GatheredBond<D>& bond = bonds[static_cast<std::size_t>(k)];
-    Vector length2 = 0.0;
-    unrolled<D>([&](auto d) {
-      bond.xi[d] = neighbors(points.reference[d], k) - ownReference[d];
-      bond.eta[d] = neighbors(points.displacement[d], k) - own[d];
-      length2 += bond.xi[d] * bond.xi[d];
-    });
-    bond.inverseLength = inverseSquareRoot(length2);
-    bond.length = length2 * bond.inverseLength;
-    bond.volume = neighbors(points.volume, k);
-    bond.perLength = (hasUniformStrength ? Vector(strength[k]) : load(strength + k * lanes)) * bond.inverseLength;
-  }
-}
 
 template <bool isWhole>
 PD_EACH_BOND Vector keepUnbroken(const Vector& value, unsigned char bits) {
   return isWhole ? value : keep(value, bits);
 }
 
-/// Adds `value` of each lane's unbroken bond k at its neighbour; `at` from valuesAtNeighbors().
+/// Adds `value` of each lane's unbroken bond k at its neighbour.
 template <int D, bool isWhole, class BondsOf>
-PD_EACH_BOND void addToNeighbors(const BondsOf& bondsOf, int k, unsigned char bits, const Vector* value,
-                                 double* const* at) {
+PD_EACH_BOND void addToNeighbors(const BondsOf& bondsOf, int k, unsigned char bits, const Vector* value) {
   if constexpr (BondsOf::isContiguous) {
     const int offset = bondsOf.indices[k];
     unrolled<D>([&](auto d) PD_INLINED {
-      store(load(at[d] + offset) + keepUnbroken<isWhole>(value[d], bits), at[d] + offset);
+      double* at = bondsOf.force.ofChunk[d] + offset;
+      store(load(at) + keepUnbroken<isWhole>(value[d], bits), at);
     });
   } else {
-    const int* ids = bondsOf.indices + k * lanes;
-    unrolled<D>([&](auto d) PD_INLINED {
-      alignas(64) double values[lanes];
-      store(value[d], values);
-      for (int lane = 0; lane < lanes; ++lane)
-        if (isWhole || ((bits >> lane) & 1)) at[d][ids[lane]] += values[lane];
-    });
+    Vector all[4];
+    unrolled<4>([&](auto c) PD_INLINED { all[c] = 0.0; });
+    unrolled<D>([&](auto d) PD_INLINED { all[d] = keepUnbroken<isWhole>(value[d], bits); });
+    scatterAddFour<4>(all, bondsOf.indices + k * lanes, bondsOf.force.scattered);
   }
 }
 
@@ -117,31 +180,49 @@ inline bool areAllWhole(const Chunk& chunk, const unsigned char* bits) {
 
 /// Calls visit(isWhole, chunk, bonds) for every chunk, with a std::true_type where no lane has a broken or missing
 /// bond. `strength`: g of bonds; `coefficients`: `width` constants of bonds of uniform chunks, begun with xi.
-/// `ofUniform` and `ofLanes` turn a pointer to these, or a GatheredBond, into the constants that bonds(k) gives.
-template <int D, int width, class OfUniform, class OfLanes, class Visit>
+/// `passesOnce`: the visitor asks for each bond once. What addToNeighbors() adds ends up in `force`. `ofUniform` and
+/// `ofLanes` turn a pointer to these, or a GatheredBond, into the constants that bonds(k) gives.
+template <int D, int width, bool passesOnce, class OfUniform, class OfLanes, class Visit>
 void forEachChunkOfBonds(const ChunkedNeighborhood& neighborhood, const BondConstants& strength,
                          const BondConstants& coefficients, const AliveBonds& alive, const BondPoints& points,
-                         const OfUniform& ofUniform, const OfLanes& ofLanes, const Visit& visit) {
+                         PointArrays& force, const OfUniform& ofUniform, const OfLanes& ofLanes, const Visit& visit) {
   std::vector<GatheredBond<D>> gathered;
   const auto& chunks = neighborhood.chunks();
+  const bool isContiguous = std::all_of(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.isContiguous; });
+  const PackedPoints packed = isContiguous ? PackedPoints() : PackedPoints(points, D);
+  const auto nScattered = isContiguous ? 0u : static_cast<std::size_t>(points.reference.nPoints());
+  std::vector<double> scattered(4 * nScattered, 0.0);
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     const Chunk& chunk = chunks[c];
     const int* ownIds = neighborhood.pointIds(chunk);
+    NeighborForce atNeighbors{{}, scattered.data()};
+    for (int d = 0; d < D; ++d) atNeighbors.ofChunk[d] = force[d] + chunk.firstPoint;
     const auto call = [&](const auto& bonds) {
       if (areAllWhole(chunk, alive.of(chunk)))
         visit(std::true_type(), chunk, bonds);
       else
         visit(std::false_type(), chunk, bonds);
     };
-    const auto callGathered = [&](auto isContiguous, const int* indices) {
-      constexpr bool contiguous = decltype(isContiguous)::value;
-      gatherBonds<D, contiguous>(chunk, indices, ownIds, strength.of(c), strength.isUniform(c), points, gathered);
-      call(GatheredChunk<D, contiguous, OfLanes>{chunk, indices, gathered.data(), ofLanes,
-                                                 gather(points.volume, ownIds)});
+    const auto callMade = [&](auto contiguous, const int* indices) {
+      constexpr bool isContiguousChunk = decltype(contiguous)::value;
+      BondMaker<D, isContiguousChunk> bonds{
+          chunk, indices, points, packed.values(), strength.of(c), strength.isUniform(c), {}, {}};
+      for (int d = 0; d < D; ++d) {
+        bonds.own[d] = gather(points.displacement[d], ownIds);
+        bonds.ownReference[d] = gather(points.reference[d], ownIds);
+      }
+      const Vector volume = gather(points.volume, ownIds);
+      if constexpr (passesOnce) {
+        call(FreshChunk<D, isContiguousChunk, OfLanes>{chunk, indices, bonds, ofLanes, atNeighbors, volume});
+      } else {
+        gathered.resize(static_cast<std::size_t>(chunk.nNeighbors));
+        for (int k = 0; k < chunk.nNeighbors; ++k) gathered[static_cast<std::size_t>(k)] = bonds(k);
+        call(KeptChunk<D, isContiguousChunk, OfLanes>{chunk, indices, gathered.data(), ofLanes, atNeighbors, volume});
+      }
     };
     if (coefficients.isUniform(c)) {
-      UniformChunk<D, width, OfUniform> bonds{chunk, neighborhood.offsets(chunk), coefficients.of(c), ofUniform, {}, {},
-                                              {}};
+      UniformChunk<D, width, OfUniform> bonds{
+          chunk, neighborhood.offsets(chunk), coefficients.of(c), ofUniform, atNeighbors, {}, {}, {}};
       // A contiguous load, so that unused lanes read the points that follow.
       for (int d = 0; d < D; ++d) {
         bonds.displacement[d] = points.displacement[d] + chunk.firstPoint;
@@ -150,11 +231,13 @@ void forEachChunkOfBonds(const ChunkedNeighborhood& neighborhood, const BondCons
       bonds.volume = load(points.volume + chunk.firstPoint);
       call(bonds);
     } else if (chunk.isContiguous) {
-      callGathered(std::true_type(), neighborhood.offsets(chunk));
+      callMade(std::true_type(), neighborhood.offsets(chunk));
     } else {
-      callGathered(std::false_type(), neighborhood.neighborIds(chunk));
+      callMade(std::false_type(), neighborhood.neighborIds(chunk));
     }
   }
+  for (std::size_t i = 0; i < nScattered; ++i)
+    for (int d = 0; d < D; ++d) force[d][i] += scattered[4 * i + static_cast<std::size_t>(d)];
 }
 
 }  // namespace pd::kernels

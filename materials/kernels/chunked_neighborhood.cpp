@@ -10,7 +10,7 @@ namespace pd::kernels {
 namespace {
 
 constexpr int samplesOfList = 64;
-constexpr double leastUse = 0.35;  ///< of the lanes of a contiguous chunk; with fewer, gathering is as quick
+constexpr double leastUse = 0.65;  ///< of the lanes of a contiguous chunk; with fewer, gathering is as quick
 
 std::vector<int> sampleOf(const int* list, std::size_t size) {
   std::vector<int> sample;

@@ -21,15 +21,18 @@ struct OfUniform {
 };
 
 /// The same of one bond a lane.
+template <class Bond>
 struct BondOfLanes {
-  const GatheredBond<3>& bond;
-  PD_EACH_BOND const Vector& xi(int d) const { return bond.xi[d]; }
+  Bond bond;  ///< GatheredBond<3>, or a reference to one that is kept
+  PD_EACH_BOND Vector xi(int d) const { return bond.xi[d]; }
+  PD_EACH_BOND Vector eta(int d) const { return bond.eta[d]; }
   PD_EACH_BOND Vector influence() const { return bond.perLength * bond.length; }
-  PD_EACH_BOND const Vector& volume() const { return bond.volume; }
-  PD_EACH_BOND const Vector& length() const { return bond.length; }
+  PD_EACH_BOND Vector volume() const { return bond.volume; }
+  PD_EACH_BOND Vector length() const { return bond.length; }
 };
 struct OfLanes {
-  PD_EACH_BOND BondOfLanes operator()(const GatheredBond<3>& bond) const { return {bond}; }
+  PD_EACH_BOND BondOfLanes<const GatheredBond<3>&> operator()(const GatheredBond<3>& bond) const { return {bond}; }
+  PD_EACH_BOND BondOfLanes<GatheredBond<3>> operator()(GatheredBond<3>&& bond) const { return {bond}; }
 };
 
 struct CurrentBond {
@@ -41,7 +44,7 @@ PD_EACH_BOND CurrentBond currentBond(const BondsOf& bondsOf, const Bond& bond, i
   CurrentBond current;
   Vector length2 = 0.0;
   unrolled<3>([&](auto d) PD_INLINED {
-    current.y[d] = bondsOf.eta(k, d) + bond.xi(d);
+    current.y[d] = bondsOf.eta(k, bond, d) + bond.xi(d);
     length2 += current.y[d] * current.y[d];
   });
   current.inverseLength = inverseSquareRoot(length2);
@@ -77,12 +80,8 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
   const Vector volumetric = (3.0 * data.bulkModulus - 5.0 * data.shearModulus) * theta * perM;
   const Vector deviatoric = 15.0 * data.shearModulus * perM;
 
-  double* at[3];
   Vector sum[3];
-  unrolled<3>([&](auto d) PD_INLINED {
-    at[d] = bondsOf.valuesAtNeighbors(force[d]);
-    sum[d] = 0.0;
-  });
+  unrolled<3>([&](auto d) PD_INLINED { sum[d] = 0.0; });
   const int nNeighbors = chunk.nNeighbors;
   const Vector volume = bondsOf.volume;
   // In this order for the sake of the stores (two_parameter_bond.cpp).
@@ -99,7 +98,7 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
         sum[d] += own * current.y[d];
         value[d] = opposite * current.y[d];
       });
-      addToNeighbors<3, isWhole>(bondsOf, k, bits[k], value, at);
+      addToNeighbors<3, isWhole>(bondsOf, k, bits[k], value);
     }
   for (int d = 0; d < 3; ++d) addToPoints(neighborhood, chunk, sum[d], force[d]);
   for (int lane = 0; lane < chunk.nLanes; ++lane) dilatation[ids[lane]] = theta[static_cast<std::size_t>(lane)];
@@ -117,8 +116,8 @@ BondConstants solidCoefficients(const ChunkedNeighborhood& neighborhood,
 
 void addSolidForce(const ChunkedNeighborhood& neighborhood, const SolidBondData& data, const AliveBonds& alive,
                    const BondPoints& points, const double* weightedVolume, double* dilatation, PointArrays& force) {
-  forEachChunkOfBonds<3, UniformBond::width>(
-      neighborhood, data.influence, data.coefficients, alive, points, OfUniform(), OfLanes(),
+  forEachChunkOfBonds<3, UniformBond::width, false>(
+      neighborhood, data.influence, data.coefficients, alive, points, force, OfUniform(), OfLanes(),
       [&](auto isWhole, const Chunk& chunk, const auto& bondsOf) {
         addForceOfChunk<decltype(isWhole)::value>(neighborhood, chunk, data, alive.of(chunk), bondsOf, weightedVolume,
                                                   dilatation, force);

@@ -47,6 +47,7 @@ class PointArrays {
         interleaved[3 * static_cast<std::size_t>(i) + d] += (*this)[static_cast<int>(d)][i];
   }
 
+  int nPoints() const { return static_cast<int>(components_[0].size()) - 2 * lanes; }
   double* operator[](int d) { return component(static_cast<std::size_t>(d)); }
   const double* operator[](int d) const { return components_[static_cast<std::size_t>(d)].data() + lanes; }
 

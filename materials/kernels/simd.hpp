@@ -92,6 +92,62 @@ PD_EACH_BOND void unrolled(const Visit& visit) {
   unrolled(std::make_integer_sequence<int, n>(), visit);
 }
 
+#ifdef __AVX512F__
+/// r[l]: four values of lane l, then four of lane l + 4. Becomes one vector a value; done twice, it is what it was.
+PD_EACH_BOND void transposeFour(__m512d (&r)[4]) {
+  const __m512d low01 = __builtin_shufflevector(r[0], r[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const __m512d high01 = __builtin_shufflevector(r[0], r[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const __m512d low23 = __builtin_shufflevector(r[2], r[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const __m512d high23 = __builtin_shufflevector(r[2], r[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  r[0] = __builtin_shufflevector(low01, low23, 0, 1, 8, 9, 4, 5, 12, 13);
+  r[1] = __builtin_shufflevector(high01, high23, 0, 1, 8, 9, 4, 5, 12, 13);
+  r[2] = __builtin_shufflevector(low01, low23, 2, 3, 10, 11, 6, 7, 14, 15);
+  r[3] = __builtin_shufflevector(high01, high23, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+#endif
+
+/// out[c] = values[width * indices[lane] + c] for c < 4: four neighbouring values of each point, by as many loads as
+/// one value would take.
+template <int width>
+PD_EACH_BOND void gatherFour(const double* values, const int* indices, Vector* out) {
+#ifdef __AVX512F__
+  if constexpr (lanes == 8) {
+    const auto row = [&](int lane) { return _mm256_loadu_pd(values + width * std::ptrdiff_t(indices[lane])); };
+    __m512d r[4];
+    unrolled<4>([&](auto l) PD_INLINED { r[l] = __builtin_shufflevector(row(l), row(l + 4), 0, 1, 2, 3, 4, 5, 6, 7); });
+    transposeFour(r);
+    unrolled<4>([&](auto c) PD_INLINED { out[c] = Vector(r[c]); });
+    return;
+  }
+#endif
+  for (int c = 0; c < 4; ++c)
+    out[c] = Vector([&](auto lane) { return values[width * std::ptrdiff_t(indices[lane]) + c]; });
+}
+
+/// values[width * indices[lane] + c] += in[c] for c < 4, lane after lane.
+template <int width>
+PD_EACH_BOND void scatterAddFour(const Vector* in, const int* indices, double* values) {
+#ifdef __AVX512F__
+  if constexpr (lanes == 8) {
+    __m512d r[4];
+    unrolled<4>([&](auto c) PD_INLINED { r[c] = static_cast<__m512d>(in[c]); });
+    transposeFour(r);
+    const auto add = [&](int lane, __m256d row) {
+      double* at = values + width * std::ptrdiff_t(indices[lane]);
+      _mm256_storeu_pd(at, _mm256_add_pd(_mm256_loadu_pd(at), row));
+    };
+    unrolled<4>([&](auto l) PD_INLINED {
+      add(l, __builtin_shufflevector(r[l], r[l], 0, 1, 2, 3));
+      add(l + 4, __builtin_shufflevector(r[l], r[l], 4, 5, 6, 7));
+    });
+    return;
+  }
+#endif
+  for (int lane = 0; lane < lanes; ++lane)
+    for (int c = 0; c < 4; ++c)
+      values[width * std::ptrdiff_t(indices[lane]) + c] += in[c][static_cast<std::size_t>(lane)];
+}
+
 /// Calls visit(dimension) with the integral constant 1, 2 or 3.
 template <class Visit>
 void withDimension(int dimension, const Visit& visit) {

@@ -50,11 +50,12 @@ struct UniformBond {
 };
 
 /// Constants of one bond a lane.
-template <int D, Form form>
+template <int D, Form form, class Bond>
 struct BondOfLanes {
-  const GatheredBond<D>& bond;
+  Bond bond;  ///< GatheredBond<D>, or a reference to one that is kept
   const ElasticConstants& constants;
-  PD_EACH_BOND const Vector& xi(int d) const { return bond.xi[d]; }
+  PD_EACH_BOND Vector xi(int d) const { return bond.xi[d]; }
+  PD_EACH_BOND Vector eta(int d) const { return bond.eta[d]; }
   PD_EACH_BOND Vector a() const {
     return (form == Form::Linear ? constants.tangential : constants.normal) * bond.perLength * bond.volume;
   }
@@ -74,7 +75,12 @@ struct ConstantsOfUniform {
 template <int D, Form form>
 struct ConstantsOfLanes {
   const ElasticConstants& constants;
-  PD_EACH_BOND BondOfLanes<D, form> operator()(const GatheredBond<D>& bond) const { return {bond, constants}; }
+  PD_EACH_BOND BondOfLanes<D, form, const GatheredBond<D>&> operator()(const GatheredBond<D>& bond) const {
+    return {bond, constants};
+  }
+  PD_EACH_BOND BondOfLanes<D, form, GatheredBond<D>> operator()(GatheredBond<D>&& bond) const {
+    return {bond, constants};
+  }
 };
 
 /// Rotation of every lane's neighbourhood, row by row, and the sum of weighted bonds.
@@ -93,7 +99,7 @@ PD_EACH_BOND Family<D> familyOf(const Chunk& chunk, const unsigned char* bits, c
     const auto& bond = bondsOf(k);
     Vector y[D], w[D];
     unrolled<D>([&](auto d) PD_INLINED {
-      y[d] = bondsOf.eta(k, d) + bond.xi(d);
+      y[d] = bondsOf.eta(k, bond, d) + bond.xi(d);
       w[d] = keepUnbroken<isWhole>(bond.weighted(d), bits[k]);
       weighted[d] += w[d];
     });
@@ -138,7 +144,7 @@ PD_EACH_BOND void addOwnForces(const Chunk& chunk, const unsigned char* bits, co
     const auto& bond = bondsOf(k);
     Vector eta[D], y[D], square = 0.0, along = 0.0;
     unrolled<D>([&](auto d) PD_INLINED {
-      eta[d] = bondsOf.eta(k, d);
+      eta[d] = bondsOf.eta(k, bond, d);
       y[d] = eta[d] + bond.xi(d);
       square += y[d] * y[d];
       along += eta[d] * bond.xi(d);
@@ -158,11 +164,9 @@ PD_EACH_BOND void addOwnForces(const Chunk& chunk, const unsigned char* bits, co
 /// Adds V_i R_i turned of all bonds at the neighbours.
 template <int D, bool isWhole, class BondsOf>
 PD_EACH_BOND void addAtNeighbors(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf,
-                                 const Family<D>& family, PointArrays& force) {
+                                 const Family<D>& family) {
   Vector r[D * D];
-  double* at[D];
   unrolled<D * D>([&](auto i) PD_INLINED { r[i] = family.r[i] * bondsOf.volume; });
-  unrolled<D>([&](auto d) PD_INLINED { at[d] = bondsOf.valuesAtNeighbors(force[d]); });
   const int nNeighbors = chunk.nNeighbors;
   // Bonds that follow each other share neighbours one lane apart: far between, so that no load waits for a store.
   for (int first = 0; first < lanes; ++first)
@@ -174,7 +178,7 @@ PD_EACH_BOND void addAtNeighbors(const Chunk& chunk, const unsigned char* bits, 
         if constexpr (D > 1) value[d] += r[D * d + 1] * bond.turned(1);
         if constexpr (D > 2) value[d] += r[D * d + 2] * bond.turned(2);
       });
-      addToNeighbors<D, isWhole>(bondsOf, k, bits[k], value, at);
+      addToNeighbors<D, isWhole>(bondsOf, k, bits[k], value);
     }
 }
 
@@ -188,7 +192,7 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
     const Family<D> family = familyOf<D, isWhole>(chunk, bits, bondsOf);
     for (int d = 0; d < D; ++d)
       for (int e = 0; e < D; ++e) sum[d] -= 0.5 * tangential * family.r[D * d + e] * family.weighted[e];
-    addAtNeighbors<D, isWhole>(chunk, bits, bondsOf, family, force);
+    addAtNeighbors<D, isWhole>(chunk, bits, bondsOf, family);
   }
   for (int d = 0; d < D; ++d) addToPoints(neighborhood, chunk, sum[d], force[d]);
 }
@@ -196,8 +200,8 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
 template <int D, Form form>
 void addForce(const ChunkedNeighborhood& neighborhood, const BondForceData& data, const AliveBonds& alive,
               const BondPoints& points, PointArrays& force) {
-  forEachChunkOfBonds<D, UniformBond<D>::width>(
-      neighborhood, data.strength, data.coefficients, alive, points, ConstantsOfUniform<D>(),
+  forEachChunkOfBonds<D, UniformBond<D>::width, form != Form::Objective>(
+      neighborhood, data.strength, data.coefficients, alive, points, force, ConstantsOfUniform<D>(),
       ConstantsOfLanes<D, form>{data.constants}, [&](auto isWhole, const Chunk& chunk, const auto& bondsOf) {
         addForceOfChunk<D, form, decltype(isWhole)::value>(neighborhood, chunk, data.constants.tangential,
                                                            alive.of(chunk), bondsOf, force);
