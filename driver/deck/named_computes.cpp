@@ -27,6 +27,8 @@ std::vector<std::string> computesWithoutSection(const Deck& deck) {
   std::set<std::string> known;
   for (const auto& [name, entry] : deck["Compute Class Parameters"].entries()) {
     if (entry["Compute Class"].isScalar()) known.insert(withUnderscores(entry["Compute Class"].text()));
+    // What an entry calls its result is that entry's, even where a class has this name.
+    if (entry["Output Label"].isScalar()) known.insert(withUnderscores(entry["Output Label"].text()));
     if (entry["Variable"].isScalar()) labels.push_back(entry["Variable"].text());
   }
   for (const auto& [key, output] : deck.root().entries()) {
