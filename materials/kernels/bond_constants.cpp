@@ -199,4 +199,20 @@ double latticeMicroDiffusivity(const Section& section, DiffusionKernel kernel, d
   return diffusivity / sum;
 }
 
+double interfaceFluxConstant(const Section& section, double horizon) {
+  // q = integral c q/r x dV over the half neighbourhood x > 0: over dV, every bond crosses as many planes as x is long.
+  const int dimension = dimensionOf(section.geometry);
+  const double halfSphere = dimension == 1 ? section.size : dimension == 2 ? 2.0 * section.size : pi;
+  return dimension / (halfSphere * std::pow(horizon, dimension));
+}
+
+double latticeInterfaceFluxConstant(const Section& section, double horizon, double spacing, VolumeCorrection rule) {
+  double sum = 0.0;
+  forLattice(dimensionOf(section.geometry), horizon, spacing, rule,
+             [&](double x, double, double, double r, double share) {
+               if (x > 0.0) sum += x / r * share * cellVolume(spacing, section);
+             });
+  return 1.0 / sum;
+}
+
 }  // namespace pd::kernels

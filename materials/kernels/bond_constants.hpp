@@ -87,6 +87,14 @@ double microDiffusivity(const Section& section, DiffusionKernel kernel, double d
 double latticeMicroDiffusivity(const Section& section, DiffusionKernel kernel, double diffusivity, double horizon,
                                double spacing, VolumeCorrection rule);
 
+/// Constant c of a flux c q/|xi| (mol/(m6 s)) over the bonds between two phases, such that a plane between them passes
+/// the flux q: 1/(A delta), 1/(h delta^2), 3/(pi delta^3). (In solids the kernel of Jafarzadeh, Wang, Gobbert & Bobaru,
+/// PeriFast/Corrosion, 2023.)
+double interfaceFluxConstant(const Section& section, double horizon);
+
+/// The same from sums over an ideal lattice, with the plane between two of its layers.
+double latticeInterfaceFluxConstant(const Section& section, double horizon, double spacing, VolumeCorrection rule);
+
 /// kernel(|xi|) of a diffusion bond.
 double kernelValue(DiffusionKernel kernel, double distance);
 

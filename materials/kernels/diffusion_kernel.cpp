@@ -28,9 +28,11 @@ Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, con
 }  // namespace
 
 void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
-                       const double* concentration, double* rate) {
+                       const double* concentration, double* rate, const std::vector<std::size_t>* only) {
   const auto& chunks = neighborhood.chunks();
-  for (std::size_t c = 0; c < chunks.size(); ++c) {
+  const std::size_t count = only == nullptr ? chunks.size() : only->size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t c = only == nullptr ? i : (*only)[i];
     const Chunk& chunk = chunks[c];
     const bool isUniform = weights.isUniform(c);
     // Where constants are kept a lane, they are zero in lanes that have no such neighbour.

@@ -1,0 +1,256 @@
+#include "corrosion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../declarations.hpp"
+#include "Peridigm_Field.hpp"
+
+namespace pd {
+
+namespace {
+
+const std::string rateField = "Concentration_Flux_Divergence";
+
+TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
+  TransportSettings settings;
+  settings.tolerance = parameters.get<double>("Solver Tolerance");
+  settings.maximumLinearIterations = parameters.get<int>("Maximum Linear Iterations");
+  return settings;
+}
+
+Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
+  ParameterDeclarations declarations;
+  Corrosion::declareParameters(declarations);
+  return declarations.complete(given, "Corrosion");
+}
+
+}  // namespace
+
+void Corrosion::declareParameters(ParameterDeclarations& declare) {
+  declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
+  declare.real("Fixed dt", "s", "Time step; without it, steps follow the tolerance and the front.").positive();
+  declare
+      .real("Relative Tolerance", "1", "Error of one step, root of its mean square in the electrolyte, of saturation.")
+      .defaultTo(1e-2)
+      .positive();
+  declare
+      .real("Front Limit", "1",
+            "Most of a solid point's metal that a step may take where its length is free: how many spacings the front "
+            "may move, about.")
+      .defaultTo(0.5)
+      .positive();
+  declare.real("Maximum dt", "s", "Longest step; by default an increment.").positive();
+  declare
+      .real("Solver Tolerance", "1",
+            "Largest residual of a step, of saturation. Mass is conserved to rounding whatever it is.")
+      .defaultTo(1e-9)
+      .strictlyBetween(0.0, 1.0);
+  declare.integer("Maximum Linear Iterations", "Of one linear solve.").defaultTo(5000).atLeast(1);
+}
+
+Corrosion::Corrosion(const Teuchos::ParameterList& given) : transport_(settingsFrom(completed(given))) {
+  const auto parameters = completed(given);
+  nIncrements_ = parameters.get<int>("Load Steps");
+  if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
+  tolerance_ = parameters.get<double>("Relative Tolerance");
+  frontLimit_ = parameters.get<double>("Front Limit");
+  largestStep_ = parameters.isParameter("Maximum dt") ? parameters.get<double>("Maximum dt")
+                                                      : std::numeric_limits<double>::infinity();
+}
+
+std::vector<int> Corrosion::fieldIds() const {
+  using namespace PeridigmNS::PeridigmField;
+  auto& fields = PeridigmNS::FieldManager::self();
+  std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, "Concentration"),
+                          fields.getFieldId(NODE, SCALAR, TWO_STEP, rateField),
+                          fields.getFieldId(ELEMENT, SCALAR, TWO_STEP, "Damage")};
+  for (const char* label : {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate",
+                            "Dissolution_Rate_Slope", "Solid_Concentration", "Saturation_Concentration"})
+    ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
+  return ids;
+}
+
+void Corrosion::initialize(Simulation& simulation) {
+  Model& model = simulation.model;
+  const double* saturation = model.field("Saturation_Concentration");
+  bool isCorrosion = model.hasDamage();
+  for (int i = 0; i < model.nOwned(); ++i) isCorrosion = isCorrosion && saturation[i] > 0.0;
+  if (model.comm().any(!isCorrosion))
+    throw RunError(
+        "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
+        "changes its phase (\"Dissolution\")");
+  initialMetal_ = metal(simulation);
+}
+
+double Corrosion::metal(Simulation& simulation) const {
+  Model& model = simulation.model;
+  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  const double *volume = model.field("Volume"), *concentration = model.field("Concentration");
+  double sum = 0.0;
+  for (int i = 0; i < model.nOwned(); ++i)
+    if (isHeld[static_cast<std::size_t>(i)] == 0) sum += volume[i] * concentration[i];
+  return model.comm().sum(sum);
+}
+
+double Corrosion::frontAdvance(Simulation& simulation) const {
+  Model& model = simulation.model;
+  const double *damage = model.field("Damage"), *concentration = model.field("Concentration");
+  const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
+  double largest = 0.0;
+  for (int i = 0; i < model.nOwned(); ++i)
+    if (damage[i] < 1.0)
+      largest = std::max(
+          largest, (transport_.before()[static_cast<std::size_t>(i)] - concentration[i]) / (solid[i] - saturation[i]));
+  return model.comm().max(largest);
+}
+
+/// Of backward Euler: h^2/2 C'', from the change of the rate since the last step, away from the interface, where rates
+/// jump as points change phase.
+double Corrosion::timeError(Simulation& simulation, double h) const {
+  Model& model = simulation.model;
+  if (lastRate_.empty()) return 0.0;
+  const double *volume = model.field("Volume"), *saturation = model.field("Saturation_Concentration");
+  const double* area = model.field("Interface_Area_Density");
+  double square = 0.0, total = 0.0;
+  for (std::size_t i = 0; i < lastRate_.size(); ++i) {
+    if (transport_.isUnknown()[i] == 0 || area[i] > 0.0 || std::isnan(lastRate_[i])) continue;
+    const double error = 0.5 * h * (transport_.rate()[i] - lastRate_[i]) / saturation[i];
+    square += volume[i] * error * error;
+    total += volume[i];
+  }
+  total = model.comm().sum(total);
+  return total > 0.0 ? std::sqrt(model.comm().sum(square) / total) : 0.0;
+}
+
+void Corrosion::carryOver(Simulation& simulation, double h) {
+  Model& model = simulation.model;
+  double *concentration = model.field("Concentration"), *demand = model.field("Dissolution_Demand");
+  const double *damage = model.field("Damage"), *saturation = model.field("Saturation_Concentration");
+  const double *area = model.field("Interface_Area_Density"), *rate = model.field(rateField);
+  double* salt = model.field("Salt_Coverage");
+  const auto n = static_cast<std::size_t>(model.nOwned());
+  std::vector<double> debt(n, 0.0);
+  // Each pass reaches a horizon further.
+  constexpr int maximumPasses = 20;
+  for (int pass = 0; pass < maximumPasses; ++pass) {
+    bool owes = false;
+    for (std::size_t i = 0; i < n; ++i)
+      if (damage[i] < 1.0 && concentration[i] < saturation[i]) {
+        debt[i] = saturation[i] - concentration[i];
+        concentration[i] = saturation[i];
+        owes = true;
+      }
+    model.evaluateDamage(h);
+    if (!model.comm().any(owes)) break;
+    // With the electrolyte at one concentration and salt on all surfaces, nothing flows but the demand.
+    const std::vector<double> present(concentration, concentration + n);
+    const std::vector<double> covered(salt, salt + model.nPoints());
+    std::fill(concentration, concentration + model.nPoints(), 0.0);
+    std::fill(salt, salt + model.nPoints(), 1.0);
+    std::fill(demand, demand + model.nPoints(), 0.0);
+    model.evaluateFluxDivergence(h, rateField);  // areas of the new interface
+    for (std::size_t i = 0; i < n; ++i) demand[i] = area[i] > 0.0 ? debt[i] / area[i] : 0.0;
+    model.importGhosts("Dissolution_Demand");
+    model.evaluateFluxDivergence(h, rateField);
+    for (std::size_t i = 0; i < n; ++i) {
+      concentration[i] = present[i] - debt[i] + rate[i];
+      debt[i] = 0.0;
+    }
+    std::copy(covered.begin(), covered.end(), salt);
+    std::fill(demand, demand + model.nPoints(), 0.0);
+  }
+  model.importGhosts("Concentration");
+}
+
+bool Corrosion::step(Simulation& simulation, double t, double h) {
+  Model& model = simulation.model;
+  simulation.conditions.applyPrescribedValue("Concentration", t + h);
+  if (!transport_.solve(simulation, h)) {
+    if (h < 1e-12 * (t + h) || fixedStep_ > 0.0)
+      throw RunError(fmt::format("Corrosion: t = {:.6g} s: {}. Take shorter steps, or allow more linear iterations", t,
+                                 transport_.trouble()));
+    return false;
+  }
+  advance_ = frontAdvance(simulation);
+  error_ = timeError(simulation, h);
+  const bool isTooLong = fixedStep_ == 0.0 && (advance_ > 2.0 * frontLimit_ || error_ > 4.0 * tolerance_);
+  if (isTooLong) {
+    std::copy(transport_.before().begin(), transport_.before().end(), model.field("Concentration"));
+    return false;
+  }
+  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  const double* volume = model.field("Volume");
+  double held = 0.0;
+  for (std::size_t i = 0; i < transport_.rate().size(); ++i)
+    if (isHeld[i] != 0) held += volume[i] * h * transport_.rate()[i];
+  outflow_ += model.comm().sum(held);
+  carryOver(simulation, h);
+  lastRate_.assign(transport_.rate().size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < lastRate_.size(); ++i)
+    if (transport_.isUnknown()[i] != 0) lastRate_[i] = transport_.rate()[i];
+  return true;
+}
+
+double Corrosion::nextStep(double h) const {
+  const double byFront = advance_ > 0.0 ? frontLimit_ / advance_ : 2.0;
+  const double byError = error_ > 0.0 ? 0.9 * std::sqrt(tolerance_ / error_) : 2.0;
+  return h * std::clamp(std::min(byFront, byError), 0.2, 2.0);
+}
+
+void Corrosion::advance(Simulation& simulation, double t, double dt) {
+  const double end = t + dt;
+  double now = t;
+  if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
+  while (end - now > 1e-12 * dt) {
+    const double wanted = std::min({fixedStep_ > 0.0 ? fixedStep_ : proposedStep_, largestStep_, end - now});
+    // No sliver of a step is left before the end.
+    const double left = end - now;
+    const double h = wanted >= left * (1.0 - 1e-9)              ? left
+                     : wanted > 0.5 * left && fixedStep_ == 0.0 ? 0.5 * left
+                                                                : wanted;
+    const bool isTaken = step(simulation, now, h);
+    if (isTaken) {
+      ++nSteps_;
+      now += h;
+      shortest_ = nSteps_ == 1 ? h : std::min(shortest_, h);
+      longest_ = std::max(longest_, h);
+      simulation.model.requireFinite("Concentration", static_cast<int>(nSteps_));
+    } else {
+      ++nRejected_;
+    }
+    if (fixedStep_ == 0.0) {
+      const double next = isTaken ? nextStep(h) : std::min(0.5 * h, nextStep(h));
+      // A step that was cut to meet the end says nothing about longer ones.
+      proposedStep_ = isTaken && h < proposedStep_ ? std::max(next, std::min(proposedStep_, 2.0 * h)) : next;
+    }
+  }
+  balance_ = std::abs(metal(simulation) + outflow_ - initialMetal_) / std::max(initialMetal_, 1e-300);
+}
+
+std::vector<std::string> Corrosion::summary() const {
+  return {
+      fmt::format("Corrosion: {} steps of {:.3g} to {:.3g} s, {} rejected; {} Newton and {} linear iterations", nSteps_,
+                  shortest_, longest_, nRejected_, transport_.nNewtonIterations, transport_.nLinearIterations),
+      fmt::format("Corrosion: metal in solid and electrolyte {:.6g} mol at the start, {:.6g} mol have left through "
+                  "prescribed points; the balance is off by {:.2g} of it",
+                  initialMetal_, outflow_, balance_)};
+}
+
+std::vector<double> Corrosion::restartState() const {
+  return {proposedStep_, initialMetal_, outflow_, static_cast<double>(nSteps_)};
+}
+
+void Corrosion::setRestartState(const std::vector<double>& state) {
+  proposedStep_ = state.at(0);
+  initialMetal_ = state.at(1);
+  outflow_ = state.at(2);
+  nSteps_ = static_cast<long long>(state.at(3));
+}
+
+PD_REGISTER_SOLVER(Corrosion, "Corrosion", "Dissolution of metal and implicit transport of its ions")
+
+}  // namespace pd

@@ -1,0 +1,46 @@
+// Solver of dissolution: implicit transport at given phases, then the change of phases.
+#ifndef PD_CORROSION_HPP
+#define PD_CORROSION_HPP
+
+#include "../solver.hpp"
+#include "transport_step.hpp"
+
+namespace pd {
+
+class Corrosion : public Solver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit Corrosion(const Teuchos::ParameterList& given);
+
+  std::vector<int> fieldIds() const override;
+  void initialize(Simulation& simulation) override;
+  int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+  std::vector<double> restartState() const override;
+  void setRestartState(const std::vector<double>& state) override;
+
+ private:
+  /// Takes one step of length h; false, with everything as before, where it must be shorter.
+  bool step(Simulation& simulation, double t, double h);
+  /// Largest share of a solid point's metal that the last step took.
+  double frontAdvance(Simulation& simulation) const;
+  double timeError(Simulation& simulation, double h) const;
+  /// Solid points that have given more than they can take the rest from solid points around them.
+  void carryOver(Simulation& simulation, double h);
+  double metal(Simulation& simulation) const;
+  double nextStep(double h) const;
+
+  int nIncrements_;
+  double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
+  TransportStep transport_;
+  std::vector<double> lastRate_;  ///< of liquid points, NaN elsewhere
+  double proposedStep_ = 0.0, advance_ = 0.0, error_ = 0.0;
+  double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
+  long long nSteps_ = 0, nRejected_ = 0, nDissolved_ = 0;
+  double shortest_ = 0.0, longest_ = 0.0;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,145 @@
+#include "dissolution_kernel.hpp"
+
+#include <algorithm>
+
+namespace pd::kernels {
+
+PhaseBonds::PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, const int* ownedIds,
+                       const int* neighborhoodList, int nPoints)
+    : ownedIds_(ownedIds), list_(neighborhoodList) {
+  const auto n = static_cast<std::size_t>(nPoints);
+  isLiquid_.assign(n, 0);
+  chunkOf_.assign(n, -1);
+  ownedPosition_.assign(n, -1);
+  chunksAround_.resize(n);
+  std::size_t at = 0;
+  for (int p = 0; p < nOwned; ++p) {
+    ownedPosition_[static_cast<std::size_t>(ownedIds[p])] = p;
+    starts_.push_back(at);
+    at += static_cast<std::size_t>(neighborhoodList[at]) + 1;
+  }
+  const auto& chunks = neighborhood.chunks();
+  for (std::size_t c = 0; c < chunks.size(); ++c)
+    for (int lane = 0; lane < chunks[c].nLanes; ++lane)
+      chunkOf_[static_cast<std::size_t>(neighborhood.pointIds(chunks[c])[lane])] = static_cast<int>(c);
+  for (int p = 0; p < nOwned; ++p) {
+    const int* neighbors = list_ + starts_[static_cast<std::size_t>(p)] + 1;
+    const int chunk = chunkOf_[static_cast<std::size_t>(ownedIds[p])];
+    for (int k = 0; k < neighbors[-1]; ++k) {
+      auto& around = chunksAround_[static_cast<std::size_t>(neighbors[k])];
+      if (ownedPosition_[static_cast<std::size_t>(neighbors[k])] < 0 && (around.empty() || around.back() != chunk))
+        around.push_back(chunk);
+    }
+  }
+  kinds_.resize(chunks.size());
+  liquid_ = fromSolid_ = fromLiquid_ = AliveBonds(neighborhood);
+  for (const Chunk& chunk : chunks)
+    for (AliveBonds* bonds : {&liquid_, &fromSolid_, &fromLiquid_})
+      std::fill(bonds->of(chunk), bonds->of(chunk) + chunk.nNeighbors, static_cast<unsigned char>(0));
+}
+
+void PhaseBonds::markChunksOf(int point, std::vector<char>& isMarked) const {
+  const auto i = static_cast<std::size_t>(point);
+  if (ownedPosition_[i] < 0) {
+    for (const int chunk : chunksAround_[i]) isMarked[static_cast<std::size_t>(chunk)] = 1;
+    return;
+  }
+  // Neighbourhoods are symmetric.
+  isMarked[static_cast<std::size_t>(chunkOf_[i])] = 1;
+  const int* neighbors = list_ + starts_[static_cast<std::size_t>(ownedPosition_[i])] + 1;
+  for (int k = 0; k < neighbors[-1]; ++k) {
+    const int chunk = chunkOf_[static_cast<std::size_t>(neighbors[k])];
+    if (chunk >= 0) isMarked[static_cast<std::size_t>(chunk)] = 1;
+  }
+}
+
+bool PhaseBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* damage) {
+  std::vector<char> isMarked;
+  for (std::size_t i = 0; i < isLiquid_.size(); ++i) {
+    const char isLiquid = damage[i] >= 1.0 ? 1 : 0;
+    if (isLiquid == isLiquid_[i]) continue;
+    isMarked.resize(neighborhood.chunks().size(), 0);
+    isLiquid_[i] = isLiquid;
+    markChunksOf(static_cast<int>(i), isMarked);
+  }
+  if (isMarked.empty()) return false;
+  for (std::size_t c = 0; c < isMarked.size(); ++c)
+    if (isMarked[c] != 0) refreshChunk(neighborhood, c);
+  collect(neighborhood);
+  return true;
+}
+
+void PhaseBonds::refreshChunk(const ChunkedNeighborhood& neighborhood, std::size_t c) {
+  const Chunk& chunk = neighborhood.chunks()[c];
+  const int* points = neighborhood.pointIds(chunk);
+  const unsigned char* present = neighborhood.present(chunk);
+  unsigned char own = 0;
+  for (int lane = 0; lane < chunk.nLanes; ++lane)
+    if (isLiquid_[static_cast<std::size_t>(points[lane])] != 0) own = static_cast<unsigned char>(own | (1u << lane));
+  Kinds kinds;
+  for (int k = 0; k < chunk.nNeighbors; ++k) {
+    unsigned char other = 0;
+    for (int lane = 0; lane < chunk.nLanes; ++lane)
+      if (((present[k] >> lane) & 1u) != 0 &&
+          isLiquid_[static_cast<std::size_t>(neighborhood.neighbor(chunk, k, lane))] != 0)
+        other = static_cast<unsigned char>(other | (1u << lane));
+    liquid_.of(chunk)[k] = own & other;
+    fromSolid_.of(chunk)[k] = static_cast<unsigned char>(~own & other);
+    fromLiquid_.of(chunk)[k] = static_cast<unsigned char>(own & ~other & present[k]);
+    kinds.liquid = kinds.liquid || liquid_.of(chunk)[k] != 0;
+    kinds.fromSolid = kinds.fromSolid || fromSolid_.of(chunk)[k] != 0;
+    kinds.fromLiquid = kinds.fromLiquid || fromLiquid_.of(chunk)[k] != 0;
+  }
+  kinds_[c] = kinds;
+}
+
+void PhaseBonds::collect(const ChunkedNeighborhood& neighborhood) {
+  const auto& chunks = neighborhood.chunks();
+  liquidChunks_.clear();
+  solidChunks_.clear();
+  wetChunks_.clear();
+  for (std::size_t c = 0; c < kinds_.size(); ++c) {
+    if (kinds_[c].liquid) liquidChunks_.push_back(c);
+    if (kinds_[c].fromSolid) solidChunks_.push_back(c);
+    if (kinds_[c].fromLiquid) wetChunks_.push_back(c);
+  }
+  sources_.clear();
+  std::vector<char> isSource(isLiquid_.size(), 0);
+  for (const std::size_t c : solidChunks_) {
+    const unsigned char* bits = fromSolid_.of(chunks[c]);
+    for (int k = 0; k < chunks[c].nNeighbors; ++k)
+      for (int lane = 0; lane < chunks[c].nLanes; ++lane)
+        if (((bits[k] >> lane) & 1u) != 0)
+          isSource[static_cast<std::size_t>(neighborhood.neighbor(chunks[c], k, lane))] = 1;
+  }
+  for (const std::size_t c : wetChunks_) {
+    unsigned char any = 0;
+    for (int k = 0; k < chunks[c].nNeighbors; ++k) any = static_cast<unsigned char>(any | fromLiquid_.of(chunks[c])[k]);
+    for (int lane = 0; lane < chunks[c].nLanes; ++lane)
+      if (((any >> lane) & 1u) != 0) isSource[static_cast<std::size_t>(neighborhood.pointIds(chunks[c])[lane])] = 1;
+  }
+  for (std::size_t i = 0; i < isSource.size(); ++i)
+    if (isSource[i] != 0) sources_.push_back(static_cast<int>(i));
+}
+
+void addWeightedSum(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds& bonds,
+                    const std::vector<std::size_t>& only, const double* scale, const double* values, double* sum) {
+  for (const std::size_t c : only) {
+    const Chunk& chunk = neighborhood.chunks()[c];
+    const unsigned char* bits = bonds.of(chunk);
+    const double* w = weights.of(c);
+    const bool isUniform = weights.isUniform(c);
+    Vector total = 0.0;
+    for (int k = 0; k < chunk.nNeighbors; ++k) {
+      if (bits[k] == 0) continue;
+      const Vector value = chunk.isContiguous ? load(values + chunk.firstPoint + neighborhood.offsets(chunk)[k])
+                                              : gather(values, neighborhood.neighborIds(chunk) + k * lanes);
+      const Vector weight = isUniform ? Vector(w[k]) : load(w + k * lanes);
+      total += keep(weight * value, bits[k]);
+    }
+    if (scale != nullptr) total *= gather(scale, neighborhood.pointIds(chunk));
+    addToPoints(neighborhood, chunk, total, sum);
+  }
+}
+
+}  // namespace pd::kernels

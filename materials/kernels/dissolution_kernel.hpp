@@ -1,0 +1,61 @@
+// Sums over the bonds between the phases of a dissolving body.
+#ifndef PD_DISSOLUTION_KERNEL_HPP
+#define PD_DISSOLUTION_KERNEL_HPP
+
+#include <vector>
+
+#include "alive_bonds.hpp"
+#include "chunked_neighborhood.hpp"
+
+namespace pd::kernels {
+
+/// Which bonds join two liquid points, and which a solid and a liquid one. Kept up to date point by point, since few
+/// change at a time; chunks of nothing but intact solid take no part in any loop.
+class PhaseBonds {
+ public:
+  PhaseBonds() = default;
+  /// All points solid. `neighborhoodList`: what the neighbourhood was made from, as long as this lives.
+  PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, const int* ownedIds, const int* neighborhoodList,
+             int nPoints);
+
+  /// `damage` by local id: a point is liquid where it is 1. Returns whether any point has changed.
+  bool refresh(const ChunkedNeighborhood& neighborhood, const double* damage);
+
+  const AliveBonds& liquid() const { return liquid_; }
+  const std::vector<std::size_t>& liquidChunks() const { return liquidChunks_; }  ///< that have such bonds
+  const AliveBonds& fromSolid() const { return fromSolid_; }  ///< bonds of solid points to liquid ones
+  const std::vector<std::size_t>& solidChunks() const { return solidChunks_; }
+  const AliveBonds& fromLiquid() const { return fromLiquid_; }  ///< bonds of liquid points to solid ones
+  const std::vector<std::size_t>& wetChunks() const { return wetChunks_; }
+  /// Liquid points with a bond to a solid one: the owned ones, and those near owned solid points.
+  const std::vector<int>& sources() const { return sources_; }
+
+ private:
+  void markChunksOf(int point, std::vector<char>& isMarked) const;
+  void refreshChunk(const ChunkedNeighborhood& neighborhood, std::size_t c);
+  void collect(const ChunkedNeighborhood& neighborhood);
+
+  const int* ownedIds_ = nullptr;
+  const int* list_ = nullptr;
+  std::vector<std::size_t> starts_;             ///< of the list of each owned point
+  std::vector<int> chunkOf_;                    ///< by local id; -1: not owned
+  std::vector<int> ownedPosition_;              ///< by local id; -1: not owned
+  std::vector<std::vector<int>> chunksAround_;  ///< of points that are not owned, by local id
+  std::vector<char> isLiquid_;                  ///< by local id
+  AliveBonds liquid_, fromSolid_, fromLiquid_;
+  struct Kinds {
+    bool liquid = false, fromSolid = false, fromLiquid = false;
+  };
+  std::vector<Kinds> kinds_;  ///< of bonds that a chunk has
+  std::vector<std::size_t> liquidChunks_, solidChunks_, wetChunks_;
+  std::vector<int> sources_;
+};
+
+/// sum_i += scale_i sum_j w_ij v_j over the bonds whose bits are set, in the chunks `only`. `scale` null: 1. Arrays by
+/// local id, readable as PointArrays are.
+void addWeightedSum(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds& bonds,
+                    const std::vector<std::size_t>& only, const double* scale, const double* values, double* sum);
+
+}  // namespace pd::kernels
+
+#endif
