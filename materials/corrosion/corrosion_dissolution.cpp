@@ -195,6 +195,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
     made.lostFlux.zero(views.nPoints, 1);
+    made.area.zero(views.nPoints, 1);
     made.perCompleteness.zero(views.nPoints, 1);
     for (int i = 0; i < views.nPoints; ++i) made.perCompleteness[0][i] = 1.0 / views.completeness[i];
     return made;
@@ -202,14 +203,11 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
 }
 
 /// What changes with the phases alone.
-void CorrosionDissolution::updateInterface(const Call& call, Cache& cache, const Views& views) const {
-  for (int p = 0; p < call.nOwned; ++p) {
-    const int i = call.ownedIds[p];
-    views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
-  }
+void CorrosionDissolution::updateInterface(Cache& cache, int nPoints) const {
+  cache.lostFlux.zero(nPoints, 1);
+  cache.area.zero(nPoints, 1);
   kernels::addWeightedSum(cache.neighborhood, cache.dissolution, cache.phases.fromLiquid(), cache.phases.wetChunks(),
-                          nullptr, cache.perCompleteness[0], views.area);
-  cache.lostFlux.zero(views.nPoints, 1);
+                          nullptr, cache.perCompleteness[0], cache.area[0]);
 }
 
 void CorrosionDissolution::computeFluxDivergence(const double, const int numOwnedPoints, const int* ownedIDs,
@@ -218,8 +216,12 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
   const Views views(*this, dataManager);
   std::fill(views.rate, views.rate + views.nPoints, 0.0);
   Cache& cache = cacheOf(call, views);
-  if (cache.phases.refresh(cache.neighborhood, views.damage)) updateInterface(call, cache, views);
-
+  if (cache.phases.refresh(cache.neighborhood, views.damage)) updateInterface(cache, views.nPoints);
+  for (int p = 0; p < numOwnedPoints; ++p) {
+    const int i = ownedIDs[p];
+    views.area[i] = cache.area[0][i];
+    views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
+  }
   cache.concentration.copy(views.concentration, views.nPoints);
   kernels::addFluxDivergence(cache.neighborhood, cache.diffusion, &cache.phases.liquid(), cache.concentration[0],
                              views.rate, &cache.phases.liquidChunks());
@@ -227,17 +229,19 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
   const double perCurrent = (1.0 - saturation_ / solidConcentration_) / (chargeNumber_ * faraday);
   bool dissolves = false;
   for (const int j : cache.phases.sources()) {
-    double bare = 0.0;
+    const double area = cache.area[0][j];  // of the points of this call; others are seen to by theirs
+    double flux = views.demand[j];
     if (views.salt[j] < 1.0) {
       const CurrentDensity::Value current = currentDensity_.at(views.concentration[j]);
-      bare = (1.0 - views.salt[j]) * perCurrent * current.current;
-      views.current[j] = (1.0 - views.salt[j]) * current.current;
-      views.dissolutionRate[j] = views.area[j] * perCurrent * current.current;
-      views.slope[j] = views.area[j] * perCurrent * current.slope;
+      flux += (1.0 - views.salt[j]) * perCurrent * current.current;
+      if (area > 0.0) {
+        views.current[j] = (1.0 - views.salt[j]) * current.current;
+        views.dissolutionRate[j] = area * perCurrent * current.current;
+        views.slope[j] = area * perCurrent * current.slope;
+      }
     }
-    const double flux = bare + views.demand[j];
     cache.lostFlux[0][j] = -flux;
-    views.rate[j] += views.area[j] * flux;
+    if (area > 0.0) views.rate[j] += area * flux;
     dissolves = dissolves || flux != 0.0;
   }
   if (dissolves)

@@ -48,14 +48,14 @@ class CorrosionDissolution : public PeridigmNS::Material {
     kernels::ChunkedNeighborhood neighborhood;
     kernels::BondConstants diffusion, dissolution;  ///< d share/|xi|^2 V_j; c share/|xi| V_j
     kernels::PhaseBonds phases;
-    kernels::PointArrays concentration, lostFlux, perCompleteness;
+    kernels::PointArrays concentration, lostFlux, area, perCompleteness;
   };
 
   Cache& cacheOf(const Call& call, const Views& views) const;
   double diffusionWeight(const ReferenceBond& bond, double volume, double neighborVolume) const;
   double dissolutionWeight(const ReferenceBond& bond, double volume, double neighborVolume) const;
   void findCompleteness(const Call& call, const Views& views) const;
-  void updateInterface(const Call& call, Cache& cache, const Views& views) const;
+  void updateInterface(Cache& cache, int nPoints) const;
 
   BondFamily family_, interfaceFamily_;
   double diffusivity_, solidConcentration_, saturation_, chargeNumber_;

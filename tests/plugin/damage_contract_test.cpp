@@ -2,6 +2,7 @@
 // of samples.cpp, on fields that hold nothing but what it declares.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -210,6 +211,40 @@ TEST_P(DamageContract, BondsOfProtectedPointsDoNotBreak) {
 }
 
 std::string titleOf(const ::testing::TestParamInfo<Sample>& info) { return info.param.title; }
-INSTANTIATE_TEST_SUITE_P(DamageModels, DamageContract, ::testing::ValuesIn(damageSamples()), titleOf);
+std::vector<Sample> samplesThatBreakBonds() {
+  std::vector<Sample> samples = damageSamples();
+  const auto breaksNone = [](const Sample& sample) { return !sample.breaksBonds; };
+  samples.erase(std::remove_if(samples.begin(), samples.end(), breaksNone), samples.end());
+  return samples;
+}
+
+INSTANTIATE_TEST_SUITE_P(DamageModels, DamageContract, ::testing::ValuesIn(samplesThatBreakBonds()), titleOf);
+
+// A model that turns points from solid to liquid: by their concentrations alone, never back, and with no bond broken.
+TEST(PhaseContract, DissolutionFollowsTheConcentrationAndIsForGood) {
+  const Sample sample{"Dissolution", "Dissolution", 2, Teuchos::ParameterList()};
+  const Scene scene = sceneOf(sample);
+  const auto body = bareBody(scene, {}, 0);
+  const auto model = pd::DamageModelRegistry::self().create("Dissolution", sample.parameters);
+  body->allocate(model->FieldIds());
+  double *damage = body->field("Damage"), *concentration = body->field("Concentration");
+  for (int i = 0; i < body->nPoints(); ++i) {
+    body->field("Solid_Concentration")[i] = i % 5 == 0 ? 0.0 : 10.0;
+    body->field("Saturation_Concentration")[i] = 2.0;
+    concentration[i] = i % 3 == 0 ? 2.0 : 8.0;
+  }
+  const auto points = body->block().getNeighborhoodData();
+  const auto evaluate = [&] {
+    model->computeDamage(0.1, points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList(),
+                         *body->block().getDataManager());
+  };
+  evaluate();
+  for (int i = 0; i < body->nPoints(); ++i)
+    EXPECT_DOUBLE_EQ(damage[i], i % 5 == 0 || i % 3 == 0 ? 1.0 : 0.25) << "point " << i;
+  std::fill(concentration, concentration + body->nPoints(), 6.0);
+  evaluate();
+  for (int i = 0; i < body->nPoints(); ++i)
+    EXPECT_DOUBLE_EQ(damage[i], i % 5 == 0 || i % 3 == 0 ? 1.0 : 0.5) << "point " << i;
+}
 
 }  // namespace

@@ -96,7 +96,8 @@ std::vector<std::string> MaterialRun::summedFields() {
   return labels;
 }
 
-/// Stepped scalars that are no results take values between 0 and 1.
+/// Stepped scalars that are no results take values between 0 and 1. Of a material that declares Damage, half of the
+/// points are damaged wholly.
 void MaterialRun::fillInputs(SmallBody& body) {
   const std::vector<std::string> results = summedFields();
   for (const int id : fieldIds_) {
@@ -104,7 +105,9 @@ void MaterialRun::fillInputs(SmallBody& body) {
     const bool isPointScalar = (spec.relation == PeridigmField::NODE || spec.relation == PeridigmField::ELEMENT) &&
                                spec.length == PeridigmField::SCALAR && spec.temporal == PeridigmField::TWO_STEP;
     if (!isPointScalar || std::count(results.begin(), results.end(), spec.label) > 0) continue;
-    for (int i = 0; i < body.nPoints(); ++i) body.field(spec.label)[i] = 0.5 + 0.5 * noise(body.globalId(i), spec.id);
+    const double factor = spec.label == "Damage" ? 1.0 : 0.5;
+    for (int i = 0; i < body.nPoints(); ++i)
+      body.field(spec.label)[i] = std::min(1.0, factor * (1.0 + noise(body.globalId(i), spec.id)));
   }
 }
 
@@ -125,7 +128,8 @@ void MaterialRun::damage() {
         const int n = *list;
         double broken = 0.0;
         for (int k = 0; k < n; ++k) broken += *bondDamage++;
-        body->field("Damage")[neighborhood->OwnedIDs()[i]] = broken / n;
+        double& damage = body->field("Damage")[neighborhood->OwnedIDs()[i]];
+        if (damage < 1.0) damage = broken / n;
         list += 1 + n;
       }
     }

@@ -76,6 +76,14 @@ std::vector<Sample> materialSamples() {
   samples.push_back({"DiffusionOfPeridigm", "Diffusion", 3, diffusion});
   samples.push_back({"DiffusionByFittedWeights", "Diffusion", 3, with(diffusion, "Use Improved Quadrature", true)});
   samples.back().conserves = false;
+  Teuchos::ParameterList corrosion;
+  corrosion.set("Diffusivity", 2.0);
+  corrosion.set("Solid Concentration", 1.0);
+  corrosion.set("Saturation Concentration", 0.4);
+  corrosion.set("Charge Number", 2.0);
+  corrosion.set<std::string>("Current Density", "1.0e5*exp(100.0*C)");
+  samples.push_back({"Corrosion", "Corrosion Dissolution", 3, corrosion});
+  samples.push_back({"CorrosionOfAPlate", "Corrosion Dissolution", 2, plate(corrosion, "Plane Strain")});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;
@@ -98,6 +106,8 @@ std::vector<Sample> damageSamples() {
   coefficients[0] = 1.0;
   coefficients[1] = -0.5;
   polynomial.set("Polynomial", coefficients);
+  Sample dissolution{"Dissolution", "Dissolution", 2, Teuchos::ParameterList()};
+  dissolution.breaksBonds = false;
   return {
       {"Plate", "Critical Stretch", 2, stretch},
       {"Solid", "Critical Stretch", 3, stretch},
@@ -105,6 +115,7 @@ std::vector<Sample> damageSamples() {
       {"Hydrogen", "Hydrogen Critical Stretch", 2, hydrogen},
       {"HydrogenInASolid", "Hydrogen Critical Stretch", 3, withText(hydrogen, "Degradation Law", "Fracture Energy")},
       {"HydrogenPolynomial", "Hydrogen Critical Stretch", 2, polynomial},
+      dissolution,
   };
 }
 

@@ -21,7 +21,8 @@ struct Sample {
   // What a material claims beyond what all must keep.
   bool isObjective = true;  ///< forces turn with the body
   bool conservesAngularMomentum = true;
-  bool conserves = true;  ///< forces or fluxes add up to zero
+  bool breaksBonds = true;  ///< a damage model whose Damage counts them
+  bool conserves = true;    ///< forces or fluxes add up to zero
 };
 
 std::vector<Sample> materialSamples();
