@@ -1,0 +1,20 @@
+#!/bin/bash
+# Meshes, runs of both metals in 1D, 2D and 3D, and the picture of this scene, into results/uniform.
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+source "$here/../scene.sh"
+mesh() { "$pdmesh" grid box --spacing 1e-6 -o "$here/$1.txt" --quiet "${@:2}"; }
+mesh bar --size 67e-6 --origin -0.000007
+mesh strip --size 67e-6 20e-6 --origin -0.000007 0
+mesh block --size 67e-6 10e-6 10e-6 --origin -0.000007 0 0
+cd "$results"
+copper=(Diffusivity=1297e-12 "Solid Concentration=141000" "Saturation Concentration=5000" "Charge Number=2"
+        "Current Density=1450")
+for body in bar strip block; do
+  "$pdrun" "$here/$body.yaml"
+  changes=(--set "Output/Output Filename=${body}_copper" --set "Boundary Conditions/Metal/Value=141000")
+  for change in "${copper[@]}"; do changes+=(--set "Materials/Metal/$change"); done
+  "$pdrun" "$here/$body.yaml" "${changes[@]}"
+done
+"$pdplot" strip --field Concentration --step 0,10,20,30 -o strip.png
+"$here/plot.py" "$results"
