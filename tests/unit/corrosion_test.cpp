@@ -1,0 +1,174 @@
+// Current density of a dissolving metal, and the constant of bonds between solid and liquid points.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "../../materials/corrosion/current_density.hpp"
+#include "bond_constants.hpp"
+
+namespace pd {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// Alloy 625 in its crevice solution: log10 of i in A/cm2, i here in A/m2.
+const std::string alloyCurrent = "1.0e4*pow(10, 1.151*exp(-0.723*pH) - 7.647)";
+const std::string alloyPh = "7.405*exp(-0.08036*C) - 6.498";
+constexpr double alloySaturation = 5600.0;  // mol/m3
+
+double exactPh(double molar) { return 7.405 * std::exp(-0.08036 * molar) - 6.498; }
+double exactCurrent(double molar) { return 1.0e4 * std::pow(10.0, 1.151 * std::exp(-0.723 * exactPh(molar)) - 7.647); }
+
+CurrentDensity fromList(const Teuchos::ParameterList& given, double saturation) {
+  ParameterDeclarations declarations;
+  CurrentDensity::declareParameters(declarations);
+  return CurrentDensity(declarations.complete(given, "a test"), saturation, "a test");
+}
+
+CurrentDensity fromText(const std::string& current, const std::string& ph, double saturation) {
+  Teuchos::ParameterList list;
+  list.set("Current Density", current);
+  if (!ph.empty()) list.set("pH", ph);
+  return fromList(list, saturation);
+}
+
+TEST(CurrentDensityTest, IsTheTableOfAlloy625) {
+  const CurrentDensity current = fromText(alloyCurrent, alloyPh, alloySaturation);
+  const CurrentDensity shiftedPh = fromText("pH + 10.0", alloyPh, alloySaturation);
+  const struct {
+    double molar, ph, current;
+  } rows[] = {{0.0, 0.907, 8.92e-4},  {1.0, 0.335, 1.80e-3}, {2.0, -0.192, 4.74e-3}, {3.0, -0.679, 1.714e-2},
+              {4.0, -1.129, 9.03e-2}, {5.0, -1.543, 0.734},  {5.5, -1.738, 2.50},    {5.6, -1.776, 3.242}};
+  for (const auto& row : rows) {
+    EXPECT_NEAR(shiftedPh.at(1000.0 * row.molar).current - 10.0, row.ph, 0.6e-3) << row.molar;
+    // The table has three digits.
+    EXPECT_NEAR(current.at(1000.0 * row.molar).current / row.current, 1.0, 3e-3) << row.molar;
+  }
+}
+
+TEST(CurrentDensityTest, IsTheFormulaBetweenSamples) {
+  const CurrentDensity current = fromText(alloyCurrent, alloyPh, alloySaturation);
+  for (int k = 0; k <= 7001; ++k) {
+    const double molar = 5.6 * k / 7001.0;
+    ASSERT_NEAR(current.at(1000.0 * molar).current / exactCurrent(molar), 1.0, 1e-7) << molar;
+  }
+}
+
+TEST(CurrentDensityTest, SlopeIsThatOfTheCurrent) {
+  const CurrentDensity smooth = fromText(alloyCurrent, alloyPh, alloySaturation);
+  const CurrentDensity signless = fromText("2.0 - C + 0.25*C*C", "", 2000.0);  // zero at 2 mol/L
+  Teuchos::ParameterList list;
+  list.set("Current Density Table", Teuchos::Array<double>(Teuchos::tuple(0.0, 3.0, 1000.0, 5.0, 2000.0, 1.0)));
+  const CurrentDensity table = fromList(list, 2000.0);
+  for (const double c : {1.0, 333.3, 777.7, 1234.5, 1999.0})
+    for (const CurrentDensity* current : {&smooth, &signless, &table}) {
+      const double h = 1e-2;
+      const double difference = (current->at(c + h).current - current->at(c - h).current) / (2.0 * h);
+      EXPECT_NEAR(current->at(c).slope, difference, 1e-5 * std::abs(difference) + 1e-12) << c;
+    }
+}
+
+TEST(CurrentDensityTest, TableIsLinearBetweenItsPairs) {
+  Teuchos::ParameterList list;
+  list.set("Current Density Table", Teuchos::Array<double>(Teuchos::tuple(500.0, 3.0, 1000.0, 5.0, 2000.0, 1.0)));
+  const CurrentDensity table = fromList(list, 3000.0);
+  EXPECT_DOUBLE_EQ(table.at(750.0).current, 4.0);
+  EXPECT_DOUBLE_EQ(table.at(1500.0).current, 3.0);
+  for (const double outside : {0.0, 499.0}) EXPECT_DOUBLE_EQ(table.at(outside).current, 3.0);
+  EXPECT_DOUBLE_EQ(table.at(2500.0).current, 1.0);
+  EXPECT_DOUBLE_EQ(table.at(2500.0).slope, 0.0);
+}
+
+TEST(CurrentDensityTest, EndsAtTheEndsOfItsRange) {
+  const CurrentDensity current = fromText(alloyCurrent, alloyPh, alloySaturation);
+  EXPECT_DOUBLE_EQ(current.at(-100.0).current, current.at(0.0).current);
+  EXPECT_DOUBLE_EQ(current.at(1e6).current, current.at(alloySaturation).current);
+  EXPECT_DOUBLE_EQ(current.at(-100.0).slope, 0.0);
+  EXPECT_DOUBLE_EQ(current.at(1e6).slope, 0.0);
+}
+
+TEST(CurrentDensityTest, SpansManyDecades) {
+  // 1e-6 to 1e3 A/m2.
+  const CurrentDensity current = fromText("pow(10.0, -6.0 + 9.0*C/5.6)", "", alloySaturation);
+  for (int k = 0; k <= 5600; ++k)
+    ASSERT_NEAR(current.at(k).current / std::pow(10.0, -6.0 + 9.0 * k / 5600.0), 1.0, 1e-9) << k;
+}
+
+TEST(CurrentDensityTest, RefusesWhatIsNoCurrentDensity) {
+  EXPECT_THROW(fromText("C +", "", 1000.0), std::invalid_argument);
+  EXPECT_THROW(fromText("pH", "", 1000.0), std::invalid_argument);
+  EXPECT_THROW(fromText("C - 0.5", "", 1000.0), std::invalid_argument);
+  EXPECT_THROW(fromText("1.0/C", "", 1000.0), std::invalid_argument);
+  EXPECT_THROW(fromText("exp(1000.0*C)", "", 1000.0), std::invalid_argument);
+  for (const auto& numbers :
+       {Teuchos::Array<double>(Teuchos::tuple(0.0, 1.0)), Teuchos::Array<double>(Teuchos::tuple(0.0, 1.0, 2.0)),
+        Teuchos::Array<double>(Teuchos::tuple(1.0, 1.0, 1.0, 2.0)),
+        Teuchos::Array<double>(Teuchos::tuple(0.0, 1.0, 1.0, -2.0))}) {
+    Teuchos::ParameterList list;
+    list.set("Current Density Table", numbers);
+    EXPECT_THROW(fromList(list, 1000.0), std::invalid_argument) << numbers;
+  }
+  EXPECT_THROW(fromList(Teuchos::ParameterList(), 1000.0), std::invalid_argument);
+}
+
+namespace k = kernels;
+
+/// Flux through planes with normal (cos, sin) of the unit flux's bonds c/|xi| on a square lattice of unit spacing, mean
+/// over the planes' positions.
+double latticeFlux(double constant, double range, k::VolumeCorrection rule, double angle) {
+  double sum = 0.0;
+  const int reach = static_cast<int>(range) + 2;
+  for (int a = -reach; a <= reach; ++a)
+    for (int b = -reach; b <= reach; ++b) {
+      const double r = std::hypot(a, b), across = a * std::cos(angle) + b * std::sin(angle);
+      if (across > 1e-12) sum += constant / r * k::volumeShare(rule, r, range, 1.0) * across;
+    }
+  return sum;
+}
+
+TEST(InterfaceFluxTest, ContinuumConstantPassesTheFlux) {
+  // Integral of c/r x over the half neighbourhood x > 0.
+  const double horizon = 3.0, area = 0.7, thickness = 0.4;
+  EXPECT_NEAR(k::interfaceFluxConstant({k::Geometry::Bar, area}, horizon) * area * horizon, 1.0, 1e-14);
+  EXPECT_NEAR(k::interfaceFluxConstant({k::Geometry::PlaneStrain, thickness}, horizon) * thickness * horizon * horizon,
+              1.0, 1e-14);
+  EXPECT_NEAR(k::interfaceFluxConstant({k::Geometry::Solid, 1.0}, horizon) * pi * std::pow(horizon, 3) / 3.0, 1.0,
+              1e-14);
+}
+
+TEST(InterfaceFluxTest, LatticeConstantPassesTheFluxAndTendsToTheContinuum) {
+  const auto rule = k::VolumeCorrection::RampBeyondHorizon;
+  for (const auto& section : {k::Section{k::Geometry::Bar, 1.0}, k::Section{k::Geometry::PlaneStrain, 1.0},
+                              k::Section{k::Geometry::Solid, 1.0}}) {
+    // First order in spacing over range: in the bar the sum of shares up to m is m - 1/2.
+    const double fine = k::latticeInterfaceFluxConstant(section, 20.0, 1.0, rule);
+    EXPECT_NEAR(fine / k::interfaceFluxConstant(section, 20.0), 1.0, 1.1 / 40.0) << k::dimensionOf(section.geometry);
+  }
+  for (const double range : {1.0, 2.0, 3.015, 4.0}) {
+    const double constant = k::latticeInterfaceFluxConstant({k::Geometry::PlaneStrain, 1.0}, range, 1.0, rule);
+    EXPECT_NEAR(latticeFlux(constant, range, rule, 0.0), 1.0, 1e-14) << range;
+  }
+}
+
+TEST(InterfaceFluxTest, AnisotropyOfTheLattice) {
+  // Exact along the lattice; slanting fronts pass more, the less the more spacings the bonds reach: 8 % at the default
+  // of two.
+  const auto rule = k::VolumeCorrection::RampBeyondHorizon;
+  const struct { double range, least, most; } cases[] = {{1.0, 1.0, 1.2836}, {2.0, 1.0, 1.0823}, {4.0, 1.0, 1.0274}};
+  for (const auto& c : cases) {
+    const double constant = k::latticeInterfaceFluxConstant({k::Geometry::PlaneStrain, 1.0}, c.range, 1.0, rule);
+    double least = 2.0, most = 0.0;
+    for (int degrees = 0; degrees <= 45; ++degrees) {
+      const double flux = latticeFlux(constant, c.range, rule, degrees * pi / 180.0);
+      least = std::min(least, flux);
+      most = std::max(most, flux);
+    }
+    EXPECT_NEAR(least, c.least, 2e-3) << c.range;
+    EXPECT_NEAR(most, c.most, 2e-3) << c.range;
+  }
+}
+
+}  // namespace
+}  // namespace pd
