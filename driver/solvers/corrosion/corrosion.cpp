@@ -32,15 +32,21 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
 
 void Corrosion::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
-  declare.real("Fixed dt", "s", "Time step; without it, steps follow the tolerance and the front.").positive();
+  declare
+      .real("Fixed dt", "s",
+            "Time step; without it, steps follow the tolerance and the front. Divided where the front would move more "
+            "than "
+            "twice Front Limit.")
+      .positive();
   declare
       .real("Relative Tolerance", "1", "Error of one step, root of its mean square in the electrolyte, of saturation.")
       .defaultTo(1e-2)
       .positive();
   declare
-      .real("Front Limit", "1",
-            "Most of a solid point's metal that a step may take where its length is free: how many spacings the front "
-            "may move, about.")
+      .real(
+          "Front Limit", "1",
+          "Most of a solid point's metal that a step should take, and half of what it may: how many spacings the front "
+          "moves, about.")
       .defaultTo(0.5)
       .positive();
   declare.real("Maximum dt", "s", "Longest step; by default an increment.").positive();
@@ -126,7 +132,7 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
   return total > 0.0 ? std::sqrt(model.comm().sum(square) / total) : 0.0;
 }
 
-void Corrosion::carryOver(Simulation& simulation, double h) {
+bool Corrosion::carryOver(Simulation& simulation, double h) {
   Model& model = simulation.model;
   double *concentration = model.field("Concentration"), *demand = model.field("Dissolution_Demand");
   const double *damage = model.field("Damage"), *saturation = model.field("Saturation_Concentration");
@@ -164,22 +170,30 @@ void Corrosion::carryOver(Simulation& simulation, double h) {
     std::fill(demand, demand + model.nPoints(), 0.0);
   }
   model.importGhosts("Concentration");
+  bool owes = false;
+  for (std::size_t i = 0; i < n; ++i) owes = owes || concentration[i] < -1e-6 * saturation[i];
+  return !model.comm().any(owes);
 }
 
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
   simulation.conditions.applyPrescribedValue("Concentration", t + h);
   if (!transport_.solve(simulation, h)) {
-    if (h < 1e-12 * (t + h) || fixedStep_ > 0.0)
-      throw RunError(fmt::format("Corrosion: t = {:.6g} s: {}. Take shorter steps, or allow more linear iterations", t,
-                                 transport_.trouble()));
+    if (h < shortestTried_)
+      throw RunError(
+          fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
+                      transport_.trouble()));
     return false;
   }
   advance_ = frontAdvance(simulation);
   error_ = timeError(simulation, h);
-  const bool isTooLong = fixedStep_ == 0.0 && (advance_ > 2.0 * frontLimit_ || error_ > 4.0 * tolerance_);
-  if (isTooLong) {
+  const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
+  double* damage = model.field("Damage");
+  const std::vector<double> phases(damage, damage + model.nPoints());
+  if (isTooLong || !carryOver(simulation, h)) {
     std::copy(transport_.before().begin(), transport_.before().end(), model.field("Concentration"));
+    std::copy(phases.begin(), phases.end(), damage);
+    if (h < shortestTried_) throw RunError(fmt::format("Corrosion: t = {:.6g} s: the front moves without end", t));
     return false;
   }
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
@@ -188,7 +202,6 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   for (std::size_t i = 0; i < transport_.rate().size(); ++i)
     if (isHeld[i] != 0) held += volume[i] * h * transport_.rate()[i];
   outflow_ += model.comm().sum(held);
-  carryOver(simulation, h);
   lastRate_.assign(transport_.rate().size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < lastRate_.size(); ++i)
     if (transport_.isUnknown()[i] != 0) lastRate_[i] = transport_.rate()[i];
@@ -205,8 +218,9 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   const double end = t + dt;
   double now = t;
   if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
+  shortestTried_ = 1e-14 * dt;
   while (end - now > 1e-12 * dt) {
-    const double wanted = std::min({fixedStep_ > 0.0 ? fixedStep_ : proposedStep_, largestStep_, end - now});
+    const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.
     const double left = end - now;
     const double h = wanted >= left * (1.0 - 1e-9)              ? left
@@ -222,7 +236,10 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
     } else {
       ++nRejected_;
     }
-    if (fixedStep_ == 0.0) {
+    if (fixedStep_ > 0.0) {
+      const double growth = advance_ > 0.0 ? std::clamp(1.8 * frontLimit_ / advance_, 1.0, 2.0) : 2.0;
+      proposedStep_ = isTaken ? std::min(fixedStep_, growth * proposedStep_) : 0.5 * h;
+    } else {
       const double next = isTaken ? nextStep(h) : std::min(0.5 * h, nextStep(h));
       // A step that was cut to meet the end says nothing about longer ones.
       proposedStep_ = isTaken && h < proposedStep_ ? std::max(next, std::min(proposedStep_, 2.0 * h)) : next;

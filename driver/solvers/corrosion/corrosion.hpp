@@ -26,8 +26,9 @@ class Corrosion : public Solver {
   /// Largest share of a solid point's metal that the last step took.
   double frontAdvance(Simulation& simulation) const;
   double timeError(Simulation& simulation, double h) const;
-  /// Solid points that have given more than they can take the rest from solid points around them.
-  void carryOver(Simulation& simulation, double h);
+  /// Solid points that have given more than they can take the rest from solid points around them, and those that have
+  /// given all become liquid. False where there is not that much metal.
+  bool carryOver(Simulation& simulation, double h);
   double metal(Simulation& simulation) const;
   double nextStep(double h) const;
 
@@ -35,9 +36,9 @@ class Corrosion : public Solver {
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
   TransportStep transport_;
   std::vector<double> lastRate_;  ///< of liquid points, NaN elsewhere
-  double proposedStep_ = 0.0, advance_ = 0.0, error_ = 0.0;
+  double proposedStep_ = 0.0, shortestTried_ = 0.0, advance_ = 0.0, error_ = 0.0;
   double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
-  long long nSteps_ = 0, nRejected_ = 0, nDissolved_ = 0;
+  long long nSteps_ = 0, nRejected_ = 0;
   double shortest_ = 0.0, longest_ = 0.0;
 };
 
