@@ -14,6 +14,7 @@ namespace pd {
 namespace {
 
 const std::string rateField = "Concentration_Flux_Divergence";
+const std::string lastRateField = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 
 TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
   TransportSettings settings;
@@ -74,8 +75,9 @@ std::vector<int> Corrosion::fieldIds() const {
   std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, "Concentration"),
                           fields.getFieldId(NODE, SCALAR, TWO_STEP, rateField),
                           fields.getFieldId(ELEMENT, SCALAR, TWO_STEP, "Damage")};
-  for (const char* label : {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate",
-                            "Dissolution_Rate_Slope", "Solid_Concentration", "Saturation_Concentration"})
+  for (const char* label :
+       {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate", "Dissolution_Rate_Slope",
+        "Solid_Concentration", "Saturation_Concentration", lastRateField.c_str()})
     ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
   return ids;
 }
@@ -118,13 +120,13 @@ double Corrosion::frontAdvance(Simulation& simulation) const {
 /// jump as points change phase.
 double Corrosion::timeError(Simulation& simulation, double h) const {
   Model& model = simulation.model;
-  if (lastRate_.empty()) return 0.0;
+  if (nSteps_ == 0) return 0.0;
   const double *volume = model.field("Volume"), *saturation = model.field("Saturation_Concentration");
-  const double* area = model.field("Interface_Area_Density");
+  const double *area = model.field("Interface_Area_Density"), *lastRate = model.field(lastRateField);
   double square = 0.0, total = 0.0;
-  for (std::size_t i = 0; i < lastRate_.size(); ++i) {
-    if (transport_.isUnknown()[i] == 0 || area[i] > 0.0 || std::isnan(lastRate_[i])) continue;
-    const double error = 0.5 * h * (transport_.rate()[i] - lastRate_[i]) / saturation[i];
+  for (std::size_t i = 0; i < transport_.rate().size(); ++i) {
+    if (transport_.isUnknown()[i] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
+    const double error = 0.5 * h * (transport_.rate()[i] - lastRate[i]) / saturation[i];
     square += volume[i] * error * error;
     total += volume[i];
   }
@@ -202,16 +204,19 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   for (std::size_t i = 0; i < transport_.rate().size(); ++i)
     if (isHeld[i] != 0) held += volume[i] * h * transport_.rate()[i];
   outflow_ += model.comm().sum(held);
-  lastRate_.assign(transport_.rate().size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < lastRate_.size(); ++i)
-    if (transport_.isUnknown()[i] != 0) lastRate_[i] = transport_.rate()[i];
+  double* lastRate = model.field(lastRateField);
+  for (std::size_t i = 0; i < transport_.rate().size(); ++i)
+    lastRate[i] = transport_.isUnknown()[i] != 0 ? transport_.rate()[i] : std::numeric_limits<double>::quiet_NaN();
   return true;
 }
 
 double Corrosion::nextStep(double h) const {
   const double byFront = advance_ > 0.0 ? frontLimit_ / advance_ : 2.0;
   const double byError = error_ > 0.0 ? 0.9 * std::sqrt(tolerance_ / error_) : 2.0;
-  return h * std::clamp(std::min(byFront, byError), 0.2, 2.0);
+  const double next = h * std::clamp(std::min(byFront, byError), 0.2, 2.0);
+  // Of a ladder of steps, lest they carry what rounding leaves, different on every number of ranks, from step to step.
+  constexpr double rungsPerOctave = 4.0;
+  return std::exp2(std::floor(rungsPerOctave * std::log2(next) + 1e-6) / rungsPerOctave);
 }
 
 void Corrosion::advance(Simulation& simulation, double t, double dt) {
@@ -230,14 +235,14 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
     if (isTaken) {
       ++nSteps_;
       now += h;
-      shortest_ = nSteps_ == 1 ? h : std::min(shortest_, h);
+      shortest_ = shortest_ == 0.0 ? h : std::min(shortest_, h);
       longest_ = std::max(longest_, h);
       simulation.model.requireFinite("Concentration", static_cast<int>(nSteps_));
     } else {
       ++nRejected_;
     }
     if (fixedStep_ > 0.0) {
-      const double growth = advance_ > 0.0 ? std::clamp(1.8 * frontLimit_ / advance_, 1.0, 2.0) : 2.0;
+      const double growth = advance_ < 0.9 * frontLimit_ ? 2.0 : 1.0;
       proposedStep_ = isTaken ? std::min(fixedStep_, growth * proposedStep_) : 0.5 * h;
     } else {
       const double next = isTaken ? nextStep(h) : std::min(0.5 * h, nextStep(h));

@@ -35,7 +35,6 @@ class Corrosion : public Solver {
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
   TransportStep transport_;
-  std::vector<double> lastRate_;  ///< of liquid points, NaN elsewhere
   double proposedStep_ = 0.0, shortestTried_ = 0.0, advance_ = 0.0, error_ = 0.0;
   double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
   long long nSteps_ = 0, nRejected_ = 0;

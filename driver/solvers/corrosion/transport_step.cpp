@@ -28,10 +28,11 @@ void TransportStep::findUnknowns(Simulation& simulation, const Fields& fields) {
   const auto n = static_cast<std::size_t>(simulation.model.nOwned());
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   isUnknown_.assign(n, 0);
-  isSaturated_.resize(n, 0);
+  isSaturated_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     isUnknown_[i] = fields.damage[i] >= 1.0 && isHeld[i] == 0;
-    if (isUnknown_[i] == 0 || fields.area[i] == 0.0) isSaturated_[i] = 0;
+    // A guess, from fields alone, so that a restarted run makes the same.
+    isSaturated_[i] = isUnknown_[i] != 0 && fields.area[i] > 0.0 && fields.salt[i] > 0.0;
   }
 }
 

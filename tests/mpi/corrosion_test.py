@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""Corrosion on several ranks, and from checkpoints: the same phases, depth and concentrations."""
+import os
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from corrosion_scene import SPACING, STEEL, CorrosionTest, corrosion_deck  # noqa: E402
+
+# Salt covers the surface most of the time.
+SALTED = {**STEEL, "Current Density": "5.0e5*(0.2 + C)"}
+PITS = " && ".join(f"(x - {x!r})*(x - {x!r}) + y*y > 3.6e-11" for x in (11.2e-6, 30.7e-6))
+HELD = " || ".join(f"(x - {x!r})*(x - {x!r}) + y*y < 4e-12" for x in (11.2e-6, 30.7e-6))
+FIELDS = ("Concentration", "Damage", "Salt_Coverage")
+
+
+class Plate(CorrosionTest):
+    """Two pits of different distance to the sides that grow and merge."""
+
+    def setUp(self):
+        super().setUp()
+        self.make_lattice([48e-6, 20e-6])
+
+    def deck(self, metal, time, steps, name="result", **solver):
+        deck = corrosion_deck(2, metal, PITS, HELD, time, steps, name, **solver)
+        # Results of another order of summation differ by what the tolerance of the linear systems leaves.
+        deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
+        return deck
+
+    def assert_same(self, found, expected, what, allowed=1e-10):
+        self.assertEqual(found.steps(), expected.steps())
+        for step in expected.steps():
+            a, b = found.field("Damage", step), expected.field("Damage", step)
+            np.testing.assert_array_equal(a == 1.0, b == 1.0, f"{what}: phases of step {step}")
+            np.testing.assert_allclose(a, b, rtol=0.0, atol=allowed, err_msg=f"{what}: Damage of step {step}")
+            np.testing.assert_allclose(found.field("Concentration", step), expected.field("Concentration", step),
+                                       rtol=0.0, atol=allowed * STEEL["Solid Concentration"], err_msg=what)
+        depths = found.history()["Dissolved"], expected.history()["Dissolved"]
+        np.testing.assert_allclose(depths[0], depths[1], rtol=allowed, atol=allowed * SPACING**2, err_msg=what)
+
+
+class Ranks(Plate):
+    def compare(self, metal, time, **solver):
+        expected = self.solve(self.deck(metal, time, 8, "one", **solver))
+        self.check(expected, metal)
+        dissolved = np.sum((expected.field("Damage") == 1.0) & (expected.field("Damage", 0) < 1.0))
+        self.assertGreater(dissolved, 200)
+        for ranks in (2, 4):
+            found = self.solve(self.deck(metal, time, 8, f"ranks{ranks}", **solver), ranks=ranks)
+            self.check(found, metal)
+            self.assert_same(found, expected, f"{ranks} ranks")
+
+    def test_activation_control(self):
+        self.compare(STEEL, 40.0)
+
+    def test_salt(self):
+        self.compare(SALTED, 4.0)
+
+    def test_fixed_steps(self):
+        self.compare(STEEL, 40.0, **{"Fixed dt": 1.0})
+
+
+class Restarts(Plate):
+    """A run that ends early, then goes on from its checkpoint, ends as one that ran through, to the last bit."""
+
+    def check_restart(self, metal, time, ranks=1, **solver):
+        whole = self.deck(metal, time, 8, "whole", **solver)
+        expected = self.solve(whole, ranks=ranks)
+        half = self.deck(metal, time / 2, 4, "half", **solver)
+        half["Output"]["Checkpoint Frequency"] = 4
+        self.solve(half, ranks=ranks)
+        found = self.solve(self.deck(metal, time, 8, "half", **solver), ranks=ranks,
+                           arguments=["--restart", "half.checkpoint.h5"])
+        self.assertEqual(found.steps()[-1], 8)
+        for label in FIELDS:
+            np.testing.assert_array_equal(found.field(label, 8), expected.field(label, 8), label)
+
+    def test_activation_control(self):
+        self.check_restart(STEEL, 40.0)
+
+    def test_salt(self):
+        self.check_restart(SALTED, 2.0)
+
+    def test_on_two_ranks(self):
+        self.check_restart(SALTED, 2.0, ranks=2)
+
+    def test_fixed_steps(self):
+        self.check_restart(STEEL, 40.0, **{"Fixed dt": 1.0})
+
+
+if __name__ == "__main__":
+    unittest.main()
