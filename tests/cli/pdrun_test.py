@@ -75,8 +75,8 @@ class Pdrun(unittest.TestCase):
     def test_list_names_every_kind(self):
         done = self.run_pdrun("--list")
         self.assertEqual(done.returncode, 0)
-        for text in ("Materials\n", "  PDHE ", "Damage models\n", "  Critical Stretch ", "Computes\n", "Solvers\n",
-                     "  Verlet ", "Methods of the solver Diffusion\n", "Initial and boundary conditions\n", "Bond filters\n",
+        for text in ("Materials\n", "  PDHE ", "  Corrosion Dissolution ", "Damage models\n", "  Critical Stretch ",
+                     "  Dissolution ", "Computes\n", "Solvers\n", "  Verlet ", "  Corrosion ", "Methods of the solver Diffusion\n", "Initial and boundary conditions\n", "Bond filters\n",
                      "Sections of a deck\n"):
             self.assertIn(text, done.stdout)
 
@@ -84,7 +84,8 @@ class Pdrun(unittest.TestCase):
         listed = self.run_pdrun("--list").stdout
         names = [re.split(r"\s{2,}", line.strip())[0] for line in listed.splitlines() if line.startswith("  ")]
         self.assertGreater(len(names), 40)
-        for name in ("PDHE", "Critical Stretch", "Crack_Tip", "Verlet", "Euler", "Traction", "Disk", "Output"):
+        for name in ("PDHE", "Corrosion Dissolution", "Critical Stretch", "Dissolution", "Crack_Tip", "Verlet",
+                     "Corrosion", "Euler", "Traction", "Disk", "Output"):
             self.assertIn(name, names)
             done = self.run_pdrun("--explain", name)
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -9,7 +9,7 @@ import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(here, "../support"), os.path.join(here, "../../decks/pencil")]
-from corrosion_scene import COPPER, HORIZON, STEEL, CorrosionTest, front_speed  # noqa: E402
+from corrosion_scene import COPPER, HORIZON, SPACING, STEEL, CorrosionTest, front_speed  # noqa: E402
 from moving_front import depths  # noqa: E402
 
 # Chen & Bobaru, J. Mech. Phys. Solids 78 (2015) 352; the current is far more than diffusion takes away.
@@ -36,29 +36,30 @@ class ActivationControl(CorrosionTest):
     def check_depth(self, dimension, metal, lengths, tolerance, **solver):
         self.make_lattice(lengths, [-7e-6, 0.0, 0.0])
         area = np.prod(lengths[1:])
-        history = self.corrode(dimension, metal, "x > 0", "x < -2e-6", 120.0, 6, **solver).history()
+        history = self.corrode(dimension, metal, "x > 0", "x < -2e-6", 240.0, 6, **solver).history()
         depth = history["Dissolved"][1:] / area
         error = depth / (front_speed(metal) * history["time"][1:]) - 1.0
         self.assertLess(np.max(np.abs(error[2:])), tolerance, error)
-        # A fraction of a spacing where the front is still young.
-        self.assertLess(np.max(np.abs(error * depth)), 0.2e-6)
+        self.assertLess(np.max(np.abs(error * depth)), 0.5 * SPACING)
 
     def test_bar_is_exact(self):
         for metal in (STEEL, COPPER):
-            self.check_depth(1, metal, [40e-6], 1e-9)
+            self.check_depth(1, metal, [52e-6], 1e-9)
 
     def test_strip(self):
         for metal in (STEEL, COPPER):
-            self.check_depth(2, metal, [40e-6, 20e-6], 1e-2 if metal is STEEL else 1.5e-2)
+            self.check_depth(2, metal, [52e-6, 20e-6], 1.5e-2)
+            # Of a front that does not stay plane, which part turns liquid a step earlier matters less in short steps.
+            self.check_depth(2, metal, [52e-6, 20e-6], 2e-3, **{"Front Limit": 0.1})
 
     def test_block(self):
-        self.check_depth(3, STEEL, [32e-6, 8e-6, 8e-6], 1e-2)
+        self.check_depth(3, STEEL, [52e-6, 8e-6, 8e-6], 1e-2)
 
     def test_front_moves_alike_with_steps_that_differ_a_hundredfold(self):
         # 0.05 s: 0.008 spacings; 5 s: 0.84 spacings.
         for h in (0.05, 0.5, 5.0):
-            self.check_depth(1, STEEL, [40e-6], 1e-2, **{"Fixed dt": h})
-            self.check_depth(2, STEEL, [40e-6, 8e-6], 1e-2, **{"Fixed dt": h})
+            self.check_depth(1, STEEL, [52e-6], 1e-2, **{"Fixed dt": h})
+            self.check_depth(2, STEEL, [52e-6, 8e-6], 1e-2, **{"Fixed dt": h})
 
 
 class DiffusionControl(CorrosionTest):
