@@ -255,7 +255,7 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
   const Views views(*this, dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
-  const auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
+  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   const auto row = [&](int i) { return perPoint * map.GID(i) + offset; };
   forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
