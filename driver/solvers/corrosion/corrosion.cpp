@@ -55,7 +55,7 @@ void Corrosion::declareParameters(ParameterDeclarations& declare) {
       .real("Solver Tolerance", "1",
             "Largest residual of a step, of saturation. Mass is conserved to rounding whatever it is.")
       .defaultTo(1e-9)
-      .strictlyBetween(0.0, 1.0);
+      .strictlyBetween(1e-14, 1.0);
   declare.integer("Maximum Linear Iterations", "Of one linear solve.").defaultTo(5000).atLeast(1);
 }
 
@@ -223,7 +223,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   const double end = t + dt;
   double now = t;
   if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
-  shortestTried_ = 1e-14 * dt;
+  shortestTried_ = 1e-10 * dt;
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.
