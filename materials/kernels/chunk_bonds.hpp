@@ -4,6 +4,7 @@
 #define PD_CHUNK_BONDS_HPP
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -51,26 +52,36 @@ struct UniformChunk {
   PD_EACH_BOND auto operator()(int k) const { return constantsOf(coefficients + k * width); }
 };
 
-/// What bonds need of points, a cache line each, for chunks whose neighbours lie anywhere.
-class PackedPoints {
+/// What bonds of chunks whose neighbours lie anywhere need of their points, a cache line each, and the forces that they
+/// add at them. Memory of other points is not touched.
+class ScatteredPoints {
  public:
-  PackedPoints() = default;
-  PackedPoints(const BondPoints& points, int dimension) {
-    const int n = points.reference.nPoints();
-    values_.resize(8 * static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i) {
+  ScatteredPoints(const ChunkedNeighborhood& neighborhood, const BondPoints& points, int dimension)
+      : ids_(neighborhood.scatteredPoints()), dimension_(dimension) {
+    const std::size_t n = ids_.empty() ? 0 : static_cast<std::size_t>(ids_.back()) + 1;
+    values_.reset(new double[8 * n]);
+    forces_.reset(new double[4 * n]);
+    for (const int i : ids_) {
       double* line = &values_[8 * static_cast<std::size_t>(i)];
       for (int d = 0; d < dimension; ++d) {
         line[d] = points.reference[d][i];
         line[4 + d] = points.displacement[d][i];
       }
       line[3] = points.volume[i];
+      std::fill_n(&forces_[4 * static_cast<std::size_t>(i)], 4, 0.0);
     }
   }
-  const double* values() const { return values_.data(); }
+  const double* values() const { return values_.get(); }  ///< [8 n]: reference place, volume, displacement
+  double* forces() { return forces_.get(); }              ///< [4 n]
+  void addForcesTo(PointArrays& force) const {
+    for (const int i : ids_)
+      for (int d = 0; d < dimension_; ++d) force[d][i] += forces_[4 * static_cast<std::size_t>(i) + std::size_t(d)];
+  }
 
  private:
-  std::vector<double> values_;  ///< [8 n]: reference place, volume, displacement
+  const std::vector<int>& ids_;
+  int dimension_;
+  std::unique_ptr<double[]> values_, forces_;
 };
 
 /// Makes the bonds of a chunk that is not uniform.
@@ -188,14 +199,11 @@ void forEachChunkOfBonds(const ChunkedNeighborhood& neighborhood, const BondCons
                          PointArrays& force, const OfUniform& ofUniform, const OfLanes& ofLanes, const Visit& visit) {
   std::vector<GatheredBond<D>> gathered;
   const auto& chunks = neighborhood.chunks();
-  const bool isContiguous = std::all_of(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.isContiguous; });
-  const PackedPoints packed = isContiguous ? PackedPoints() : PackedPoints(points, D);
-  const auto nScattered = isContiguous ? 0u : static_cast<std::size_t>(points.reference.nPoints());
-  std::vector<double> scattered(4 * nScattered, 0.0);
+  ScatteredPoints scattered(neighborhood, points, D);
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     const Chunk& chunk = chunks[c];
     const int* ownIds = neighborhood.pointIds(chunk);
-    NeighborForce atNeighbors{{}, scattered.data()};
+    NeighborForce atNeighbors{{}, scattered.forces()};
     for (int d = 0; d < D; ++d) atNeighbors.ofChunk[d] = force[d] + chunk.firstPoint;
     const auto call = [&](const auto& bonds) {
       if (areAllWhole(chunk, alive.of(chunk)))
@@ -206,7 +214,7 @@ void forEachChunkOfBonds(const ChunkedNeighborhood& neighborhood, const BondCons
     const auto callMade = [&](auto contiguous, const int* indices) {
       constexpr bool isContiguousChunk = decltype(contiguous)::value;
       BondMaker<D, isContiguousChunk> bonds{
-          chunk, indices, points, packed.values(), strength.of(c), strength.isUniform(c), {}, {}};
+          chunk, indices, points, scattered.values(), strength.of(c), strength.isUniform(c), {}, {}};
       for (int d = 0; d < D; ++d) {
         bonds.own[d] = gather(points.displacement[d], ownIds);
         bonds.ownReference[d] = gather(points.reference[d], ownIds);
@@ -236,8 +244,7 @@ void forEachChunkOfBonds(const ChunkedNeighborhood& neighborhood, const BondCons
       callMade(std::false_type(), neighborhood.neighborIds(chunk));
     }
   }
-  for (std::size_t i = 0; i < nScattered; ++i)
-    for (int d = 0; d < D; ++d) force[d][i] += scattered[4 * i + static_cast<std::size_t>(d)];
+  scattered.addForcesTo(force);
 }
 
 }  // namespace pd::kernels

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <set>
+#include <unordered_map>
 
 namespace pd::kernels {
 
 namespace {
 
 constexpr int samplesOfList = 64;
-constexpr double leastUse = 0.65;  ///< of the lanes of a contiguous chunk; with fewer, gathering is as quick
+constexpr std::size_t patternsKept = 5000;  ///< of chunks: a lattice has few, and on other meshes none comes twice
+/// Of the lanes of a contiguous chunk. With fewer, gathering is quicker: but for a few chunks, at the ends of a
+/// lattice's rows, it does not pay to lay out the points for it.
+constexpr double leastUseOnLattice = 0.35, leastUse = 0.5;
 
 std::vector<int> sampleOf(const int* list, std::size_t size) {
   std::vector<int> sample;
@@ -37,6 +43,46 @@ class CanonicalValues {
   std::set<double> values_;
 };
 
+/// Constants of the chunks so far, to be found again although they differ by round-off.
+class KnownPatterns {
+ public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// Of values in units in which `tolerance` (of each component) is small: round-off rarely changes it, and then costs
+  /// no more than a copy.
+  static std::uint64_t hashOf(const std::vector<double>& values, const std::vector<double>& tolerance) {
+    std::uint64_t hash = values.size();
+    for (std::size_t i = 0; i < values.size();)
+      for (std::size_t c = 0; c < tolerance.size(); ++c, ++i) {
+        const double coarse = 1e4 * std::max(tolerance[c], std::numeric_limits<double>::min());
+        hash = (hash ^ static_cast<std::uint64_t>(std::llround(values[i] / coarse))) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 32;
+      }
+    return hash;
+  }
+  std::size_t find(std::uint64_t hash, const std::vector<double>& values, const std::vector<double>& tolerance) const {
+    for (auto [it, end] = patterns_.equal_range(hash); it != end; ++it) {
+      const std::vector<double>& other = it->second.values;
+      bool isSame = other.size() == values.size();
+      for (std::size_t i = 0; isSame && i < values.size();)
+        for (std::size_t c = 0; c < tolerance.size(); ++c, ++i)
+          isSame = isSame && std::abs(values[i] - other[i]) <= tolerance[c];
+      if (isSame) return it->second.start;
+    }
+    return none;
+  }
+  void add(std::uint64_t hash, const std::vector<double>& values, std::size_t start) {
+    if (patterns_.size() < patternsKept) patterns_.emplace(hash, Pattern{values, start});
+  }
+
+ private:
+  struct Pattern {
+    std::vector<double> values;
+    std::size_t start;
+  };
+  std::unordered_multimap<std::uint64_t, Pattern> patterns_;
+};
+
 }  // namespace
 
 struct ChunkedNeighborhood::Lists {
@@ -56,7 +102,7 @@ struct ChunkedNeighborhood::Lists {
   }
   /// The offsets of `nPoints` points from `first` on, in an order in which every point's list is; empty where there is
   /// none, or where the points have too few in common.
-  std::vector<int> commonOffsets(int first, int nPoints) const {
+  std::vector<int> commonOffsets(int first, int nPoints, double least) const {
     std::vector<int> offsets;
     for (int k = 0; k < count(first); ++k) offsets.push_back(neighbors(first)[k] - ownedIds[first]);
     bool areSame = true, areSorted = isSorted(first);
@@ -70,11 +116,11 @@ struct ChunkedNeighborhood::Lists {
       std::set_union(offsets.begin(), offsets.end(), own.begin(), own.end(), std::back_inserter(united));
       offsets.swap(united);
       // Early out for points that have nothing in common; the other lanes may yet fill up.
-      if (leastUse * double(offsets.size()) > double(count(first) + count(p))) return {};
+      if (least * double(offsets.size()) > double(count(first) + count(p))) return {};
     }
     double nBonds = 0.0;
     for (int p = first; p < first + nPoints; ++p) nBonds += count(p);
-    return nBonds < leastUse * lanes * double(offsets.size()) ? std::vector<int>{} : offsets;
+    return nBonds < least * lanes * double(offsets.size()) ? std::vector<int>{} : offsets;
   }
 };
 
@@ -89,19 +135,34 @@ ChunkedNeighborhood::ChunkedNeighborhood(int nOwned, const int* ownedIds, const 
   sample_ = sampleOf(neighborhoodList, listSize_);
   nBonds_ = listSize_ - static_cast<std::size_t>(nOwned);
 
+  makeChunks(lists, leastUseOnLattice);
+  if (double(nBonds_) < leastUse * double(lanes * nEntries())) makeChunks(lists, leastUse);
+}
+
+void ChunkedNeighborhood::makeChunks(const Lists& lists, double least) {
+  chunks_.clear();
+  for (std::vector<int>* values : {&offsets_, &neighborIds_, &pointIds_, &nNeighbors_}) values->clear();
+  present_.clear();
+  firstBond_.clear();
+  OffsetPlaces known;
   int firstScattered = 0;
-  for (int p = 0; p < nOwned;) {
+  for (int p = 0; p < nOwned_;) {
     int end = p + 1;
-    while (end < nOwned && end < p + lanes && ownedIds[end] == ownedIds[end - 1] + 1) ++end;
-    const std::vector<int> offsets = lists.commonOffsets(p, end - p);
+    while (end < nOwned_ && end < p + lanes && ownedIds_[end] == ownedIds_[end - 1] + 1) ++end;
+    const std::vector<int> offsets = lists.commonOffsets(p, end - p, least);
     if (!offsets.empty()) {
       addScattered(lists, firstScattered, p - firstScattered);
-      addContiguous(lists, p, end - p, offsets);
+      addContiguous(lists, p, end - p, offsets, known);
       firstScattered = end;
     }
     p = end;
   }
-  addScattered(lists, firstScattered, nOwned - firstScattered);
+  addScattered(lists, firstScattered, nOwned_ - firstScattered);
+  scatteredPoints_ = neighborIds_;
+  for (const Chunk& chunk : chunks_)
+    if (!chunk.isContiguous) scatteredPoints_.insert(scatteredPoints_.end(), pointIds(chunk), pointIds(chunk) + lanes);
+  std::sort(scatteredPoints_.begin(), scatteredPoints_.end());
+  scatteredPoints_.erase(std::unique(scatteredPoints_.begin(), scatteredPoints_.end()), scatteredPoints_.end());
 }
 
 Chunk ChunkedNeighborhood::newChunk(const Lists& lists, int first, int count, bool isContiguous) {
@@ -121,14 +182,16 @@ void ChunkedNeighborhood::finish(Chunk chunk) {
   chunks_.push_back(chunk);
 }
 
-void ChunkedNeighborhood::addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets) {
+void ChunkedNeighborhood::addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets,
+                                        OffsetPlaces& known) {
   Chunk chunk = newChunk(lists, first, count, true);
   chunk.nNeighbors = static_cast<int>(offsets.size());
-  const Chunk* previous = chunks_.empty() ? nullptr : &chunks_.back();
-  const bool canShare = previous != nullptr && previous->isContiguous && previous->nNeighbors == chunk.nNeighbors &&
-                        std::equal(offsets.begin(), offsets.end(), offsets_.data() + previous->indices);
-  chunk.indices = canShare ? previous->indices : offsets_.size();
-  if (!canShare) offsets_.insert(offsets_.end(), offsets.begin(), offsets.end());
+  const auto found = known.find(offsets);
+  chunk.indices = found != known.end() ? found->second : offsets_.size();
+  if (found == known.end()) {
+    offsets_.insert(offsets_.end(), offsets.begin(), offsets.end());
+    if (known.size() < patternsKept) known.emplace(offsets, chunk.indices);
+  }
   present_.resize(present_.size() + offsets.size(), 0);
   for (int lane = 0; lane < count; ++lane) {
     const int p = first + lane;
@@ -165,16 +228,17 @@ bool ChunkedNeighborhood::isFor(int nOwned, const int* ownedIds, const int* neig
 
 std::size_t ChunkedNeighborhood::bytes() const {
   return chunks_.size() * sizeof(Chunk) + firstBond_.size() * sizeof(std::size_t) + present_.size() +
-         (offsets_.size() + neighborIds_.size() + pointIds_.size() + nNeighbors_.size()) * sizeof(int);
+         (offsets_.size() + neighborIds_.size() + pointIds_.size() + nNeighbors_.size() + scatteredPoints_.size()) *
+             sizeof(int);
 }
 
 BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
                              const std::function<void(int, int, std::size_t, double*)>& fill, Keep keep,
                              double tolerance, const DerivedConstants& derived) {
   const auto w = static_cast<std::size_t>(width);
-  std::vector<double> one(w), all, first, lastFirst, scale(w);
+  std::vector<double> one(w), all, first, scale(w);
   CanonicalValues canonical(tolerance);
-  std::size_t lastUniform = 0;
+  KnownPatterns known;
   for (const Chunk& chunk : neighborhood.chunks()) {
     const std::size_t count = static_cast<std::size_t>(chunk.nNeighbors) * w;
     all.assign(count * lanes, 0.0);
@@ -203,12 +267,11 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
       if (keep == Keep::All) values_.insert(values_.end(), all.begin(), all.end());
       continue;
     }
-    bool canShare = lastFirst.size() == count;
-    for (std::size_t i = 0; canShare && i < count;)
-      for (std::size_t c = 0; c < w; ++c, ++i) canShare = canShare && std::abs(first[i] - lastFirst[i]) <= scale[c];
-    if (!canShare) {
-      lastUniform = values_.size();
-      lastFirst = first;
+    const std::uint64_t hash = KnownPatterns::hashOf(first, scale);
+    std::size_t start = known.find(hash, first, scale);
+    if (start == KnownPatterns::none) {
+      start = values_.size();
+      known.add(hash, first, start);
       for (std::size_t i = 0; i < count; i += w) {
         const std::size_t at = values_.size();
         for (std::size_t c = 0; c < w; ++c) values_.push_back(canonical(first[i + c]));
@@ -217,7 +280,7 @@ BondConstants::BondConstants(const ChunkedNeighborhood& neighborhood, int width,
         derived.replace(&values_[at]);
       }
     }
-    start_.push_back(lastUniform);
+    start_.push_back(start);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "simd.hpp"
@@ -39,6 +40,8 @@ class ChunkedNeighborhood {
   const int* offsets(const Chunk& chunk) const { return offsets_.data() + chunk.indices; }
   const int* neighborIds(const Chunk& chunk) const { return neighborIds_.data() + chunk.indices; }
   const int* pointIds(const Chunk& chunk) const { return pointIds_.data() + chunk.points; }
+  /// Points and neighbours of chunks that are not contiguous, each once.
+  const std::vector<int>& scatteredPoints() const { return scatteredPoints_; }
   /// One byte an entry; bit = lane that has this neighbour.
   const unsigned char* present(const Chunk& chunk) const { return present_.data() + chunk.entries; }
 
@@ -72,13 +75,16 @@ class ChunkedNeighborhood {
 
  private:
   struct Lists;
-  void addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets);
+  /// `least`: share of the lanes that a contiguous chunk must use.
+  void makeChunks(const Lists& lists, double least);
+  using OffsetPlaces = std::map<std::vector<int>, std::size_t>;  ///< where in offsets_ they are
+  void addContiguous(const Lists& lists, int first, int count, const std::vector<int>& offsets, OffsetPlaces& known);
   void addScattered(const Lists& lists, int first, int count);
   Chunk newChunk(const Lists& lists, int first, int count, bool isContiguous);
   void finish(Chunk chunk);
 
   std::vector<Chunk> chunks_;
-  std::vector<int> offsets_, neighborIds_, pointIds_, nNeighbors_;
+  std::vector<int> offsets_, neighborIds_, pointIds_, nNeighbors_, scatteredPoints_;
   std::vector<unsigned char> present_;
   std::vector<std::size_t> firstBond_;
   std::size_t nBonds_ = 0;
