@@ -34,7 +34,6 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
 
 void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
   declare.text("Material Model", "Name of this model.").defaultTo("Corrosion Dissolution");
-  declare.real("Density", "kg/m3", "Mass density; for solvers of mechanics alone.").positive();
   declare.real("Diffusivity", "m2/s", "Of metal ions in the electrolyte.").positive().required();
   declare.real("Solid Concentration", "mol/m3", "Metal atoms in the intact solid.").positive().required();
   declare.real("Saturation Concentration", "mol/m3", "Most metal ions that the electrolyte holds.")
@@ -51,18 +50,21 @@ void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
 }
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
+    : CorrosionDissolution(given, completed(given)) {}
+
+CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params)
     : Material(given),
-      family_(completed(given), owner),
+      family_(params, owner),
       interfaceFamily_(family_),
-      diffusivity_(given.get<double>("Diffusivity")),
-      solidConcentration_(given.get<double>("Solid Concentration")),
-      saturation_(given.get<double>("Saturation Concentration")),
-      chargeNumber_(given.get<double>("Charge Number")),
-      currentDensity_(completed(given), saturation_, owner) {
+      diffusivity_(params.get<double>("Diffusivity")),
+      solidConcentration_(params.get<double>("Solid Concentration")),
+      saturation_(params.get<double>("Saturation Concentration")),
+      chargeNumber_(params.get<double>("Charge Number")),
+      currentDensity_(params, saturation_, owner) {
   microDiffusivity_ = kernels::microDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare, diffusivity_,
                                                 family_.horizon);
   interfaceFamily_.horizon =
-      given.isParameter("Dissolution Range") ? given.get<double>("Dissolution Range") : 0.5 * family_.horizon;
+      params.isParameter("Dissolution Range") ? params.get<double>("Dissolution Range") : 0.5 * family_.horizon;
   if (interfaceFamily_.horizon > family_.horizon)
     throw std::invalid_argument(std::string(owner) + ": \"Dissolution Range\" must not exceed the horizon");
   interfaceConstant_ = kernels::interfaceFluxConstant(family_.section, interfaceFamily_.horizon);

@@ -43,6 +43,8 @@ class CorrosionDissolution : public PeridigmNS::Material {
                        JacobianType type) const override;
 
  private:
+  CorrosionDissolution(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params);  ///< completed
+
   struct Views;
   struct Cache {
     kernels::ChunkedNeighborhood neighborhood;

@@ -6,7 +6,7 @@ namespace pd::kernels {
 
 PhaseBonds::PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, const int* ownedIds,
                        const int* neighborhoodList, int nPoints)
-    : ownedIds_(ownedIds), list_(neighborhoodList) {
+    : list_(neighborhoodList) {
   const auto n = static_cast<std::size_t>(nPoints);
   isLiquid_.assign(n, 0);
   chunkOf_.assign(n, -1);

@@ -35,7 +35,6 @@ class PhaseBonds {
   void refreshChunk(const ChunkedNeighborhood& neighborhood, std::size_t c);
   void collect(const ChunkedNeighborhood& neighborhood);
 
-  const int* ownedIds_ = nullptr;
   const int* list_ = nullptr;
   std::vector<std::size_t> starts_;             ///< of the list of each owned point
   std::vector<int> chunkOf_;                    ///< by local id; -1: not owned

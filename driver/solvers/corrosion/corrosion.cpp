@@ -8,12 +8,13 @@
 
 #include "../declarations.hpp"
 #include "Peridigm_Field.hpp"
+#include "field_names.hpp"
 
 namespace pd {
 
 namespace {
 
-const std::string rateField = "Concentration_Flux_Divergence";
+const std::string rateField = fluxDivergenceField("Concentration");
 const std::string lastRateField = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 
 TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_names.hpp"
+
 namespace pd {
 
 namespace {
 
-const std::string rateField = "Concentration_Flux_Divergence";
+const std::string rateField = fluxDivergenceField("Concentration");
 
 }  // namespace
 
@@ -60,7 +62,7 @@ double TransportStep::residual(Simulation& simulation, const Fields& fields, dou
 }
 
 /// From the residual with bare surfaces everywhere. Returns whether any point has changed sides.
-bool TransportStep::updateSaturated(Simulation& simulation, const Fields& fields, double h) {
+bool TransportStep::updateSaturated(Simulation& simulation, const Fields& fields) {
   bool hasChanged = false;
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     if (isUnknown_[i] == 0 || fields.area[i] == 0.0) continue;
@@ -70,7 +72,6 @@ bool TransportStep::updateSaturated(Simulation& simulation, const Fields& fields
     hasChanged = hasChanged || isSaturated != (isSaturated_[i] != 0);
     isSaturated_[i] = isSaturated ? 1 : 0;
   }
-  static_cast<void>(h);
   return simulation.model.comm().any(hasChanged);
 }
 
@@ -130,6 +131,7 @@ bool TransportStep::solve(Simulation& simulation, double h) {
   before_.assign(fields.concentration, fields.concentration + n);
   residual_.resize(n);
   slope_.resize(n);
+  trouble_.clear();
   findUnknowns(simulation, fields);
   for (std::size_t i = 0; i < n; ++i)
     if (isSaturated_[i] != 0) fields.concentration[i] = fields.saturation[i];
@@ -137,7 +139,7 @@ bool TransportStep::solve(Simulation& simulation, double h) {
   bool hasConverged = false;
   for (int iteration = 0; iteration < settings_.maximumNewtonIterations; ++iteration) {
     double largest = residual(simulation, fields, h);
-    if (updateSaturated(simulation, fields, h))
+    if (updateSaturated(simulation, fields))
       largest = residual(simulation, fields, h);
     else if (largest <= settings_.tolerance) {
       hasConverged = true;
@@ -162,7 +164,6 @@ bool TransportStep::solve(Simulation& simulation, double h) {
   rate_.assign(fields.rate, fields.rate + n);
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   for (std::size_t i = 0; i < n; ++i) fields.concentration[i] = isHeld[i] != 0 ? before_[i] : before_[i] + h * rate_[i];
-  trouble_.clear();
   return true;
 }
 

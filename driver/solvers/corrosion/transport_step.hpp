@@ -46,7 +46,7 @@ class TransportStep {
   };
   void findUnknowns(Simulation& simulation, const Fields& fields);
   double residual(Simulation& simulation, const Fields& fields, double h);
-  bool updateSaturated(Simulation& simulation, const Fields& fields, double h);
+  bool updateSaturated(Simulation& simulation, const Fields& fields);
   bool solveLinear(Simulation& simulation, const Fields& fields, double h, double target);
   void applyMatrix(Simulation& simulation, const Fields& fields, double h, const std::vector<double>& direction,
                    std::vector<double>& image);
