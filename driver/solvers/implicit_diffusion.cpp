@@ -124,20 +124,8 @@ ImplicitDiffusion::Balance ImplicitDiffusion::evaluate(Simulation& simulation, d
 }
 
 void ImplicitDiffusion::assemble(Simulation& simulation, double dt) {
-  Model& model = simulation.model;
-  if (!system_) system_ = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 1, false);
-  system_->putScalar(0.0);
-  {
-    const ScalarUnknown unknown;
-    model.assembleJacobian(dt, *system_);
-  }
-  const Timers::Scope timer(model.timers(), "matrix assembly");
-  system_->scale(-1.0);  // positive definite for conservative fluxes
-  system_->finish(isHeld_);
-  std::vector<double> diagonal = system_->diagonal();
-  for (std::size_t i = 0; i < diagonal.size(); ++i)
-    if (isHeld_[i]) diagonal[i] = 0.0;
-  stiffness_ = normOverRanks(model.comm(), diagonal);
+  // Negative: positive definite for conservative fluxes.
+  stiffness_ = assembleFluxMatrix(simulation.model, dt, -1.0, false, isHeld_, system_);
   hasMatrix_ = true;
   ++nMatrices_;
 }

@@ -53,24 +53,9 @@ void ImplicitStage::begin(Simulation& simulation, const std::string& field) {
 }
 
 void ImplicitStage::assemble(Simulation& simulation, double h) {
-  Model& model = simulation.model;
   // A step that differs by rounding alone shares its matrix with the one before.
   if (!(std::abs(h - matrixStep_) <= 1e-9 * h)) matrixStep_ = h;
-  if (!system_) system_ = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 1, false);
-  system_->putScalar(0.0);
-  {
-    const ScalarUnknown unknown;
-    model.assembleJacobian(matrixStep_, *system_);
-  }
-  const Timers::Scope timer(model.timers(), "matrix assembly");
-  system_->scale(-matrixStep_);
-  const double* volume = model.field("Volume");
-  for (int i = 0; i < model.nOwned(); ++i) system_->addToDiagonal(i, 0, volume[i]);
-  system_->finish(isHeld_);
-  std::vector<double> diagonal = system_->diagonal();
-  for (std::size_t i = 0; i < diagonal.size(); ++i)
-    if (isHeld_[i]) diagonal[i] = 0.0;
-  stiffness_ = normOverRanks(model.comm(), diagonal);
+  stiffness_ = assembleFluxMatrix(simulation.model, matrixStep_, -matrixStep_, true, isHeld_, system_);
   hasMatrix_ = true;
   ++nMatrices_;
 }

@@ -8,6 +8,25 @@
 
 namespace pd {
 
+double assembleFluxMatrix(Model& model, double dt, double factor, bool addsVolumes, const std::vector<char>& isHeld,
+                          std::unique_ptr<LinearSystem>& system) {
+  if (!system) system = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 1, false);
+  system->putScalar(0.0);
+  {
+    const ScalarUnknown unknown;
+    model.assembleJacobian(dt, *system);
+  }
+  const Timers::Scope timer(model.timers(), "matrix assembly");
+  system->scale(factor);
+  const double* volume = model.field("Volume");
+  for (int i = 0; addsVolumes && i < model.nOwned(); ++i) system->addToDiagonal(i, 0, volume[i]);
+  system->finish(isHeld);
+  std::vector<double> diagonal = system->diagonal();
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    if (isHeld[i]) diagonal[i] = 0.0;
+  return normOverRanks(model.comm(), diagonal);
+}
+
 double normOverRanks(const Communicator& comm, const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value * value;

@@ -2,9 +2,11 @@
 #ifndef PD_SCALAR_UNKNOWN_HPP
 #define PD_SCALAR_UNKNOWN_HPP
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "../../linear/linear_system.hpp"
 #include "../../model/model.hpp"
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 
@@ -18,6 +20,12 @@ class ScalarUnknown {
   ScalarUnknown(const ScalarUnknown&) = delete;
   ScalarUnknown& operator=(const ScalarUnknown&) = delete;
 };
+
+/// `system` (made where there is none) = factor dF/dc, F the flux divergence times the volumes, plus the volumes on the
+/// diagonal where `addsVolumes`; rows of held points [nOwned] are left out. Returns the norm of the diagonal of the
+/// others. Collective.
+double assembleFluxMatrix(Model& model, double dt, double factor, bool addsVolumes, const std::vector<char>& isHeld,
+                          std::unique_ptr<LinearSystem>& system);
 
 /// Euclidean norm over all ranks of values of owned points. Collective.
 double normOverRanks(const Communicator& comm, const std::vector<double>& values);
