@@ -7,12 +7,12 @@
 
 namespace pd {
 
-namespace {
-
 std::string withUnderscores(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
+
+namespace {
 
 bool needsParameters(const std::string& name) {
   const ParameterDeclarations declarations = ComputeRegistry::self().find(name)->declare();

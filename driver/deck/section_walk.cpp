@@ -96,12 +96,6 @@ class SectionFinder {
     return "";
   }
 
-  /// Computes may be named with blanks in place of underscores.
-  static std::string withUnderscores(std::string name) {
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-  }
-
   template <class Registry>
   void plugins(Kind kind, const DeckNode& list, const std::string& kindKey, const Registry& registry) {
     for (const auto& [name, node] : list.entries()) {

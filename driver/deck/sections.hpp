@@ -22,6 +22,9 @@ const ParameterDeclarations& outputDeclarations();
 const ParameterDeclarations& exactSolutionDeclarations();  ///< an entry of "Exact Solution"
 const ParameterDeclarations& solverDeclarations();         ///< what all solvers share: times, verbosity
 
+/// Computes may be named with blanks in place of underscores.
+std::string withUnderscores(std::string name);
+
 /// Names of computes without required parameters that an output or another compute names, and that have no entry in
 /// Compute Class Parameters. The deck need not have been checked.
 std::vector<std::string> computesWithoutSection(const Deck& deck);

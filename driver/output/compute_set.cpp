@@ -13,11 +13,6 @@ using PeridigmNS::FieldSpec;
 
 namespace {
 
-std::string withUnderscores(std::string name) {
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
 /// Calls `work`; a mistake that a plug-in finds is given the place in the deck.
 template <class Work>
 void atPlace(const std::string& place, const Work& work) {
