@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <sstream>
 
-#include "../support/scene_files.hpp"
-#include "driver/command_line/command_line.hpp"
 #include "driver/deck/sections.hpp"
 #include "good_scene.hpp"
+#include "run_pdrun.hpp"
 
 namespace pd {
 namespace {
 
 using pd_test::Broken;
+using pd_test::Outcome;
 using pd_test::SceneFiles;
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -36,26 +36,9 @@ std::string meshWith(const std::string& fourthLine) {
   return result;
 }
 
-struct Outcome {
-  int exitCode = 0;
-  std::string errors;
-};
-
 /// Runs `pdrun deck.yaml` on the files of the scene; names of files in messages lose their folder.
 Outcome run(const SceneFiles& scene, std::vector<std::string> arguments = {}) {
-  arguments.insert(arguments.begin(), {"pdrun", scene.path("deck.yaml"), "--quiet"});
-  std::vector<const char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  Outcome outcome;
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  outcome.exitCode = runCommandLine(static_cast<int>(argv.size()), argv.data(), Communicator(MPI_COMM_WORLD));
-  testing::internal::GetCapturedStdout();
-  outcome.errors = testing::internal::GetCapturedStderr();
-  const std::string folder = scene.path("");
-  for (std::size_t at = outcome.errors.find(folder); at != std::string::npos; at = outcome.errors.find(folder, at))
-    outcome.errors.erase(at, folder.size());
-  return outcome;
+  return pd_test::runPdrun(scene, scene.path("deck.yaml"), std::move(arguments));
 }
 
 void writeScene(const SceneFiles& scene, const std::string& deck, const std::string& mesh, const std::string& nodeSet) {

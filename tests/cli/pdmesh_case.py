@@ -1,7 +1,4 @@
 """What the tests of pdmesh share: drawings for Gmsh, and how the programs are called."""
-import contextlib
-import io
-import os
 import subprocess
 import sys
 import tempfile
@@ -12,8 +9,9 @@ import numpy as np
 
 PDMESH = Path(__file__).resolve().parents[2] / "meshes" / "pdmesh"
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(PDMESH.parent))
+sys.path[:0] = [str(PDMESH.parent), str(Path(__file__).resolve().parents[1] / "support")]
 
+from in_process import run  # noqa: E402
 from pdmesh_lib.command_line import main  # noqa: E402
 
 # Volumes are sums of at most 1e5 products in double precision: 1e-12 leaves four digits for round-off.
@@ -80,16 +78,10 @@ class PdmeshCase(unittest.TestCase):
         return self.folder / name
 
     def pdmesh(self, *arguments, expect=0):
-        """Output and errors of the program, run within this process: starting it a hundred times takes long."""
-        output, errors, before = io.StringIO(), io.StringIO(), os.getcwd()
-        os.chdir(self.folder)
-        try:
-            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-                code = main([str(argument) for argument in arguments])
-        finally:
-            os.chdir(before)
-        self.assertEqual(code, expect, output.getvalue() + errors.getvalue())
-        return output.getvalue(), errors.getvalue()
+        """Output and errors of the program."""
+        code, output, errors = run(main, self.folder, arguments)
+        self.assertEqual(code, expect, output + errors)
+        return output, errors
 
     def convert(self, mesh, *arguments):
         self.pdmesh("convert", mesh, "points.txt", *arguments)

@@ -1,8 +1,5 @@
 #!/usr/bin/python3
 """Tests of meshes/pdplot on files laid out as driver/output/field_writer.hpp says."""
-import contextlib
-import io
-import os
 import shutil
 import subprocess
 import sys
@@ -17,8 +14,9 @@ from scipy import ndimage
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(MESHES))
+sys.path[:0] = [str(MESHES), str(Path(__file__).resolve().parents[1] / "support")]
 
+from in_process import run  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.command_line import main  # noqa: E402
 from pdplot_lib.history import history_panels  # noqa: E402
@@ -64,15 +62,9 @@ class PdplotTest(unittest.TestCase):
         self.scratch.cleanup()
 
     def pdplot(self, *arguments, expect=0):
-        output, errors, before = io.StringIO(), io.StringIO(), os.getcwd()
-        os.chdir(self.folder)
-        try:
-            with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
-                code = main([str(argument) for argument in arguments])
-        finally:
-            os.chdir(before)
-        self.assertEqual(code, expect, output.getvalue() + errors.getvalue())
-        return output.getvalue().split(), errors.getvalue()
+        code, output, errors = run(main, self.folder, arguments)
+        self.assertEqual(code, expect, output + errors)
+        return output.split(), errors
 
     def picture(self, name):
         with Image.open(self.folder / name) as image:

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "../support/scene_files.hpp"
-#include "driver/command_line/command_line.hpp"
+#include "run_pdrun.hpp"
 
 namespace pd {
 namespace {
 
+using pd_test::Outcome;
 using pd_test::SceneFiles;
 
 /// Lines are counted on: change the numbers in the tests with them.
@@ -87,29 +87,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-struct Outcome {
-  int exitCode = 0;
-  std::string errors;  ///< names of files have lost their folder
-};
-
 /// Writes deck and mesh and runs the deck.
 Outcome run(const SceneFiles& scene, const std::string& name, const std::string& deck,
             std::vector<std::string> arguments = {}) {
   scene.write("mesh.txt", "0 0 0 1 1.0\n1 0 0 1 1.0\n0 1 0 1 1.0\n0 0 1 1 1.0\n1 1 1 1 1.0\n");
   const std::string path = scene.write(name, replaced(deck, "NAME", scene.path("result")));
-  arguments.insert(arguments.begin(), {"pdrun", path, "--quiet"});
-  std::vector<const char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  Outcome outcome;
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  outcome.exitCode = runCommandLine(static_cast<int>(argv.size()), argv.data(), Communicator(MPI_COMM_WORLD));
-  testing::internal::GetCapturedStdout();
-  outcome.errors = testing::internal::GetCapturedStderr();
-  const std::string folder = scene.path("");
-  for (std::size_t at = outcome.errors.find(folder); at != std::string::npos; at = outcome.errors.find(folder, at))
-    outcome.errors.erase(at, folder.size());
-  return outcome;
+  return pd_test::runPdrun(scene, path, std::move(arguments));
 }
 
 std::string contentOf(const std::string& path) {
