@@ -1,8 +1,8 @@
 // Bond_Strain: strain of each point from its unbroken bonds, 9 components row by row.
 #include <algorithm>
 
-#include "point_deformation.hpp"
 #include "plugins.hpp"
+#include "point_deformation.hpp"
 
 namespace pd {
 

@@ -4,8 +4,8 @@
 // with the material's moduli, applied to the strain that the unbroken bonds show.
 #include <algorithm>
 
-#include "point_deformation.hpp"
 #include "plugins.hpp"
+#include "point_deformation.hpp"
 
 namespace pd {
 

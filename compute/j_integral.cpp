@@ -5,8 +5,8 @@
 // Stress and gradients are those of Bond_Stress. The crack must leave the ring along -d, and be free of traction.
 #include <cmath>
 
-#include "point_deformation.hpp"
 #include "plugins.hpp"
+#include "point_deformation.hpp"
 
 namespace pd {
 

@@ -15,8 +15,9 @@ namespace pd {
 /// (reference place, m) and t (s), or a table in time. Types:
 ///  - Initial Displacement, Initial Velocity {Node Set, Coordinate, Value}
 ///  - Initial Value {Node Set, Field, Value}; Initial Temperature and Initial Concentration with the field fixed
-///  - Prescribed Displacement {Node Set, Coordinate, Value}: u = value(x, t). In decks of Peridigm, as there, u keeps its
-///    initial value at first, changes by what the value changes in a step, and is the value where that is nothing
+///  - Prescribed Displacement {Node Set, Coordinate, Value}: u = value(x, t). In decks of Peridigm, as there, u
+///    keeps its initial value at first, changes by what the value changes in a step, and is the value where that is
+///    nothing
 ///  - Prescribed Value {Node Set, Field, Value}; Prescribed Temperature and Prescribed Concentration
 ///  - Body Force {Node Set, Coordinate, Value}: force density, N/m3
 ///  - Traction {Node Set, Coordinate, Value, Area}: force per area, N/m2, on a face of `Area` m2, whose force is

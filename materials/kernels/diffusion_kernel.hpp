@@ -10,8 +10,8 @@
 namespace pd::kernels {
 
 /// rate_i += sum_j w_ij (C_j - C_i). `weights`: width 1, w_ij = d kernel(|xi|) (volume share) V_j in 1/s.
-/// `alive`: null, or the bonds that carry flux; `only`: null, or the chunks that have such bonds. C and rate by local id; both must be readable for `lanes` values past
-/// their end.
+/// `alive`: null, or the bonds that carry flux; `only`: null, or the chunks that have such bonds. C and rate by local
+/// id; both must be readable for `lanes` values past their end.
 void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
                        const double* concentration, double* rate, const std::vector<std::size_t>* only = nullptr);
 
