@@ -1,5 +1,5 @@
 #!/bin/bash
-# Meshes, runs of both metals in 1D, 2D and 3D, and the picture of this scene, into results/uniform.
+# Meshes, runs of both metals in 1D, 2D and 3D, one with random bonds, and pictures of this scene, into results/uniform.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -15,6 +15,11 @@ for body in bar strip block; do
   changes=(--set "Output/Output Filename=${body}_copper" --set "Boundary Conditions/Metal/Value=141000")
   for change in "${copper[@]}"; do changes+=(--set "Materials/Metal/$change"); done
   "$pdrun" "$here/$body.yaml" "${changes[@]}"
+done
+for seed in 1 2 3; do
+  "$pdrun" "$here/strip.yaml" --set "Damage Models/Phases/Rule=Stochastic" \
+    --set "Damage Models/Phases/Random Seed=$seed" --set "Output/Output Filename=random$seed" \
+    --set "Solver/Corrosion/Load Steps=600" --set "Output/Output Frequency=1"
 done
 "$pdplot" strip --field Concentration --step 0,10,20,30 -o strip.png
 "$here/plot.py" "$results"

@@ -9,6 +9,7 @@
 #include "../declarations.hpp"
 #include "Peridigm_Field.hpp"
 #include "field_names.hpp"
+#include "loose_metal.hpp"
 
 namespace pd {
 
@@ -153,6 +154,7 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
         concentration[i] = saturation[i];
         owes = true;
       }
+    model.importGhosts("Concentration");
     model.evaluateDamage(h);
     if (!model.comm().any(owes)) break;
     // With the electrolyte at one concentration and salt on all surfaces, nothing flows but the demand.
@@ -193,12 +195,15 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
   double* damage = model.field("Damage");
   const std::vector<double> phases(damage, damage + model.nPoints());
+  BondsBeforeStep bonds(model);
   if (isTooLong || !carryOver(simulation, h)) {
+    bonds.restore();
     std::copy(transport_.before().begin(), transport_.before().end(), model.field("Concentration"));
     std::copy(phases.begin(), phases.end(), damage);
     if (h < shortestTried_) throw RunError(fmt::format("Corrosion: t = {:.6g} s: the front moves without end", t));
     return false;
   }
+  dissolveLooseMetalFirst(model, transport_.before(), h);
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   const double* volume = model.field("Volume");
   double held = 0.0;

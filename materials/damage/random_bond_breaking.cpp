@@ -1,0 +1,106 @@
+#include "random_bond_breaking.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "bond_thresholds.hpp"
+#include "field_views.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+using PeridigmNS::FieldManager;
+namespace Field = PeridigmNS::PeridigmField;
+
+RandomBondBreaking::RandomBondBreaking(std::uint32_t seed) : seed_(seed) {
+  FieldManager& fields = FieldManager::self();
+  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
+  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
+  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
+  looseId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Loose");
+}
+
+RandomBondBreaking::Cache RandomBondBreaking::makeCache(const Call& call, std::size_t nPoints) {
+  Cache made;
+  made.neighborhood = {call.neighborhoodList, call.nOwned};
+  made.position.assign(nPoints, -1);
+  made.around.resize(nPoints);
+  std::size_t at = 0;
+  for (int p = 0; p < call.nOwned; ++p) {
+    made.position[static_cast<std::size_t>(call.ownedIds[p])] = p;
+    made.starts.push_back(at + 1);
+    at += static_cast<std::size_t>(call.neighborhoodList[at]) + 1;
+  }
+  for (int p = 0; p < call.nOwned; ++p) {
+    const int* neighbors = call.neighborhoodList + made.starts[static_cast<std::size_t>(p)];
+    for (int k = 0; k < neighbors[-1]; ++k)
+      if (made.position[static_cast<std::size_t>(neighbors[k])] < 0)
+        made.around[static_cast<std::size_t>(neighbors[k])].push_back(p);
+  }
+  constexpr double notYet = std::numeric_limits<double>::quiet_NaN();
+  made.seenExpected.assign(nPoints, notYet);
+  made.seenDamage.assign(static_cast<std::size_t>(call.nOwned), notYet);
+  return made;
+}
+
+std::vector<int> RandomBondBreaking::pointsToVisit(const Call& call, const std::vector<double>& expected,
+                                                   const double* damage, Cache& cache) {
+  std::vector<char> isMarked(static_cast<std::size_t>(call.nOwned), 0);
+  for (std::size_t j = 0; j < expected.size(); ++j) {
+    if (expected[j] == cache.seenExpected[j]) continue;
+    cache.seenExpected[j] = expected[j];
+    for (const int p : cache.around[j]) isMarked[static_cast<std::size_t>(p)] = 1;
+    if (cache.position[j] < 0) continue;
+    // Neighbourhoods are symmetric.
+    const auto own = static_cast<std::size_t>(cache.position[j]);
+    const int* neighbors = call.neighborhoodList + cache.starts[own];
+    isMarked[own] = 1;
+    for (int k = 0; k < neighbors[-1]; ++k) {
+      const int p = cache.position[static_cast<std::size_t>(neighbors[k])];
+      if (p >= 0) isMarked[static_cast<std::size_t>(p)] = 1;
+    }
+  }
+  std::vector<int> marked;
+  for (int p = 0; p < call.nOwned; ++p) {
+    const bool isOverwritten = damage[call.ownedIds[p]] != cache.seenDamage[static_cast<std::size_t>(p)];
+    if (isOverwritten || isMarked[static_cast<std::size_t>(p)] != 0) marked.push_back(p);
+  }
+  return marked;
+}
+
+void RandomBondBreaking::update(const Call& call, const std::vector<double>& expected, DataManager& dataManager) const {
+  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
+  double* loose = view(dataManager, looseId_, Field::STEP_NONE);
+  double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
+  const double* oldBondDamage = view(dataManager, bondDamageId_, Field::STEP_N);
+  const auto& map = *dataManager.getOverlapScalarPointMap();
+  Cache& cache = caches_.of(call, view(dataManager, modelCoordinatesId_, Field::STEP_NONE),
+                            [&](const Call& c) { return makeCache(c, expected.size()); });
+  if (bondDamage != oldBondDamage) {
+    // This host keeps N and NP1 apart and swaps them: then nothing at NP1 is of the last call.
+    std::copy(oldBondDamage, oldBondDamage + dataManager.getData(bondDamageId_, Field::STEP_N)->MyLength(), bondDamage);
+    cache.seenDamage.assign(cache.seenDamage.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const int p : pointsToVisit(call, expected, damage, cache)) {
+    const auto position = static_cast<std::size_t>(p);
+    const int i = call.ownedIds[p], id = map.GID(i);
+    const double own = expected[static_cast<std::size_t>(i)];
+    const int* neighbors = call.neighborhoodList + cache.starts[position];
+    double* bonds = bondDamage + (cache.starts[position] - position - 1);
+    int nBroken = 0;
+    for (int k = 0; k < neighbors[-1]; ++k) {
+      const double other = expected[static_cast<std::size_t>(neighbors[k])];
+      if (bonds[k] < 1.0 && (own > 0.0 || other > 0.0)) {
+        const kernels::BondThresholds thresholds = kernels::bondThresholds(seed_, id, map.GID(neighbors[k]));
+        if (own > thresholds.ofFirst || other > thresholds.ofSecond) bonds[k] = 1.0;
+      }
+      nBroken += bonds[k] >= 1.0 ? 1 : 0;
+    }
+    const bool isLiquid = own >= 1.0, hasLostAll = nBroken == neighbors[-1];
+    damage[i] = isLiquid ? 1.0 : std::min(static_cast<double>(nBroken) / std::max(neighbors[-1], 1), mostDamagedSolid);
+    loose[i] = hasLostAll && !isLiquid ? 1.0 : 0.0;
+    cache.seenDamage[position] = damage[i];
+  }
+}
+
+}  // namespace pd

@@ -1,0 +1,63 @@
+// Mechanical bonds of a dissolving metal, which break at random as the metal at their ends goes.
+#ifndef PD_RANDOM_BOND_BREAKING_HPP
+#define PD_RANDOM_BOND_BREAKING_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "Peridigm_DataManager.hpp"
+#include "neighborhood_cache.hpp"
+
+namespace pd {
+
+/// Largest Damage of a solid point.
+constexpr double mostDamagedSolid = 1.0 - 1e-12;
+
+/// Each end of a bond has a threshold of its own, drawn once (kernels/bond_thresholds.hpp); the bond breaks, for both
+/// ends and for good, as soon as the expected damage d_c of either end exceeds its threshold.
+///
+/// That is the step-wise rule of Chen & Bobaru, J. Mech. Phys. Solids 78 (2015) 352, and Jafarzadeh, Zhao, Shakouri &
+/// Bobaru, Electrochim. Acta 401 (2022) 139512, section 2.2.2, without its steps. There each end breaks each of its
+/// bonds with probability (d_c' - d_c)/(1 - d_c) while d_c rises to d_c': a bond outlives that with probability (1 -
+/// d_c')/(1 - d_c), hence any sequence of rises from 0 to d_c with probability 1 - d_c, which is that of a uniform
+/// threshold above d_c. But what breaks no longer depends on how d_c came there: on steps, on repeated ones, on ranks.
+class RandomBondBreaking {
+ public:
+  explicit RandomBondBreaking(std::uint32_t seed);
+  std::vector<int> fieldIds() const { return {modelCoordinatesId_, damageId_, bondDamageId_, looseId_}; }
+  void forget() const { caches_.clear(); }
+
+  /// Brings Bond_Damage, Damage and Loose at NP1 up to date with `expected`: d_c by local id, ghosts included, 1 of
+  /// liquid. Damage is the share of broken bonds, of solid points below 1; Loose is 1 where a solid point has none
+  /// left.
+  void update(const Call& call, const std::vector<double>& expected, PeridigmNS::DataManager& dataManager) const;
+
+ private:
+  /// The list that a cache is for, by its address.
+  struct ListKey {
+    const int* list = nullptr;
+    int nOwned = 0;
+    bool isFor(int n, const int*, const int* other) const { return n == nOwned && other == list; }
+  };
+  /// Notes that save work: which points have changed since their bonds were last looked at.
+  struct Cache {
+    ListKey neighborhood;
+    std::vector<std::size_t> starts;       ///< [nOwned] of the neighbours in the list
+    std::vector<int> position;             ///< by local id: which of the owned points; -1: none
+    std::vector<std::vector<int>> around;  ///< by local id, of points that are not owned: positions of their neighbours
+    std::vector<double> seenExpected, seenDamage;  ///< NaN: not yet
+  };
+
+  static Cache makeCache(const Call& call, std::size_t nPoints);
+  /// Positions of owned points with a bond whose state may have changed.
+  static std::vector<int> pointsToVisit(const Call& call, const std::vector<double>& expected, const double* damage,
+                                        Cache& cache);
+
+  std::uint32_t seed_;
+  int modelCoordinatesId_, damageId_, bondDamageId_, looseId_;
+  mutable NeighborhoodCache<Cache> caches_;
+};
+
+}  // namespace pd
+
+#endif

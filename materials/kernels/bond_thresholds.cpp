@@ -1,0 +1,23 @@
+#include "bond_thresholds.hpp"
+
+#include <Random123/philox.h>
+
+#include <algorithm>
+
+namespace pd::kernels {
+
+namespace {
+
+double uniform(std::uint32_t bits) { return (bits + 0.5) / 4294967296.0; }
+
+}  // namespace
+
+BondThresholds bondThresholds(std::uint32_t seed, int firstId, int secondId) {
+  const r123::Philox2x32 generator;
+  const auto [low, high] = std::minmax(firstId, secondId);
+  const auto numbers = generator({{static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high)}}, {{seed}});
+  const double ofLow = uniform(numbers[0]), ofHigh = uniform(numbers[1]);
+  return firstId == low ? BondThresholds{ofLow, ofHigh} : BondThresholds{ofHigh, ofLow};
+}
+
+}  // namespace pd::kernels
