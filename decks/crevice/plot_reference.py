@@ -1,0 +1,142 @@
+#!/usr/bin/python3
+"""The gap-averaged crevice: plot_reference.py [FOLDER]; four minutes.
+
+reference.png: depth, concentration and active site in time; gap.png, diffusivity.png, saturation.png, factor.png: other
+values of one parameter; ignition.png: the rate factor that a width of the starting region needs.
+"""
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
+
+import numpy as np  # noqa: E402
+from gap_averaged import HOUR, Crevice, least_factor, simulate  # noqa: E402
+from pdplot_lib import figures  # noqa: E402
+
+# Width of the region that starts the attack: the scene's, and one that lets it live over a wider range.
+WIDTHS = (500e-6, 1000e-6)
+
+
+def of_gap(value):
+    return {"mouthGap": value * 1e-6, "endGap": 0.2 * value * 1e-6}
+
+
+# Name: axis label, title of the legend, values, what of the crevice they set. A C_sat above 6 mol/L gives trenches that
+# are deeper than wide, which an average over the gap has nothing to say about.
+PARAMETERS = {
+    "gap": ("gap at the mouth (µm), a fifth of it at the end", "gap (µm)", (20, 30, 40, 45, 50, 60, 80, 100), of_gap),
+    "diffusivity": ("D (µm²/s)", "D (µm²/s)", (360, 430, 500, 570, 640, 720, 900, 1080, 1440),
+                    lambda value: {"diffusivity": value * 1e-12}),
+    "saturation": ("C_sat (mol/L)", "C_sat (mol/L)", (5.0, 5.2, 5.4, 5.5, 5.6, 5.7, 5.8, 5.9),
+                   lambda value: {"saturation": value * 1e3}),
+    "factor": ("rate factor", "rate factor", (3, 4, 5, 6, 8, 10, 12, 14, 15, 17, 20, 25, 30),
+               lambda value: {"factor": value}),
+}
+
+
+def sweep(name, width):
+    """Per value that lives on: value, time (h) and place (mm) from which the active site drifts by less than 1 % of the
+    length in 10 h, its place at 72 h (mm), the trench's depth (um); and the results by value."""
+    _, _, values, change = PARAMETERS[name]
+    rows, results = [], {}
+    for value in values:
+        result = simulate(replace(Crevice(ignition=width), **change(value)))
+        if result.is_alive():
+            stopTime, stopPlace = result.stop()
+            rows.append((value, stopTime / HOUR, stopPlace * 1e3, result.site[-1] * 1e3, result.trench[0] * 1e6))
+            results[value] = result
+    return np.array(rows).reshape(-1, 5), results
+
+
+def draw(name):
+    label, title, values, _ = PARAMETERS[name]
+    figure, (profile, place, depth) = figures.plt.subplots(1, 3, figsize=(14, 4.0), constrained_layout=True)
+    for width, line in zip(WIDTHS, ("o-", "x--")):
+        rows, results = sweep(name, width)
+        start = f"start of {width * 1e6:g} µm"
+        print(f"{name}, {start}:")
+        for row in rows:
+            print("  {:6g}: slow from {:.1f} h, {:.3f} mm on; at 72 h {:.3f} mm, {:.1f} um deep".format(*row))
+        place.plot(rows[:, 0], rows[:, 2], "C1" + line, label=f"where it slows down, {start}", markersize=5)
+        place.plot(rows[:, 0], rows[:, 3], "C0" + line, label=f"at 72 h, {start}", markersize=5)
+        depth.plot(rows[:, 0], rows[:, 4], "C2" + line, label=start, markersize=5)
+    shown = list(results)[:: max(1, len(results) // 5)]
+    for k, value in enumerate(shown):
+        result = results[value]
+        profile.plot(result.x * 1e3, result.depth[-1] * 1e6, color=figures.plt.cm.viridis(k / len(shown)),
+                     label=f"{value:g}")
+    profile.set_xlim(0, 4)
+    profile.set_xlabel("x from the mouth (mm)")
+    profile.set_ylabel("depth at 72 h (µm)")
+    profile.legend(title=title, fontsize=8, title_fontsize=8)
+    place.set_ylabel("active site, from the mouth (mm)")
+    depth.set_ylabel("largest depth at 72 h (µm)")
+    for axis in (place, depth):
+        axis.set_xlabel(label)
+        axis.set_xlim(0.95 * min(values), 1.02 * max(values))
+        axis.set_ylim(0, None)
+        axis.legend(fontsize=8)
+    for axis in (profile, place, depth):
+        axis.grid(alpha=0.3)
+    save(figure, f"{name}.png")
+
+
+def draw_reference():
+    result = simulate(Crevice(), cells=2032)
+    dying = simulate(Crevice(factor=1.0), cells=2032)
+    figure, axes = figures.plt.subplots(2, 2, figsize=(11, 7), constrained_layout=True)
+    (profile, concentration), (place, current) = axes
+    shown = (1, 2, 5, 10, 20, 30, 50, 72)
+    for k, hour in enumerate(shown):
+        colour = figures.plt.cm.viridis(k / len(shown))
+        profile.semilogy(result.x * 1e3, result.depth[hour] * 1e6, color=colour, label=f"{hour} h")
+        concentration.plot(result.x * 1e3, result.concentration[hour] / 1e3, color=colour, label=f"{hour} h")
+    for run, title, line in ((result, f"factor {result.crevice.factor:g}", "C0-"), (dying, "rates as printed", "C3--")):
+        t = np.array(run.time) / HOUR
+        place.plot(t, np.array(run.site) * 1e3, line, label=title)
+        current.semilogy(t[1:], run.peak[1:], line, label=title)
+    stopTime, stopPlace = result.stop()
+    place.plot(stopTime / HOUR, stopPlace * 1e3, "C0o", label=f"drift < 1 % in 10 h from {stopTime / HOUR:.1f} h on")
+    profile.set_ylim(1e-2, 1e3)
+    for axis, title in ((profile, "depth (µm)"), (concentration, "C (mol/L)")):
+        axis.set_xlabel("x from the mouth (mm)")
+        axis.set_ylabel(title)
+        axis.legend(fontsize=8, ncol=2)
+    for axis, title in ((place, "active site, from the mouth (mm)"), (current, "highest current density (A/m²)")):
+        axis.set_xlabel("t (h)")
+        axis.set_ylabel(title)
+        axis.legend(fontsize=8)
+    for axis in axes.flat:
+        axis.grid(alpha=0.3)
+    save(figure, "reference.png")
+
+
+def draw_ignition():
+    widths = np.array([200, 250, 300, 350, 400, 450, 500, 550, 600, 700, 800, 900, 1000])
+    needed = np.array([least_factor(Crevice(ignition=width * 1e-6), high=100.0) for width in widths])
+    for width, factor in zip(widths, needed):
+        print(f"{width} um lives on from a rate factor of {factor:.2f} on")
+    figure, axis = figures.plt.subplots(figsize=(6.4, 3.8), constrained_layout=True)
+    axis.semilogy(widths, needed, "o-", markersize=4)
+    axis.axhline(1.0, color="C3", linewidth=0.9, label="rates as printed")
+    axis.axhline(Crevice().factor, color="0.4", linewidth=0.9, linestyle="--", label=f"factor {Crevice().factor:g}")
+    axis.set_xlabel("width of the region that starts at 0.99 C_sat (µm)")
+    axis.set_ylabel("least rate factor that keeps the attack alive")
+    axis.grid(alpha=0.3, which="both")
+    axis.legend()
+    save(figure, "ignition.png")
+
+
+def save(figure, name):
+    figure.savefig(folder / name, dpi=100)
+    print(folder / name)
+
+
+if __name__ == "__main__":
+    folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    draw_reference()
+    for parameter in PARAMETERS:
+        draw(parameter)
+    draw_ignition()
