@@ -1,5 +1,6 @@
 #include "compute_support.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -98,6 +99,33 @@ double minOverRanks(const Epetra_Comm& comm, double value) {
   double result = 0.0;
   comm.MinAll(&value, &result, 1);
   return result;
+}
+
+std::vector<double> maxOverRanks(const Epetra_Comm& comm, std::vector<double> values) {
+  std::vector<double> result(values.size());
+  comm.MaxAll(values.data(), result.data(), static_cast<int>(values.size()));
+  return result;
+}
+
+std::vector<double> minOverRanks(const Epetra_Comm& comm, std::vector<double> values) {
+  std::vector<double> result(values.size());
+  comm.MinAll(values.data(), result.data(), static_cast<int>(values.size()));
+  return result;
+}
+
+std::vector<double> gatherFromRanks(const Epetra_Comm& comm, const std::vector<double>& values) {
+  std::vector<double> counts(static_cast<std::size_t>(comm.NumProc()), 0.0);
+  const auto self = static_cast<std::size_t>(comm.MyPID());
+  counts[self] = static_cast<double>(values.size());
+  counts = sumOverRanks(comm, counts);
+  double before = 0.0, total = 0.0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    if (rank < self) before += counts[rank];
+    total += counts[rank];
+  }
+  std::vector<double> all(static_cast<std::size_t>(total), 0.0);
+  std::copy(values.begin(), values.end(), all.begin() + static_cast<std::ptrdiff_t>(before));
+  return sumOverRanks(comm, all);
 }
 
 void setGlobal(const Blocks& blocks, int fieldId, const double* values, int count) {

@@ -64,6 +64,11 @@ std::vector<double> sumOverRanks(const Epetra_Comm& comm, std::vector<double> va
 double sumOverRanks(const Epetra_Comm& comm, double value);
 double maxOverRanks(const Epetra_Comm& comm, double value);
 double minOverRanks(const Epetra_Comm& comm, double value);
+/// Element by element.
+std::vector<double> maxOverRanks(const Epetra_Comm& comm, std::vector<double> values);
+std::vector<double> minOverRanks(const Epetra_Comm& comm, std::vector<double> values);
+/// The values of all ranks, one after the other, on each of them.
+std::vector<double> gatherFromRanks(const Epetra_Comm& comm, const std::vector<double>& values);
 
 /// Stores a result for the whole body. Global fields belong to all blocks, so the first one is enough.
 void setGlobal(const Blocks& blocks, int fieldId, const double* values, int count);

@@ -101,8 +101,9 @@ void writeResolvedDeck(const Deck& deck, const Communicator& comm) {
   });
 }
 
-/// For output and computes that ask for the field; solvers keep forces of their own.
-void fillExternalForce(Model& model, const BoundaryConditions& conditions, double t) {
+/// For output and computes that ask for the fields; solvers keep times and forces of their own.
+void fillHostFields(Model& model, const BoundaryConditions& conditions, double t) {
+  if (model.hasField("Time")) *model.field("Time") = t;
   const char* const label = "External_Force_Density";
   if (!model.hasField(label)) return;
   double* force = model.field(label);
@@ -158,7 +159,7 @@ class Run {
         }
       });
       requireFinite(step);
-      fillExternalForce(model, simulation_.conditions, end);
+      fillHostFields(model, simulation_.conditions, end);
       model.updateState();
       const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
@@ -228,7 +229,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     conditions.applyPrescribed(stages.front().startTime);
     for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
     if (model.hasMechanics()) model.updateCoordinates();
-    fillExternalForce(model, conditions, stages.front().startTime);
+    fillHostFields(model, conditions, stages.front().startTime);
     model.updateState();
     output.write(model, 0, 0, stages.front().startTime, false);
   } else {

@@ -62,6 +62,8 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const C
       if (spec.label == "Stored_Elastic_Energy_Density") entry.needsStoredEnergy = true;
       if (spec.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
       entry.isGlobal = true;
+      // What has steps is state that the compute keeps or that this host gives it, no result.
+      if (spec.temporal != PeridigmNS::PeridigmField::CONSTANT) continue;
       if (std::find(globalLabels_.begin(), globalLabels_.end(), spec.label) == globalLabels_.end())
         globalLabels_.push_back(spec.label);
     }

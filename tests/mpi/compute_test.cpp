@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <cmath>
+
 #include "../../driver/parallel/communicator.hpp"
-#include "../support/small_body.hpp"
+#include "../support/corroded_body.hpp"
 
 using namespace pdtest;
 using PeridigmNS::FieldManager;
@@ -85,6 +87,74 @@ TEST_F(DistributedComputes, BrokenBondsAndReaction) {
   Teuchos::ParameterList parameters;
   parameters.set<std::string>("Node Set", "Some");
   EXPECT_NEAR(run("Reaction_Force", parameters, 2), -(3.0 * 4.0 + 7.0 * 8.0 + 10.0 * 11.0), 1e-12);
+}
+
+/// 4 x 8 points, spacings 25 and 1, every column dealt out over the ranks; two rows of electrolyte, metal below.
+class DistributedCorrosion : public ::testing::Test {
+ protected:
+  DistributedCorrosion()
+      : comm(Teuchos::rcp(new pd::Communicator(MPI_COMM_WORLD))),
+        body(stretchedLattice({4, 8, 1}, {25.0, 1.0, 1.0}, {0.0, -1.5, 0.0}), options(*comm), 1) {
+    body.dissolve([](const Point& x) { return depthAt(x[0]) - (x[1] - 0.5); });
+    std::vector<int> surface;
+    for (const int id : {8, 9, 10, 11})
+      if (options(*comm).isOwned(id)) surface.push_back(id);
+    body.addNodeSet("Surface", surface);
+    onSurface.set<std::string>("Node Set", "Surface");
+    onSurface.set("Into Y", 1.0);
+    for (int i = 0; i < body.nOwned(); ++i) {
+      const bool isNear = std::abs(body.point(i)[1] + 0.5) < 0.1;
+      body.field("Interface_Area_Density")[i] = isNear ? 0.02 : 0.0;
+      body.field("Current_Density")[i] = isNear ? 7.0 + 1e-9 * body.globalId(i) : 0.0;
+    }
+  }
+  static double depthAt(double x) {
+    const double depths[] = {0.0, 2.5, 3.25, 3.25 * (1.0 + 1e-9)};
+    return depths[std::lround(x / 25.0)];
+  }
+  static BodyOptions options(const pd::Communicator& comm) {
+    BodyOptions result;
+    result.volumes.assign(32, 50.0);
+    result.isOwned = [rank = comm.rank(), size = comm.size()](int id) { return (id + id / 4) % size == rank; };
+    return result;
+  }
+  double run(const std::string& name, const Teuchos::ParameterList& parameters, int component = 0) {
+    return body.run(name, parameters, component, comm);
+  }
+
+  Teuchos::RCP<pd::Communicator> comm;
+  CorrodedBody body;
+  Teuchos::ParameterList onSurface;
+};
+
+TEST_F(DistributedCorrosion, ColumnsAreCutByThePartition) {
+  run("Corrosion_Depth", onSurface);
+  for (int i = 0; i < body.nOwned(); ++i) {
+    const bool isSurface = body.globalId(i) >= 8 && body.globalId(i) < 12;
+    EXPECT_NEAR(body.field("Corrosion_Depth")[i], isSurface ? depthAt(body.point(i)[0]) : 0.0, 1e-12);
+  }
+  EXPECT_NEAR(run("Mean_Depth", onSurface), 9.0 / 4.0, 1e-8);
+  EXPECT_NEAR(run("Maximum_Depth", onSurface), 3.25, 1e-8);
+  EXPECT_NEAR(run("Deepest_Place", onSurface), 50.0, 1e-12);
+  EXPECT_NEAR(run("Volume_Loss", Teuchos::ParameterList()), 50.0 * 9.0, 1e-6);
+  Teuchos::ParameterList deepest = onSurface;
+  deepest.set<std::string>("Measure", "Deepest");
+  EXPECT_NEAR(run("Maximum_Depth", deepest), 3.25, 1e-8);
+  Teuchos::ParameterList binned = onSurface;  // two columns in a bin
+  binned.set("Column Width", 50.0);
+  EXPECT_NEAR(run("Maximum_Depth", binned), 3.25, 1e-8);
+  EXPECT_NEAR(run("Mean_Depth", binned), 9.0 / 4.0, 1e-8);
+}
+
+TEST_F(DistributedCorrosion, CurrentAndItsPlace) {
+  EXPECT_NEAR(run("Total_Current", Teuchos::ParameterList()), 4.0 * 7.0, 1e-6);
+  EXPECT_NEAR(run("Mean_Current_Density", Teuchos::ParameterList()), 7.0, 1e-6);
+  // Alike but for rounding: the lowest global id, 4.
+  EXPECT_EQ(run("Current_Place", Teuchos::ParameterList(), 0), 0.0);
+  EXPECT_EQ(run("Current_Place", Teuchos::ParameterList(), 1), -0.5);
+  Teuchos::ParameterList centre;
+  centre.set<std::string>("Of", "Centre");
+  EXPECT_NEAR(run("Current_Place", centre, 0), 37.5, 1e-6);
 }
 
 }  // namespace
