@@ -154,11 +154,13 @@ def report(points, horizon=None):
     nearest = tree.query(points.x, k=2)[0][:, 1] if len(points) > 1 else np.array([np.inf])
     facts.append(f"spacing (from volumes) {spacing.min():.4g} .. mean {spacing.mean():.4g} .. {spacing.max():.4g} m; "
                  f"nearest neighbour {nearest.min():.4g} .. {nearest.max():.4g} m")
+    # The cells of a lattice may be as flat as its steps say.
+    close = 0.2 * (spacing if points.steps is None else min(points.steps))
     if np.any(nearest == 0):
         bad = np.flatnonzero(nearest == 0)
         warnings.append(f"{len(bad)} points coincide with another, the first is number {bad[0] + 1}")
-    elif np.any(nearest < 0.2 * spacing):
-        bad = np.flatnonzero(nearest < 0.2 * spacing)
+    elif np.any(nearest < close):
+        bad = np.flatnonzero(nearest < close)
         warnings.append(f"{len(bad)} points are nearer to a neighbour than a fifth of their spacing, the first is "
                         f"number {bad[0] + 1}: explicit steps get small there")
     widest = points.widest_spacing()

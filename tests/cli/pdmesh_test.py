@@ -240,6 +240,9 @@ class Lattices(PdmeshCase):
         x, y = still.x[:, 0] - 1, still.x[:, 1] - 1
         np.testing.assert_allclose(turned.x, np.column_stack([1 - y, 1 + x, 0 * x]), atol=1e-14)
 
+    def test_flat_cells_are_no_points_too_close(self):
+        self.assertEqual(self.pdmesh("grid", "box", "--size", 1, 1, "--spacing", 0.25, 0.01, "-o", "a.txt")[1], "")
+
     def test_jitter_is_bounded_and_repeats_with_its_seed(self):
         still = self.grid("box", "--size", 1, 1, "--spacing", 0.1)
         moved = self.grid("box", "--size", 1, 1, "--spacing", 0.1, "--jitter", 0.3, "--seed", 5)
