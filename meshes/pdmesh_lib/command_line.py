@@ -8,11 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from . import lattice
+from .command_options import add_common, finish, measure_of, positive
 from .convert import convert, group_points
 from .errors import MeshError
 from .expressions import named, select, variables_of
+from .grains_command import add_grains
 from .mesh import read_mesh
-from .points import (export_points, read_node_set, read_points, report, write_node_set, write_points)
+from .points import export_points, read_node_set, read_points, report
 
 _EPILOG = """sample runs
   pdmesh convert plate.msh plate.txt --thickness 0.004 --layer-depth 0.005 --horizon 0.005
@@ -23,6 +25,8 @@ _EPILOG = """sample runs
   pdmesh grid box --size 0.2 0.1 --spacing 0.001 --thickness 0.004 --node-set "top: y > 0.097" -o plate.txt
   pdmesh grid disc --radius 0.05 --spacing 0.001 --notch 0 0 0.05 0 0.004 --horizon 0.003015 -o disc.txt
   pdmesh grid tube --radius 0.02 --inner-radius 0.01 --length 0.1 --spacing 0.001 -o tube.txt
+  pdmesh grains plate.txt --size 2e-5 --width 1e-6 -o polycrystal.txt
+      grains of block 1 in a Voronoi structure; their boundaries become block 2
   pdmesh info plate.txt top.txt bottom.txt --horizon 0.005
   pdmesh export plate.txt plate.vtu
 
@@ -46,9 +50,10 @@ def main(arguments=None):
 def _parser():
     parser = argparse.ArgumentParser(prog="pdmesh", description="Meshes for pdrun.", epilog=_EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    commands = parser.add_subparsers(required=True, metavar="convert | grid | info | export")
+    commands = parser.add_subparsers(required=True, metavar="convert | grid | grains | info | export")
     _add_convert(commands)
     _add_grid(commands)
+    add_grains(commands)
     info = commands.add_parser("info", help="what a mesh or a text discretization holds")
     info.add_argument("mesh", help="text discretization (.txt) or any mesh that meshio reads")
     info.add_argument("node_sets", nargs="*", help="node set files to check against it")
@@ -60,16 +65,6 @@ def _parser():
     export.add_argument("--node-sets", nargs="*", default=[], metavar="FILE", help="node sets to mark by 0 and 1")
     export.set_defaults(run=_export)
     return parser
-
-
-def _add_common(command):
-    command.add_argument("--thickness", type=float, metavar="T",
-                         help="thickness of a plane mesh, m (1D: cross section, m2); default 1")
-    command.add_argument("--node-set", action="append", default=[], metavar="'NAME: EXPRESSION'",
-                         help="node set by a condition in x, y, z, r, block, volume, as 'top: y > 0.099 and x < 0.1'; "
-                              "written to NAME.txt beside the mesh; may be repeated")
-    command.add_argument("--horizon", type=float, metavar="H", help="horizon (m) to judge the spacing by")
-    command.add_argument("--quiet", action="store_true", help="no report; warnings stay")
 
 
 def _add_convert(commands):
@@ -88,7 +83,7 @@ def _add_convert(commands):
     command.add_argument("--blocks", metavar="GROUP,GROUP...",
                          help="groups that are blocks, where groups overlap; the others become node sets")
     command.add_argument("--block-field", metavar="NAME", help="element data that numbers the blocks")
-    _add_common(command)
+    add_common(command)
     command.set_defaults(run=_convert)
 
 
@@ -124,12 +119,12 @@ def _add_grid(commands):
                          help="turn the finished lattice about z through the origin; rows of points then favour other "
                               "directions. Expressions see it before")
     command.add_argument("--fit-volume", action="store_true", help="round shapes: scale volumes to the exact sum")
-    _add_common(command)
+    add_common(command)
     command.set_defaults(run=_grid)
 
 
 def _convert(options):
-    _positive(options, "scale", "thickness", "horizon")
+    positive(options, "scale", "thickness", "horizon")
     depths = _layer_depths(options.layer_depth)
     blocks = None if options.blocks is None else [name.strip() for name in options.blocks.split(",")]
     mesh = read_mesh(options.mesh, options.block_field, blocks)
@@ -154,12 +149,12 @@ def _convert(options):
                         f"{3 * result.longest_edge:.4g} m")
     if mesh.dimension == 2 and options.thickness is None:
         warnings.append("no --thickness given: the volumes are those of a plate 1 m thick")
-    _finish(options, points, facts, warnings,
+    finish(options, points, facts, warnings,
             f"from {os.path.basename(options.mesh)} (points at {options.at}, scale {options.scale!r})")
 
 
 def _grid(options):
-    _positive(options, "thickness", "horizon", "radius", "inner_radius", "length")
+    positive(options, "thickness", "horizon", "radius", "inner_radius", "length")
     origin = (options.origin + [0.0, 0.0, 0.0])[:3]
     measure = 1.0 if options.thickness is None else options.thickness
     exact = None
@@ -167,7 +162,7 @@ def _grid(options):
         if not options.size or len(options.size) > 3:
             raise MeshError("a box needs --size with one to three edges")
         spacing = _spacings(options.spacing, len(options.size))
-        points, steps = lattice.lattice(options.size, spacing, origin, _measure(options, len(options.size)))
+        points, steps = lattice.lattice(options.size, spacing, origin, measure_of(options, len(options.size)))
     else:
         is_long = options.shape in ("cylinder", "tube")
         needed = ["radius"] + (["length"] if is_long else []) + \
@@ -176,7 +171,7 @@ def _grid(options):
             if getattr(options, name) is None:
                 raise MeshError(f"a {options.shape} needs --{name.replace('_', '-')}")
         dimension = 3 if is_long else 2
-        measure = _measure(options, dimension)
+        measure = measure_of(options, dimension)
         points, steps, exact = lattice.round_shape(
             options.radius, options.inner_radius or 0.0, options.length if is_long else None,
             _spacings(options.spacing, dimension), origin, measure)
@@ -203,7 +198,7 @@ def _grid(options):
             raise MeshError("--turn is for plane and solid lattices")
         lattice.turn(points, origin, options.turn)
     points.node_sets = sets
-    _finish(options, points, facts, warnings, f"lattice: {options.shape}", from_grid=True)
+    finish(options, points, facts, warnings, f"lattice: {options.shape}", from_grid=True)
 
 
 def _cut(points, options):
@@ -225,36 +220,8 @@ def _words(numbers):
     return " ".join(f"{number:g}" for number in numbers)
 
 
-def _finish(options, points, facts, warnings, heading, from_grid=False):
-    """Node sets by expression, files, report: what convert and grid have in common."""
-    if not from_grid:
-        for text in options.node_set:
-            name, expression = named(text)
-            if name in points.node_sets:
-                raise MeshError(f"--node-set {name}: the mesh has a group of this name; choose another")
-            points.node_sets[name] = select(expression, variables_of(points))
-    # repr gives the shortest text that reads back to the same number, so nothing is lost in the file.
-    write_points(points, options.output, [f"pdmesh {heading}"])
-    folder = Path(options.output).parent
-    files = {}
-    for name, indices in points.node_sets.items():
-        file = folder / (re.sub(r"[^\w.-]+", "_", name) + ".txt")
-        if file == Path(options.output) or file in files.values():
-            raise MeshError(f"node set {name}: its file {file} is already taken; rename the group or the mesh")
-        files[name] = file
-    for name, file in files.items():
-        write_node_set(points.node_sets[name], file, name)
-    more_facts, more_warnings = report(points, options.horizon)
-    if not options.quiet:
-        print("\n".join([f"{options.output}: pdmesh {heading}"] + ["  " + fact for fact in facts + more_facts]))
-        if files:
-            print("  written: " + ", ".join(str(file) for file in [options.output, *files.values()]))
-    for warning in warnings + more_warnings:
-        print(f"pdmesh: warning: {warning}", file=sys.stderr)
-
-
 def _info(options):
-    _positive(options, "horizon")
+    positive(options, "horizon")
     if options.mesh.endswith(".txt"):
         points = read_points(options.mesh)
         for file in options.node_sets:
@@ -280,13 +247,6 @@ def _export(options):
     export_points(points, options.output)
 
 
-def _positive(options, *names):
-    for name in names:
-        value = getattr(options, name, None)
-        if value is not None and not (value > 0 and np.isfinite(value)):
-            raise MeshError(f"--{name.replace('_', '-')} must be positive, not {value:g}")
-
-
 def _layer_depths(texts):
     depths = {}
     for text in texts:
@@ -305,9 +265,3 @@ def _spacings(spacing, dimension):
     if len(spacing) not in (1, dimension):
         raise MeshError(f"--spacing takes one number or {dimension}, not {len(spacing)}")
     return (spacing * dimension)[:dimension]
-
-
-def _measure(options, dimension):
-    if dimension == 3 and options.thickness is not None:
-        raise MeshError("--thickness is for plane meshes; this one is three-dimensional")
-    return 1.0 if options.thickness is None else options.thickness
