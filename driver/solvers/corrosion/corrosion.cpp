@@ -17,7 +17,6 @@ namespace {
 
 const std::string rateField = fluxDivergenceField("Concentration");
 const std::string lastRateField = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
-const char* const surfaceFields[] = {"Current_Density", "Interface_Area_Density"};
 
 TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
   TransportSettings settings;
@@ -78,10 +77,11 @@ std::vector<int> Corrosion::fieldIds() const {
   std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, "Concentration"),
                           fields.getFieldId(NODE, SCALAR, TWO_STEP, rateField),
                           fields.getFieldId(ELEMENT, SCALAR, TWO_STEP, "Damage")};
-  for (const char* label : {"Salt_Coverage", "Dissolution_Demand", "Dissolution_Rate", "Dissolution_Rate_Slope",
-                            "Solid_Concentration", "Saturation_Concentration", lastRateField.c_str()})
+  for (const char* label :
+       {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate", "Dissolution_Rate_Slope",
+        "Solid_Concentration", "Saturation_Concentration", lastRateField.c_str()})
     ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
-  for (const char* label : surfaceFields) ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
+  ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, "Current_Density"));
   return ids;
 }
 
@@ -193,10 +193,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   }
   advance_ = frontAdvance(simulation);
   error_ = timeError(simulation, h);
-  for (std::size_t k = 0; k < surface_.size(); ++k) {
-    const double* values = model.field(surfaceFields[k]);
-    surface_[k].assign(values, values + model.nPoints());
-  }
+  surface_.take(model);
   const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
   double* damage = model.field("Damage");
   const std::vector<double> phases(damage, damage + model.nPoints());
@@ -235,6 +232,8 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   double now = t;
   if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
   shortestTried_ = 1e-10 * dt;
+  surface_.hide(simulation.model);
+  simulation.model.evaluateFluxDivergence(dt, rateField);  // areas, of which a restarted run finds those shown
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.
@@ -261,9 +260,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       proposedStep_ = isTaken && h < proposedStep_ ? std::max(next, std::min(proposedStep_, 2.0 * h)) : next;
     }
   }
-  // What the change of phases evaluates is no surface's current: results tell of the last step.
-  for (std::size_t k = 0; k < surface_.size(); ++k)
-    std::copy(surface_[k].begin(), surface_[k].end(), simulation.model.field(surfaceFields[k]));
+  surface_.show(simulation.model);
   balance_ = std::abs(metal(simulation) + outflow_ - initialMetal_) / std::max(initialMetal_, 1e-300);
 }
 

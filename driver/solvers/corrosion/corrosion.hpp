@@ -2,9 +2,8 @@
 #ifndef PD_CORROSION_HPP
 #define PD_CORROSION_HPP
 
-#include <array>
-
 #include "../solver.hpp"
+#include "surface_record.hpp"
 #include "transport_step.hpp"
 
 namespace pd {
@@ -37,7 +36,7 @@ class Corrosion : public Solver {
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
   TransportStep transport_;
-  std::array<std::vector<double>, 2> surface_;  ///< fields of current and surface in the last step
+  SurfaceRecord surface_;
   double proposedStep_ = 0.0, shortestTried_ = 0.0, advance_ = 0.0, error_ = 0.0;
   double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
   long long nSteps_ = 0, nRejected_ = 0;
