@@ -3,6 +3,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from .errors import MeshError
+from .points import write_lines
 
 # Mean length (area, number) of boundaries a unit area (volume, length) where grains have 1 of it in the mean: half of
 # the mean perimeter (surface) of a cell, 4 and (256 pi/3)^(1/3) Gamma(5/3). Meijering, Philips Res. Rep. 8 (1953) 270.
@@ -96,9 +97,13 @@ def write_grains(grains, chosen, n_points, file_name):
     """A line a point: its grain, from 1; 0 where it was not split."""
     numbers = np.zeros(n_points, int)
     numbers[chosen] = grains.grain + 1
-    try:
-        with open(file_name, "w", encoding="utf-8") as file:
-            file.write(f"# {numbers.max()} grains: that of each point, 0 for none\n")
-            file.writelines(f"{number}\n" for number in numbers.tolist())
-    except OSError as error:
-        raise MeshError(f"{file_name}: cannot be written: {error.strerror}") from None
+    write_lines(file_name, [f"# {numbers.max()} grains: that of each point, 0 for none\n"]
+                + [f"{number}\n" for number in numbers.tolist()])
+
+
+def write_seeds(grains, place, file_name):
+    """Seeds, also those beyond the body; `place` [3]: the coordinates that all points share."""
+    seeds = np.tile(place, (len(grains.seeds), 1))
+    seeds[:, :grains.seeds.shape[1]] = grains.seeds
+    write_lines(file_name, [f"# seeds of grains: {len(seeds)}\n"]
+                + [f"{x!r} {y!r} {z!r}\n" for x, y, z in seeds.tolist()])

@@ -34,6 +34,7 @@ def add_grains(commands):
                          help="thin boundaries: mark points by the width alone. The share of the volume is right, but "
                               "marked points lie apart")
     command.add_argument("--grains", metavar="FILE", help="write the number of each point's grain")
+    command.add_argument("--seeds", metavar="FILE", help="write the points about which grains are, x y z a line")
     command.add_argument("--seed", type=int, default=1, help="of the random numbers")
     add_common(command)
     command.set_defaults(run=_grains)
@@ -76,6 +77,8 @@ def _grains(options):
         warnings.append("grains are smaller than four spacings: hardly anything of them is left between boundaries")
     if options.grains:
         grains.write_grains(made, chosen, len(points), options.grains)
+    if options.seeds:
+        grains.write_seeds(made, points.x[0], options.seeds)
     finish(options, points, facts, warnings, f"grains in {os.path.basename(options.mesh)}")
 
 

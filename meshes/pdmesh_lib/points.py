@@ -51,15 +51,15 @@ def write_points(points, file_name, heading):
     x = points.x.tolist()
     rows = [f"{p[0]!r} {p[1]!r} {p[2]!r} {b} {v!r}\n"
             for p, b, v in zip(x, points.block.tolist(), points.volume.tolist())]
-    _write_lines(file_name, lines + rows)
+    write_lines(file_name, lines + rows)
 
 
 def write_node_set(indices, file_name, name):
     numbers = (np.asarray(indices) + 1).tolist()
-    _write_lines(file_name, [f"# {name}: {len(numbers)} points\n"] + [f"{i}\n" for i in numbers])
+    write_lines(file_name, [f"# {name}: {len(numbers)} points\n"] + [f"{i}\n" for i in numbers])
 
 
-def _write_lines(file_name, lines):
+def write_lines(file_name, lines):
     try:
         with open(file_name, "w", encoding="utf-8") as file:
             file.writelines(lines)

@@ -184,7 +184,16 @@ class Command(PdmeshCase):
         self.assertEqual(self.errors, "")
         self.assertIn("thickness 0.01", (self.folder / "made.txt").read_text())
 
-    def test_seeds(self):
+    def test_seeds_make_the_same_grains(self):
+        self.grains("--width", 1e-6, "--grains", "numbers.txt", "--seeds", "seeds.txt")
+        numbers = np.loadtxt(self.folder / "numbers.txt", comments="#", dtype=int)
+        seeds = np.loadtxt(self.folder / "seeds.txt", comments="#")
+        x = Result(self.folder / "made.txt").x
+        nearest = np.argmin(np.sum((x[:, None, :2] - seeds[:, :2])**2, axis=2), axis=1)
+        self.assertEqual(len(set(zip(nearest, numbers))), numbers.max())
+        self.assertTrue(np.all(seeds[:, 2] == x[0, 2]))
+
+    def test_seed_of_the_random_numbers(self):
         one, again = self.grains("--width", 1e-6), self.grains("--width", 1e-6)
         other = self.grains("--width", 1e-6, "--seed", 2)
         np.testing.assert_array_equal(one.block, again.block)
