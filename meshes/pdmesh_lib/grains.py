@@ -17,27 +17,28 @@ class Grains:
         self.grain, self.is_boundary, self.seeds = grain, is_boundary, seeds
 
 
-def make_grains(x, size, width, random, spacing=None, steps=None):
-    """Splits points x [n, dimension] into grains of mean length, area or volume size^dimension, and boundaries.
+def make_grains(x, spacing, size, width, random, steps=None, by_share=False):
+    """Splits points x [n, dimension] of `spacing` [n] into grains of mean length, area or volume size^dimension, and
+    boundaries. Other points of the same body are split alike.
 
     A point belongs to a boundary where it is at most half the boundary's thickness away from the plane half-way between
-    the seed of its grain and that of another. The thickness is `width`, and with `spacing` [n] of the points at least
-    that; points of a lattice, `steps` [dimension], need only max_d steps_d |n_d|, n being the normal of the plane. Then
-    a boundary thinner than the spacing is just one point thick, counted along the axis that it crosses most steeply (a
-    naive digital plane: Andres, Acharya & Sibata, Graph. Models Image Process. 59 (1997) 302), and keeps together: of
-    two lattice neighbours in different grains at least one is marked. Without spacing, the share of marked points is
-    width times length a unit area in the mean at any spacing, but they lie apart where that is wider.
+    the seed of its grain and that of another. The thickness is `width`, and at least the spacing; points of a lattice,
+    `steps` [dimension], need only max_d steps_d |n_d|, n being the normal of the plane. Then a boundary thinner than
+    the spacing is just one point thick, counted along the axis that it crosses most steeply (a naive digital plane:
+    Andres, Acharya & Sibata, Graph. Models Image Process. 59 (1997) 302), and keeps together: of two lattice neighbours
+    in different grains at least one is marked. Where `by_share`, the thickness is the width alone: the share of marked
+    points is then width times length a unit area in the mean at any spacing, but they lie apart where that is wider.
     """
-    seeds = _seeds(x, size, random)
+    seeds = _seeds(x, np.max(spacing, initial=0.0) if steps is None else steps, size, random)
     tree = cKDTree(seeds)
     grain, is_boundary = np.empty(len(x), int), np.zeros(len(x), bool)
     for begin in range(0, len(x), 100000):
         part = slice(begin, begin + 100000)
         distances, neighbors = tree.query(x[part], k=2)
         grain[part] = neighbors[:, 0]
-        least = np.zeros(len(distances)) if spacing is None else spacing[part]
-        if spacing is not None and steps is not None:
-            least = np.full(len(distances), np.max(steps))
+        least = spacing[part] if steps is None else np.full(len(distances), np.max(steps))
+        if by_share:
+            least = np.zeros(len(distances))
         # A plane at distance b is that of a seed at most 2 b farther away than the nearest.
         reach = (distances[:, 0] + np.maximum(width, least)) * (1 + 1e-9)
         close = np.flatnonzero(distances[:, 1] <= reach)
@@ -50,15 +51,17 @@ def make_grains(x, size, width, random, spacing=None, steps=None):
         normal = apart / np.linalg.norm(apart, axis=1)[:, None]
         distance = np.sum(((seeds[other] + own) / 2 - here) * normal, axis=1)
         thickness = least[point]
-        if spacing is not None and steps is not None:
+        if steps is not None and not by_share:
             thickness = np.max(steps * np.abs(normal), axis=1)
         is_boundary[begin + point[distance <= np.maximum(width, thickness) / 2]] = True
     return Grains(np.unique(grain, return_inverse=True)[1], is_boundary, seeds)
 
 
-def _seeds(x, size, random):
-    """One in size^dimension in the mean, in a box as far beyond the points as grains reach."""
-    low, high = x.min(axis=0) - 4 * size, x.max(axis=0) + 4 * size
+def _seeds(x, steps, size, random):
+    """One in size^dimension in the mean, in a box as far beyond the cells of the points as grains reach."""
+    grid = 1e-6 * size  # rounding must not make another box of the same body
+    low = np.rint((x.min(axis=0) - np.asarray(steps) / 2) / grid) * grid - 4 * size
+    high = np.rint((x.max(axis=0) + np.asarray(steps) / 2) / grid) * grid + 4 * size
     expected = np.prod((high - low) / size)
     if expected > 5e6:
         raise MeshError(f"--size {size:g}: {expected:.2g} grains are too many; is the size in metres?")

@@ -56,8 +56,8 @@ def _grains(options):
         raise MeshError("--phase: the shares add up to more than 1")
     random = np.random.default_rng(options.seed)
     dimension, spacing, steps = points.dimension, points.spacing(), grains.lattice_steps(points)
-    made = grains.make_grains(points.x[chosen, :dimension], options.size, options.width, random,
-                              None if options.by_share else spacing[chosen], steps)
+    made = grains.make_grains(points.x[chosen, :dimension], spacing[chosen], options.size, options.width, random, steps,
+                              options.by_share)
     volume = points.volume[chosen]
     share = volume[made.is_boundary].sum() / volume.sum()
     expected = options.width * grains.BOUNDARY_DENSITY[dimension] / options.size

@@ -25,8 +25,7 @@ def lattice(n, dimension):
 def on_lattice(n, dimension, size, width, seed, is_thin=True):
     """Grains on a lattice of unit spacing; (grains, labels, marks), the last two as [n, n(, n)]."""
     x = lattice(n, dimension)
-    made = make_grains(x, size, width, np.random.default_rng(seed), np.ones(len(x)) if is_thin else None,
-                       np.ones(dimension))
+    made = make_grains(x, np.ones(len(x)), size, width, np.random.default_rng(seed), np.ones(dimension), not is_thin)
     shape = (n,) * dimension
     return made, made.grain.reshape(shape), made.is_boundary.reshape(shape)
 
@@ -62,12 +61,15 @@ class Amounts(unittest.TestCase):
 
     def test_share_does_not_depend_on_the_spacing(self):
         # The same structure, ever coarser: from 4 points across a boundary to a fifth of one.
-        shares = []
+        shares, seeds = [], []
         for step in (1, 4, 20):
             x = lattice(1600 // step, 2) * step
-            made = make_grains(x, 80.0, 4.0, np.random.default_rng(3), None, np.full(2, float(step)))
+            made = make_grains(x, np.full(len(x), step), 80.0, 4.0, np.random.default_rng(3), np.full(2, step), True)
             shares.append(made.is_boundary.mean())
+            seeds.append(made.seeds)
         np.testing.assert_allclose(shares, shares[0], rtol=0.05)
+        for others in seeds[1:]:
+            np.testing.assert_array_equal(others, seeds[0])
 
     def test_share_is_that_of_the_ridges_of_this_tessellation(self):
         n, width = 1200, 2.0
@@ -111,7 +113,7 @@ class ThinBoundaries(unittest.TestCase):
                 normal = np.array([np.cos(angle), np.sin(angle)])
                 middle = np.array([15.5, 15.5]) + random.uniform(-0.5, 0.5, 2)
                 seeds = [middle - 5 * normal, middle + 5 * normal]
-                made = make_grains(x, 10.0, width, FixedSeeds(seeds), np.ones(len(x)), np.ones(2))
+                made = make_grains(x, np.ones(len(x)), 10.0, width, FixedSeeds(seeds), np.ones(2))
                 marks = made.is_boundary.reshape(n, n)
                 axis = int(abs(normal[1]) > abs(normal[0]))
                 across = marks.sum(axis=axis)
@@ -149,7 +151,7 @@ class ThinBoundaries(unittest.TestCase):
         # 5 : 1. One point thick along the axis where that is the thinner in points.
         steps = np.array([5.0, 1.0])
         x = lattice(1000, 2)[:200000] * steps
-        made = make_grains(x, 50.0, 0.0, np.random.default_rng(12), np.full(len(x), 5**0.5), steps)
+        made = make_grains(x, np.full(len(x), 5**0.5), 50.0, 0.0, np.random.default_rng(12), steps)
         grain, marks = made.grain.reshape(200, 1000), made.is_boundary.reshape(200, 1000)
         for a, b in ((np.s_[:-1, :], np.s_[1:, :]), (np.s_[:, :-1], np.s_[:, 1:])):
             self.assertFalse(np.any((grain[a] != grain[b]) & ~marks[a] & ~marks[b]))
@@ -254,7 +256,7 @@ class Command(PdmeshCase):
                                    ([*good, "--where", "x > 1"], "no points to split")):
             self.assertIn(message, self.pdmesh("grains", "plain.txt", *arguments, "-o", "b.txt", expect=2)[1])
         with self.assertRaises(MeshError):
-            make_grains(lattice(10, 2), 1e-9, 0.0, np.random.default_rng(1))
+            make_grains(lattice(10, 2), np.ones(100), 1e-9, 0.0, np.random.default_rng(1))
 
 
 if __name__ == "__main__":
