@@ -8,7 +8,7 @@ eaten of one wall,
     d(h C)/dt = d/dx(h D dC/dx) + C_solid ds/dt,    C <= C_sat,    0 <= ds/dt <= v(C) = i(C)/(z F C_solid),
 
 and at each x either C = C_sat or ds/dt = v(C). It leaves out what a deep trench changes: differences of C across it,
-and the slope of its walls.
+and the slope of its walls; trench.py has both.
 
 Sample runs:
   gap_averaged.py                              the alloy 625 crevice, rate factor 15
@@ -67,6 +67,16 @@ class Crevice:
         return tuple(value / self.currentPerSpeed for value in current(c))
 
 
+def slow_from(times, sites, limit, per=10 * HOUR, window=2 * HOUR):
+    """Time and place from which on the active site drifts, in every later `window`, by less than `limit` (m) in `per`;
+    NaN where it never comes to that."""
+    t = np.arange(times[0], times[-1] - window + 1.0, 60.0)
+    speed = np.abs(np.interp(t + window, times, sites) - np.interp(t, times, sites)) / window
+    moving = np.flatnonzero(speed >= limit / per)
+    first = moving[-1] + 1 if len(moving) else 0
+    return (t[first], float(np.interp(t[first], times, sites))) if first < len(t) else (np.nan, np.nan)
+
+
 @dataclass
 class Result:
     """Times in s; rows of `depth` and `concentration` are snapshots at `times`, columns cells with centres `x`."""
@@ -99,14 +109,8 @@ class Result:
     def site_at(self, t):
         return np.interp(t, self.time, self.site)
 
-    def stop(self, drift=0.01, per=10 * HOUR, window=2 * HOUR):
-        """Time and place from which on the active site drifts, in every later `window`, by less than `drift` L in
-        `per`; NaN where it never comes to that."""
-        t = np.arange(0.0, self.time[-1] - window + 1.0, 60.0)
-        speed = np.abs(self.site_at(t + window) - self.site_at(t)) / window
-        moving = np.flatnonzero(speed >= drift * self.crevice.length / per)
-        first = moving[-1] + 1 if len(moving) else 0
-        return (t[first], float(self.site_at(t[first]))) if first < len(t) else (np.nan, np.nan)
+    def stop(self, drift=0.01):
+        return slow_from(self.time, self.site, drift * self.crevice.length)
 
     def is_alive(self):
         """Whether at the end the peak current is at least half of that of a saturated electrolyte."""
@@ -252,7 +256,7 @@ def record(result, stepper, state, now):
 
 def simulate(crevice, finalTime=72 * HOUR, cells=1016, tolerance=1e-3, snapshots=72, fixedStep=None):
     """Integrates to finalTime (s) in steps that differ by `tolerance` at most from the first-order method, or of
-    `fixedStep`. `snapshots`: how many, evenly spaced, beside the start. Raises RuntimeError where steps get too small."""
+    `fixedStep`. `snapshots`: how many, evenly spaced, beside the start. RuntimeError where steps get too small."""
     stepper = Stepper(crevice, cells)
     times = finalTime * np.arange(snapshots + 1) / snapshots
     result = Result(crevice, stepper.x, times, np.zeros((snapshots + 1, cells)), np.zeros((snapshots + 1, cells)))

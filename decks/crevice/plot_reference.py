@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""The gap-averaged crevice: plot_reference.py [FOLDER]; four minutes.
+"""The two finite-volume models of the crevice: plot_reference.py [FOLDER]; five minutes.
 
-reference.png: depth, concentration and active site in time; gap.png, diffusivity.png, saturation.png, factor.png: other
-values of one parameter; ignition.png: the rate factor that a width of the starting region needs.
+reference.png: depth, concentration and active site in time, averaged over the gap; trench.png: the same in two dimensions;
+gap.png, diffusivity.png, saturation.png, factor.png: other values of one parameter; ignition.png: the rate factor that a
+width of the starting region needs (all these averaged over the gap).
 """
 import sys
 from dataclasses import replace
@@ -14,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 import numpy as np  # noqa: E402
 from gap_averaged import HOUR, Crevice, least_factor, simulate  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
+from trench import carve  # noqa: E402
 
 # Width of the region that starts the attack: the scene's, and one that lets it live over a wider range.
 WIDTHS = (500e-6, 1000e-6)
@@ -113,6 +115,42 @@ def draw_reference():
     save(figure, "reference.png")
 
 
+def draw_trench():
+    averaged, trench = simulate(Crevice(), cells=2032), carve()
+    figure, axes = figures.plt.subplots(2, 2, figsize=(11, 7), constrained_layout=True)
+    (profile, field), (place, depth) = axes
+    shown = (10, 20, 30, 40, 50, 60, 72)
+    for number, hour in enumerate(shown):
+        colour = figures.plt.cm.viridis(number / len(shown))
+        profile.plot(trench.x * 1e3, trench.depth[hour - 6] * 1e6, "-", color=colour, label=f"{hour} h")
+        profile.plot(averaged.x * 1e3, averaged.depth[hour] * 1e6, ":", color=colour, linewidth=0.9)
+    profile.set_title("lines: two dimensions; dotted: averaged over the gap", fontsize=9)
+    h = 0.5 * (50e-6 - 40e-6 * trench.x / trench.crevice.length) + trench.depth[-1]
+    y = h[:, None] * np.concatenate([[0.0], trench.eta, [1.0]])
+    missing = trench.crevice.saturation - trench.concentration[-1]
+    levels = [0.3, 1, 3, 10, 30, 100, 300, 1000, 3000, 6000]
+    contours = field.contourf(np.repeat(trench.x[:, None], y.shape[1], axis=1) * 1e3, y * 1e6,
+                              np.maximum(levels[0], np.concatenate([missing[:, :1], missing], axis=1)), levels=levels,
+                              cmap="viridis_r", norm="log")
+    figure.colorbar(contours, ax=field, label="C_sat - C at 72 h (mol/m³)", ticks=levels, format="%g")
+    deepest = np.array([trench.deepest(k) for k in range(len(trench.times))])
+    for axis, two, one in ((place, trench.site * 1e3, averaged.site_at(trench.times) * 1e3),
+                           (depth, deepest[:, 0] * 1e6, averaged.depth[6:].max(axis=1) * 1e6)):
+        axis.plot(trench.times / HOUR, two, "-", label="two dimensions")
+        axis.plot(trench.times / HOUR, one, ":", label="averaged over the gap")
+    for axis, title in ((profile, "depth (µm)"), (field, "y (µm)")):
+        axis.set_xlim(0, 3)
+        axis.set_xlabel("x from the mouth (mm)")
+        axis.set_ylabel(title)
+    for axis, title in ((place, "where saturation begins, from the mouth (mm)"), (depth, "largest depth (µm)")):
+        axis.set_xlabel("t (h)")
+        axis.set_ylabel(title)
+    for axis in (profile, place, depth):
+        axis.grid(alpha=0.3)
+        axis.legend(fontsize=8)
+    save(figure, "trench.png")
+
+
 def draw_ignition():
     widths = np.array([200, 250, 300, 350, 400, 450, 500, 550, 600, 700, 800, 900, 1000])
     needed = np.array([least_factor(Crevice(ignition=width * 1e-6), high=100.0) for width in widths])
@@ -137,6 +175,7 @@ def save(figure, name):
 if __name__ == "__main__":
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     draw_reference()
+    draw_trench()
     for parameter in PARAMETERS:
         draw(parameter)
     draw_ignition()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The gap-averaged crevice, which runs of the library are compared with, against exact solutions."""
+"""The two models of the crevice that runs of the library are compared with, against exact solutions and each other."""
 import os
 import sys
 import unittest
@@ -10,6 +10,7 @@ import numpy as np
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(here, "../../decks/crevice"))
 from gap_averaged import FARADAY, HOUR, Crevice, alloy_625, least_factor, simulate  # noqa: E402
+from trench import MappedGrid, State, Stepper, carve  # noqa: E402
 
 
 def constant_current(current):
@@ -18,8 +19,8 @@ def constant_current(current):
 
 # Straight, and of a metal so dense that the walls stay where they are. 1e-6 mol/m2/s leave each wall.
 FLUX, GAP, LENGTH, DIFFUSIVITY = 1e-6, 20e-6, 2e-3, 1e-9
-STRAIGHT = Crevice(length=LENGTH, mouthGap=GAP, endGap=GAP, diffusivity=DIFFUSIVITY, saturation=1e4, solid=1e12, charge=1.0,
-                   ignition=0.0, current=constant_current(FLUX * FARADAY))
+STRAIGHT = Crevice(length=LENGTH, mouthGap=GAP, endGap=GAP, diffusivity=DIFFUSIVITY, saturation=1e4, solid=1e12,
+                   charge=1.0, ignition=0.0, current=constant_current(FLUX * FARADAY))
 
 
 def modes(count=400):
@@ -158,6 +159,59 @@ class Alloy625(unittest.TestCase):
                   for width in (400e-6, 500e-6)]
         np.testing.assert_allclose(needed, [21.7, 14.37], rtol=0.05)  # of a grid four times as fine
         self.assertTrue(needed[1] < 15.0 < needed[0])
+
+
+class TrenchGrid(unittest.TestCase):
+    def residuals(self, columns, layers):
+        """Of C = sin(k x) cosh(k y), harmonic, 0 at the mouth, flat at y = 0, under a wavy wall: what the cells gain, per
+        volume, and how far the flux of the wall is off; without the columns at the closed end, where C is not flat."""
+        k = 2.0
+        grid = MappedGrid(replace(STRAIGHT, diffusivity=1.0), 1.0, columns, layers)
+        h, slope = 0.4 + 0.1 * np.sin(3.0 * grid.x), 0.3 * np.cos(3.0 * grid.x)
+        y = h[:, None] * np.append(grid.eta, 1.0)
+        values = np.sin(k * grid.x)[:, None] * np.cosh(k * y)
+        gain = (grid.diffusion(h) @ values.ravel()).reshape(values.shape)
+        flux = k * (np.sin(k * grid.x) * np.sinh(k * h) - slope * np.cos(k * grid.x) * np.cosh(k * h))
+        gain[:, -2] += grid.dx * flux  # what the wall gives to the cells next to it
+        inside = slice(2, -2)
+        return (np.sqrt(np.mean((gain[inside, :-1] / (grid.dx * h[inside, None] / layers)) ** 2)),
+                np.max(np.abs(gain[inside, -1] + flux[inside])))
+
+    def test_a_harmonic_field_is_at_rest(self):
+        coarse, fine, finest = (np.array(self.residuals(n, n // 2)) for n in (20, 40, 80))
+        self.assertGreater(np.min(np.log2(coarse / fine)), 0.9, (coarse, fine, finest))
+        self.assertGreater(np.min(np.log2(fine / finest)), 0.9, (coarse, fine, finest))
+        self.assertTrue(np.all(finest < 0.1), finest)
+
+    def test_parabola_across_a_gap_that_fills_up(self):
+        # No gradient along x: C(wall) - mean C = (C_solid - C) ds/dt h/(3 D), once diffusion across has had its time.
+        p = Crevice(mouthGap=200e-6, endGap=200e-6, current=constant_current(20.0))
+        grid = MappedGrid(p, 12.7e-3, 30, 20)
+        stepper = Stepper(grid)
+        state = State(np.full((30, 21), 1000.0), np.zeros(30), np.full(30, 1000.0 - p.saturation), np.zeros(30))
+        for _ in range(60):
+            state = stepper.step(state, 5.0)
+        h, speed = 100e-6 + state.depth[-1], 20.0 / (p.charge * FARADAY * p.solid)
+        self.assertAlmostEqual(state.depth[-1], 300.0 * speed, delta=1e-12)
+        wall, mean = state.values[-1, -1], np.mean(state.values[-1, :-1])
+        self.assertAlmostEqual(mean, (100e-6 * 1000.0 + p.solid * state.depth[-1]) / h, delta=1e-6)
+        self.assertAlmostEqual((wall - mean) / ((p.solid - wall) * speed * h / (3.0 * p.diffusivity)), 1.0, delta=0.02)
+
+
+class Trench(unittest.TestCase):
+    def test_both_models_agree_while_the_trench_is_shallow(self):
+        averaged, trench = simulate(Crevice(), 12 * HOUR, snapshots=12), carve(hours=12, columns=160)
+        self.assertLess(trench.massError, 1e-10)
+        fastest = trench.crevice.speed(trench.crevice.saturation)[0]
+        self.assertLessEqual(np.max(trench.depth.max(axis=1) - fastest * trench.times), 0.0)
+        self.assertLessEqual(trench.concentration.max(), trench.crevice.saturation * (1.0 + 1e-9))
+        self.assertGreaterEqual(trench.concentration.min(), 0.0)
+        for hour in (8, 10, 12):
+            k = hour - 6
+            deepest = averaged.depth[hour].max()
+            self.assertAlmostEqual(trench.deepest(k)[0] / deepest, 1.0, delta=0.05)
+            self.assertAlmostEqual(trench.site[k], averaged.site_at(hour * HOUR), delta=0.003 * averaged.crevice.length)
+        self.assertLess(trench.deepest()[0], averaged.depth[12].max())  # the bottom saturates first
 
 
 if __name__ == "__main__":
