@@ -5,7 +5,7 @@
 
 namespace pd {
 
-void BondFamily::declareParameters(ParameterDeclarations& declare) {
+void BondFamily::declareGeometry(ParameterDeclarations& declare) {
   declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
   declare.flag("Plane Stress", "Thin plate in the x-y plane, free of stress across its thickness.").defaultTo(false);
   declare.flag("Plane Strain", "Slice of a thick body, without strain along z.").defaultTo(false);
@@ -24,12 +24,16 @@ void BondFamily::declareParameters(ParameterDeclarations& declare) {
       .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
       .defaultTo("Ramp Beyond Horizon")
       .from("Hu, Ha & Bobaru, CMAME 217-220 (2012) 247; Madenci & Oterkus, Peridynamic Theory (2014)");
+  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
+}
+
+void BondFamily::declareParameters(ParameterDeclarations& declare) {
+  declareGeometry(declare);
   declare
       .flag("Lattice Rescaling",
             "Constants from the sums over the actual square or cubic lattice in place of integrals, so that bulk "
             "Young's modulus, Poisson's ratio and diffusivity are exact.")
       .defaultTo(false);
-  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
 }
 
 BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& owner) {
@@ -46,7 +50,7 @@ BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& 
   if (rule == "Every Neighbor") volumeCorrection = kernels::VolumeCorrection::EveryNeighbor;
   if (rule == "None") volumeCorrection = kernels::VolumeCorrection::None;
   if (rule == "Ramp To Horizon") volumeCorrection = kernels::VolumeCorrection::RampToHorizon;
-  rescalesToLattice = params.get<bool>("Lattice Rescaling");
+  rescalesToLattice = params.isParameter("Lattice Rescaling") && params.get<bool>("Lattice Rescaling");
 }
 
 double BondFamily::latticeSpacing(const Call& call, const double* volume, const std::string& owner) const {

@@ -22,6 +22,8 @@ struct BondFamily {
   bool rescalesToLattice = false;
 
   static void declareParameters(ParameterDeclarations& declare);
+  /// All but Lattice Rescaling, for materials that need none.
+  static void declareGeometry(ParameterDeclarations& declare);
   /// From a completed list. Throws std::invalid_argument, naming `owner`.
   BondFamily(const Teuchos::ParameterList& params, const std::string& owner);
 

@@ -49,6 +49,13 @@ Function horizonOf(const DeckNode& entry, Mistakes& mistakes) {
   return Function::constant(std::nan(""));
 }
 
+std::vector<double> numbersOf(const DeckNode& list) {
+  std::vector<double> numbers;
+  if (list)
+    for (const DeckNode& item : list.items()) numbers.push_back(item.real());
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<int> blockNumbersOf(const MeshPoints& points) {
@@ -128,6 +135,34 @@ std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, 
                              points.place(i)));
   }
   return horizon;
+}
+
+kernels::HorizonShape horizonShape(const Deck& deck, const std::map<int, DeckNode>& entries) {
+  kernels::HorizonShape shape;
+  std::string keys;
+  bool isFirst = true;
+  for (const auto& item : entries) {
+    const DeckNode material = deck["Materials"][item.second["Material"].text()];
+    const DeckNode axes = material["Horizon Axes"];
+    std::string own;
+    for (const char* key : {"Horizon Axes", "Horizon Rotation"})
+      for (const double number : numbersOf(material[key])) own += fmt::format("{} {} ", key, number);
+    if (axes) own += material.text("Horizon Shape", "Ellipsoid");
+    if (!isFirst && own != keys)
+      deck.mistakes().add(material.place(), material.path() +
+                                                ": all blocks need the same Horizon Axes, Rotation and Shape, since "
+                                                "neighbourhoods must be of one kind; give them to every material");
+    keys = own;
+    isFirst = false;
+    try {
+      if (axes)
+        shape = kernels::HorizonShape(numbersOf(axes), numbersOf(material["Horizon Rotation"]),
+                                      material.text("Horizon Shape", "Ellipsoid") == "Box");
+    } catch (const std::invalid_argument& error) {
+      deck.mistakes().add(axes.place(), axes.path() + ": " + error.what());
+    }
+  }
+  return shape;
 }
 
 }  // namespace pd

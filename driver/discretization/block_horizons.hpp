@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../deck/deck.hpp"
+#include "horizon_shape.hpp"
 #include "mesh_points.hpp"
 
 namespace pd {
@@ -22,6 +23,10 @@ std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>
 /// [n] Horizon of every point, m: the number or function of x, y, z in its block's entry. Values that are not positive
 /// and finite are added to `mistakes`.
 std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, DeckNode>& entries, Mistakes& mistakes);
+
+/// The shape that the materials of these entries give to the horizon (keys Horizon Axes, Horizon Rotation, Horizon
+/// Shape). Shapes that differ are added to deck.mistakes(): the neighbourhoods of all points are of one kind.
+kernels::HorizonShape horizonShape(const Deck& deck, const std::map<int, DeckNode>& entries);
 
 }  // namespace pd
 

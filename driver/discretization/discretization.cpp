@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -42,6 +43,17 @@ NeighborRule neighborRule(const Deck& deck, const MeshPoints& points, const std:
   filters.keepWithin(*box, points);
   const double diagonal = std::hypot((*box)[0], (*box)[1], (*box)[2]);
   return NeighborRule::make(std::vector<double>(horizon.size(), diagonal), {});
+}
+
+/// The points in the space where the horizon is a ball or a cube.
+MeshPoints mappedPoints(const MeshPoints& points, const kernels::HorizonShape& shape) {
+  MeshPoints mapped = points;
+  for (int i = 0; i < points.size(); ++i) {
+    const std::array<double, 3> x = shape.mapped(shape.along(points.at(i)));
+    std::copy(x.begin(), x.end(), mapped.x.begin() + 3 * i);
+    mapped.volume[static_cast<std::size_t>(i)] *= shape.volumeFactor();
+  }
+  return mapped;
 }
 
 /// Local ids of the points of each node set.
@@ -145,19 +157,25 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   d.dimension = meshDimension(boundingBox(points));
   const double thickness = positiveLength(section, "Thickness", mistakes);
   const double area = positiveLength(section, "Cross Section Area", mistakes);
-  const std::vector<double> horizon = pointHorizons(points, entriesOfBlocks(deck, d.blockNumbers, points), mistakes);
+  const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
+  const std::vector<double> horizon = pointHorizons(points, entries, mistakes);
   mistakes.report();
+  const kernels::HorizonShape shape = horizonShape(deck, entries);
+  mistakes.report();
+  const MeshPoints mapped = shape.isBall() ? MeshPoints() : mappedPoints(points, shape);
+  const MeshPoints& searched = shape.isBall() ? points : mapped;
 
-  const std::vector<double> spacing = pointSpacings(points.volume, d.dimension, thickness, area);
+  const std::vector<double> spacing = pointSpacings(searched.volume, d.dimension, thickness, area);
   const bool includesPartial = section.flag("Include Partial Neighbors", !deck.isPeridigmDeck());
   const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
-  const NeighborRule rule = neighborRule(deck, points, horizon, ruleSpacing, filters);
-  checkResolution(deck, points, ruleSpacing, d.dimension, rule, comm.size());
+  NeighborRule rule = neighborRule(deck, points, horizon, ruleSpacing, filters);
+  rule.isBox = shape.isBox();
+  checkResolution(deck, searched, ruleSpacing, d.dimension, rule, comm.size());
   mistakes.report();
 
   const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(points.size());
-  buildNeighborhoods(points, rule, filters, lineOrder(points.x, meanSpacing), partitionPoints(points.x, comm.mpi()),
-                     comm.rank(), d);
+  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing),
+                     partitionPoints(searched.x, comm.mpi()), comm.rank(), d);
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(points, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);

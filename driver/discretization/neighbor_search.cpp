@@ -64,7 +64,8 @@ std::size_t NeighborSearch::indexOf(const Cell& cell) const {
 }
 
 NeighborSearch::NeighborSearch(const std::vector<double>& x, const NeighborRule& rule,
-                               const std::vector<int>& candidates) {
+                               const std::vector<int>& candidates)
+    : isBox_(rule.isBox) {
   chooseCells(x, rule, candidates);
   const std::size_t n = candidates.size();
   std::vector<std::size_t> cell(n);
@@ -111,7 +112,9 @@ double NeighborSearch::find(int position, std::vector<int>& neighbors) const {
       for (int slot = begin; slot < end; ++slot) {
         const auto k = static_cast<std::size_t>(slot);
         const double dx = x_[k] - x, dy = y_[k] - y, dz = z_[k] - z;
-        const double distanceSquared = dx * dx + dy * dy + dz * dz, limit = reach + (margin + margin_[k]);
+        const double largest = std::max({std::abs(dx), std::abs(dy), std::abs(dz)});
+        const double distanceSquared = isBox_ ? largest * largest : dx * dx + dy * dy + dz * dz;
+        const double limit = reach + (margin + margin_[k]);
         const bool isNeighbor = distanceSquared < limit * limit && slot != self;
         out[n] = position_[k];
         n += isNeighbor ? 1 : 0;

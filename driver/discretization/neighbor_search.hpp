@@ -8,9 +8,10 @@
 namespace pd {
 
 /// Point j is a neighbour of point i where |x_j - x_i| < reach_i + (margin_i + margin_j). For points of one horizon
-/// this is the same from both ends, to the last bit.
+/// this is the same from both ends, to the last bit. |.|: Euclidean, or the largest component where `isBox`.
 struct NeighborRule {
   std::vector<double> reach, margin;  ///< m, by point
+  bool isBox = false;
 
   /// With `spacing`: distances below horizon + (spacing_i + spacing_j) / 4, that is, up to half a spacing beyond the
   /// horizon, as far as the volume correction ramp of partly covered neighbours goes. With an empty `spacing`:
@@ -45,6 +46,7 @@ class NeighborSearch {
   std::vector<int> position_;  ///< in `candidates`
   std::vector<int> slot_;      ///< of each candidate in these arrays
   double widestMargin_ = 0.0;
+  bool isBox_;
 };
 
 }  // namespace pd

@@ -23,30 +23,19 @@ constexpr const char* owner = "material Corrosion Dissolution";
 Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
   ParameterDeclarations declarations;
   CorrosionDissolution::declareParameters(declarations);
-  Teuchos::ParameterList list = declarations.complete(params, owner);
-  if (list.get<double>("Saturation Concentration") >= list.get<double>("Solid Concentration"))
-    throw std::invalid_argument(std::string(owner) +
-                                ": \"Saturation Concentration\" must be below \"Solid Concentration\"");
-  return list;
+  return declarations.complete(params, owner);
 }
 
 }  // namespace
 
 void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
   declare.text("Material Model", "Name of this model.").defaultTo("Corrosion Dissolution");
-  declare.real("Diffusivity", "m2/s", "Of metal ions in the electrolyte.").positive().required();
-  declare.real("Solid Concentration", "mol/m3", "Metal atoms in the intact solid.").positive().required();
   declare.real("Saturation Concentration", "mol/m3", "Most metal ions that the electrolyte holds.")
       .positive()
       .required();
   declare.real("Charge Number", "1", "Mean charge of the ions, z.").positive().required();
-  declare
-      .real("Dissolution Range", "m",
-            "How far apart solid and liquid points may be that exchange metal; by default half the horizon. Where salt "
-            "covers the surface, the electrolyte is saturated as far as that.")
-      .positive();
-  CurrentDensity::declareParameters(declare);
-  BondFamily::declareParameters(declare);
+  SolidPhases::declareParameters(declare);
+  TransportWeights::declareParameters(declare);
 }
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
@@ -54,20 +43,10 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params)
     : Material(given),
-      family_(params, owner),
-      interfaceFamily_(family_),
-      diffusivity_(params.get<double>("Diffusivity")),
-      solidConcentration_(params.get<double>("Solid Concentration")),
+      weights_(params, owner),
       saturation_(params.get<double>("Saturation Concentration")),
       chargeNumber_(params.get<double>("Charge Number")),
-      currentDensity_(params, saturation_, owner) {
-  microDiffusivity_ = kernels::microDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare, diffusivity_,
-                                                family_.horizon);
-  interfaceFamily_.horizon =
-      params.isParameter("Dissolution Range") ? params.get<double>("Dissolution Range") : 0.5 * family_.horizon;
-  if (interfaceFamily_.horizon > family_.horizon)
-    throw std::invalid_argument(std::string(owner) + ": \"Dissolution Range\" must not exceed the horizon");
-  interfaceConstant_ = kernels::interfaceFluxConstant(family_.section, interfaceFamily_.horizon);
+      phases_(params, saturation_, owner) {
   FieldManager& fields = FieldManager::self();
   const auto point = [&](const char* label, Field::Temporal temporal = Field::CONSTANT) {
     return fields.getFieldId(Field::NODE, Field::SCALAR, temporal, label);
@@ -85,7 +64,9 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, 
   slopeId_ = point("Dissolution_Rate_Slope");
   solidId_ = point("Solid_Concentration");
   saturationId_ = point("Saturation_Concentration");
-  completenessId_ = point("Interface_Completeness");
+  diffusionCorrectionId_ = point("Diffusion_Correction");
+  dissolutionCorrectionId_ = point("Dissolution_Correction");
+  if (phases_.count() > 1) blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
 }
 
 double CorrosionDissolution::Density() const {
@@ -93,26 +74,30 @@ double CorrosionDissolution::Density() const {
 }
 
 std::vector<int> CorrosionDissolution::FieldIds() const {
-  return {modelCoordinatesId_,
-          volumeId_,
-          concentrationId_,
-          rateId_,
-          damageId_,
-          saltId_,
-          demandId_,
-          areaId_,
-          currentId_,
-          dissolutionRateId_,
-          slopeId_,
-          solidId_,
-          saturationId_,
-          completenessId_};
+  std::vector<int> ids = {modelCoordinatesId_,
+                          volumeId_,
+                          concentrationId_,
+                          rateId_,
+                          damageId_,
+                          saltId_,
+                          demandId_,
+                          areaId_,
+                          currentId_,
+                          dissolutionRateId_,
+                          slopeId_,
+                          solidId_,
+                          saturationId_,
+                          diffusionCorrectionId_,
+                          dissolutionCorrectionId_};
+  if (blockId_ >= 0) ids.push_back(blockId_);
+  return ids;
 }
 
 struct CorrosionDissolution::Views {
   int nPoints;
-  const double *x, *volume, *concentration, *damage, *salt, *demand;
-  double *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *completeness;
+  const double *x, *volume, *concentration, *damage, *salt, *demand, *blockId = nullptr;
+  double *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
+      *dissolutionCorrection;
 
   Views(const CorrosionDissolution& material, DataManager& dataManager) {
     nPoints = dataManager.getData(material.volumeId_, Field::STEP_NONE)->MyLength();
@@ -129,126 +114,168 @@ struct CorrosionDissolution::Views {
     slope = view(dataManager, material.slopeId_, Field::STEP_NONE);
     solid = view(dataManager, material.solidId_, Field::STEP_NONE);
     saturation = view(dataManager, material.saturationId_, Field::STEP_NONE);
-    completeness = view(dataManager, material.completenessId_, Field::STEP_NONE);
+    diffusionCorrection = view(dataManager, material.diffusionCorrectionId_, Field::STEP_NONE);
+    dissolutionCorrection = view(dataManager, material.dissolutionCorrectionId_, Field::STEP_NONE);
+    if (material.blockId_ >= 0) blockId = view(dataManager, material.blockId_, Field::STEP_NONE);
   }
 };
 
-double CorrosionDissolution::diffusionWeight(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  return microDiffusivity_ / (bond.length * bond.length) * family_.share(bond.length, volume, neighborVolume);
-}
-
-double CorrosionDissolution::dissolutionWeight(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  return interfaceConstant_ / bond.length * interfaceFamily_.share(bond.length, volume, neighborVolume);
+PhaseGeometry CorrosionDissolution::geometry(const Views& views) const {
+  return {weights_, views.x, views.volume, views.damage};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) {
-  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
   const Views views(*this, dataManager);
   caches_.clear();
-  if (family_.rescalesToLattice) {
-    const double spacing = family_.latticeSpacing(call, views.volume, owner);
-    microDiffusivity_ =
-        kernels::latticeMicroDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare, diffusivity_,
-                                         family_.horizon, spacing, family_.volumeCorrection);
-    interfaceConstant_ = kernels::latticeInterfaceFluxConstant(family_.section, interfaceFamily_.horizon, spacing,
-                                                               family_.volumeCorrection);
-  }
-  for (int p = 0; p < numOwnedPoints; ++p) {
+  if (numOwnedPoints > 0) weights_.fitToGrid(views.volume[ownedIDs[0]]);
+  std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
+  std::fill(views.dissolutionCorrection, views.dissolutionCorrection + views.nPoints, 1.0);
+  const int* list = neighborhoodList;
+  for (int p = 0; p < numOwnedPoints; ++p, list += *list + 1) {
     const int i = ownedIDs[p];
-    views.solid[i] = views.concentration[i] > saturation_ ? solidConcentration_ : 0.0;
+    const std::size_t phase = views.blockId == nullptr ? 0 : phases_.ofBlock(views.blockId[i]);
+    views.solid[i] = views.concentration[i] > saturation_ ? phases_[phase].solidConcentration : 0.0;
     views.saturation[i] = saturation_;
-  }
-  findCompleteness(call, views);
-}
-
-/// Flux that a plane front at a point passes, of what it passes inside a body: along each axis on the side where more
-/// is, then for the axis where least is. (Of a front that runs along a side, this is what the side takes away; for one
-/// that runs at a side, nothing.)
-void CorrosionDissolution::findCompleteness(const Call& call, const Views& views) const {
-  const auto dimension = static_cast<std::size_t>(family_.dimension());
-  std::size_t at = 0;
-  for (int p = 0; p < call.nOwned; ++p) {
-    const int i = call.ownedIds[p];
-    double passed[2][3] = {};
-    const int count = call.neighborhoodList[at++];
-    for (int k = 0; k < count; ++k) {
-      const int j = call.neighborhoodList[at++];
-      const ReferenceBond bond(views.x, i, j);
-      const double weight = dissolutionWeight(bond, views.volume[i], views.volume[j]) * views.volume[j];
-      for (std::size_t d = 0; d < dimension; ++d) passed[bond.xi[d] > 0.0][d] += weight * std::abs(bond.xi[d]);
-    }
-    double least = 1.0;
-    for (std::size_t d = 0; d < dimension; ++d) least = std::min(least, std::max(passed[0][d], passed[1][d]));
-    constexpr double smallest = 0.1;  // of points that hang by a corner
-    views.completeness[i] = std::max(least, smallest);
+    weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
   }
 }
 
 CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, const Views& views) const {
   return caches_.of(call, views.x, [&](const Call& c) {
+    const PhaseGeometry bonds = geometry(views);
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     made.diffusion = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
-      *value = diffusionWeight(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]) * views.volume[j];
+      *value = bonds.diffusionWeight(i, j) * views.volume[j];
     });
     made.dissolution = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
-      *value = dissolutionWeight(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]) * views.volume[j];
+      *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
-    made.lostFlux.zero(views.nPoints, 1);
-    made.area.zero(views.nPoints, 1);
-    made.perCompleteness.zero(views.nPoints, 1);
-    for (int i = 0; i < views.nPoints; ++i) made.perCompleteness[0][i] = 1.0 / views.completeness[i];
+    made.concentration.zero(views.nPoints, 1);
+    made.diffusionCorrection.zero(views.nPoints, 1);
+    made.area.resize(phases_.count());
+    made.lostFlux.resize(phases_.count());
+    for (std::size_t p = 0; p < phases_.count(); ++p) made.lostFlux[p].zero(views.nPoints, 1);
+    if (phases_.count() > 1) made.isOfPhase.resize(phases_.count());
+    for (std::size_t p = 0; p < made.isOfPhase.size(); ++p) {
+      made.isOfPhase[p].zero(views.nPoints, 1);
+      for (int i = 0; i < views.nPoints; ++i)
+        made.isOfPhase[p][0][i] = phases_.ofBlock(views.blockId[i]) == p ? 1.0 : 0.0;
+    }
     return made;
   });
 }
 
-/// What changes with the phases alone.
-void CorrosionDissolution::updateInterface(Cache& cache, int nPoints) const {
-  cache.lostFlux.zero(nPoints, 1);
-  cache.area.zero(nPoints, 1);
-  kernels::addWeightedSum(cache.neighborhood, cache.dissolution, cache.phases.fromLiquid(), cache.phases.wetChunks(),
-                          nullptr, cache.perCompleteness[0], cache.area[0]);
+void CorrosionDissolution::precompute(const double, const int numOwnedPoints, const int* ownedIDs,
+                                      const int* neighborhoodList, DataManager& dataManager) const {
+  const Views views(*this, dataManager);
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  takeUpPhases(cache, views);
+  cache.isPrepared = true;
+}
+
+/// Corrections of owned points.
+void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const {
+  cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
+  if (!cache.phases.refresh(cache.neighborhood, views.damage)) return;
+  cache.zeroed = nullptr;
+  const kernels::PhaseBonds& phases = cache.phases;
+  const PhaseGeometry bonds = geometry(views);
+  for (const std::size_t c : phases.changedChunks()) {
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    for (int lane = 0; lane < chunk.nLanes; ++lane) {
+      const int i = cache.neighborhood.pointIds(chunk)[lane];
+      const int* list = phases.listOf(i);
+      if (phases.isLiquid(i))
+        views.diffusionCorrection[i] = bonds.diffusionCorrection(i, list + 1, *list);
+      else
+        views.dissolutionCorrection[i] = bonds.dissolutionCorrection(i, list + 1, *list);
+      views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
+    }
+  }
+}
+
+void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
+  const kernels::PhaseBonds& phases = cache.phases;
+  cache.correction.copy(views.dissolutionCorrection, views.nPoints);
+  for (std::size_t p = 0; p < phases_.count(); ++p) {
+    if (phases_.count() > 1)
+      for (int i = 0; i < views.nPoints; ++i)
+        cache.correction[0][i] = cache.isOfPhase[p][0][i] * views.dissolutionCorrection[i];
+    cache.area[p].zero(views.nPoints, 1);
+    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
+                            cache.correction[0], cache.area[p][0]);
+  }
+  cache.hasAreas = true;
+}
+
+bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) const {
+  bool dissolves = false;
+  double total = 0.0, current = 0.0, rate = 0.0, slope = 0.0;
+  const double bare = 1.0 - views.salt[j];
+  for (std::size_t p = 0; p < phases_.count(); ++p) {
+    const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
+    const double area = cache.area[p][0][j];  // of the points of this call; others are seen to by theirs
+    double flux = views.demand[j];
+    if (bare > 0.0) {
+      const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
+      flux += bare * perCurrent * i.current;
+      current += area * bare * i.current;
+      rate += area * perCurrent * i.current;
+      slope += area * perCurrent * i.slope;
+    }
+    cache.lostFlux[p][0][j] = -flux;
+    if (area > 0.0) views.rate[j] += area * flux;
+    total += area;
+    dissolves = dissolves || flux != 0.0;
+  }
+  if (total > 0.0) {
+    views.area[j] = total;
+    views.current[j] = current / total;
+    views.dissolutionRate[j] = rate;
+    views.slope[j] = slope;
+  }
+  return dissolves;
 }
 
 void CorrosionDissolution::computeFluxDivergence(const double, const int numOwnedPoints, const int* ownedIDs,
                                                  const int* neighborhoodList, DataManager& dataManager) const {
-  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
   const Views views(*this, dataManager);
-  std::fill(views.rate, views.rate + views.nPoints, 0.0);
-  Cache& cache = cacheOf(call, views);
-  if (cache.phases.refresh(cache.neighborhood, views.damage)) updateInterface(cache, views.nPoints);
-  for (int p = 0; p < numOwnedPoints; ++p) {
-    const int i = ownedIDs[p];
-    views.area[i] = cache.area[0][i];
-    views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  const kernels::PhaseBonds& phases = cache.phases;
+  // A host that probes with lists of its own prepares nothing for them.
+  if (!cache.isPrepared) takeUpPhases(cache, views);
+  if (!cache.hasAreas) findAreas(cache, views);
+  // Deep solid has no rate, and costs nothing.
+  if (cache.zeroed != views.rate) std::fill(views.rate, views.rate + views.nPoints, 0.0);
+  cache.zeroed = views.rate;
+  for (const std::size_t c : phases.activeChunks()) {
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    const int* points = cache.neighborhood.pointIds(chunk);
+    for (int lane = 0; lane < chunk.nLanes; ++lane) views.rate[points[lane]] = 0.0;
   }
-  cache.concentration.copy(views.concentration, views.nPoints);
-  kernels::addFluxDivergence(cache.neighborhood, cache.diffusion, &cache.phases.liquid(), cache.concentration[0],
-                             views.rate, &cache.phases.liquidChunks());
-
-  const double perCurrent = (1.0 - saturation_ / solidConcentration_) / (chargeNumber_ * faraday);
+  for (const auto& [first, end] : phases.liquidRanges()) {
+    std::copy(views.concentration + first, views.concentration + end, cache.concentration[0] + first);
+    std::copy(views.diffusionCorrection + first, views.diffusionCorrection + end, cache.diffusionCorrection[0] + first);
+  }
+  kernels::addScaledFluxDivergence(cache.neighborhood, cache.diffusion, phases.liquid(), phases.liquidChunks(),
+                                   cache.diffusionCorrection[0], cache.concentration[0], views.rate);
   bool dissolves = false;
-  for (const int j : cache.phases.sources()) {
-    const double area = cache.area[0][j];  // of the points of this call; others are seen to by theirs
-    double flux = views.demand[j];
-    if (views.salt[j] < 1.0) {
-      const CurrentDensity::Value current = currentDensity_.at(views.concentration[j]);
-      flux += (1.0 - views.salt[j]) * perCurrent * current.current;
-      if (area > 0.0) {
-        views.current[j] = (1.0 - views.salt[j]) * current.current;
-        views.dissolutionRate[j] = area * perCurrent * current.current;
-        views.slope[j] = area * perCurrent * current.slope;
-      }
-    }
-    cache.lostFlux[0][j] = -flux;
-    if (area > 0.0) views.rate[j] += area * flux;
-    dissolves = dissolves || flux != 0.0;
+  for (const int j : phases.sources()) dissolves = dissolve(cache, views, j) || dissolves;
+  if (!dissolves) return;
+  if (phases_.count() == 1) {
+    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(),
+                            views.dissolutionCorrection, cache.lostFlux[0][0], views.rate);
+    return;
   }
-  if (dissolves)
-    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, cache.phases.fromSolid(), cache.phases.solidChunks(),
-                            cache.perCompleteness[0], cache.lostFlux[0], views.rate);
+  for (std::size_t p = 0; p < phases_.count(); ++p) {
+    for (int i = 0; i < views.nPoints; ++i)
+      cache.correction[0][i] = cache.isOfPhase[p][0][i] * views.dissolutionCorrection[i];
+    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(),
+                            cache.correction[0], cache.lostFlux[p][0], views.rate);
+  }
 }
 
 /// Of liquid points; the loss of solid ones follows from it.
@@ -256,14 +283,15 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
                                            const int* neighborhoodList, DataManager& dataManager,
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
   const Views views(*this, dataManager);
+  const PhaseGeometry bonds = geometry(views);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   const auto row = [&](int i) { return perPoint * map.GID(i) + offset; };
   forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
     if (views.damage[i] < 1.0 || views.damage[j] < 1.0) return;
-    const double w = diffusionWeight(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]) * views.volume[i] *
-                     views.volume[j];
+    const double correction = 0.5 * (views.diffusionCorrection[i] + views.diffusionCorrection[j]);
+    const double w = correction * bonds.diffusionWeight(i, j) * views.volume[i] * views.volume[j];
     jacobian.addValue(row(i), row(i), -w);
     jacobian.addValue(row(i), row(j), w);
   });

@@ -206,13 +206,4 @@ double interfaceFluxConstant(const Section& section, double horizon) {
   return dimension / (halfSphere * std::pow(horizon, dimension));
 }
 
-double latticeInterfaceFluxConstant(const Section& section, double horizon, double spacing, VolumeCorrection rule) {
-  double sum = 0.0;
-  forLattice(dimensionOf(section.geometry), horizon, spacing, rule,
-             [&](double x, double, double, double r, double share) {
-               if (x > 0.0) sum += x / r * share * cellVolume(spacing, section);
-             });
-  return 1.0 / sum;
-}
-
 }  // namespace pd::kernels

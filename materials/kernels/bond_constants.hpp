@@ -92,9 +92,6 @@ double latticeMicroDiffusivity(const Section& section, DiffusionKernel kernel, d
 /// PeriFast/Corrosion, 2023.)
 double interfaceFluxConstant(const Section& section, double horizon);
 
-/// The same from sums over an ideal lattice, with the plane between two of its layers.
-double latticeInterfaceFluxConstant(const Section& section, double horizon, double spacing, VolumeCorrection rule);
-
 /// kernel(|xi|) of a diffusion bond.
 double kernelValue(DiffusionKernel kernel, double distance);
 

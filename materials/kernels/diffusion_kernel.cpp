@@ -25,6 +25,25 @@ Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, con
                          : fluxOf<isContiguous, isUniform, false>(chunk, indices, weights, bits, own, concentration);
 }
 
+template <bool isContiguous, bool isUniform>
+Vector scaledFluxOf(const Chunk& chunk, const int* indices, const double* weights, const unsigned char* bits,
+                    const int* points, const double* scale, const double* concentration) {
+  const auto own = [&](const double* values) {
+    return isContiguous ? load(values + chunk.firstPoint) : gather(values, points);
+  };
+  const Vector ownConcentration = own(concentration), ownScale = own(scale);
+  Vector sum = 0.0;
+  for (int k = 0; k < chunk.nNeighbors; ++k) {
+    if (bits[k] == 0) continue;
+    const auto other = [&](const double* values) {
+      return isContiguous ? load(values + chunk.firstPoint + indices[k]) : gather(values, indices + k * lanes);
+    };
+    const Vector weight = isUniform ? Vector(weights[k]) : load(weights + k * lanes);
+    sum += keep(weight * ((ownScale + other(scale)) * (other(concentration) - ownConcentration)), bits[k]);
+  }
+  return 0.5 * sum;
+}
+
 }  // namespace
 
 void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
@@ -50,6 +69,21 @@ void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConsta
       sum = fluxOf<false, false>(chunk, neighborhood.neighborIds(chunk), weights.of(c), bits, own, concentration);
     }
     addToPoints(neighborhood, chunk, sum, rate);
+  }
+}
+
+void addScaledFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights,
+                             const AliveBonds& alive, const std::vector<std::size_t>& only, const double* scale,
+                             const double* concentration, double* rate) {
+  for (const std::size_t c : only) {
+    const Chunk& chunk = neighborhood.chunks()[c];
+    const int* indices = chunk.isContiguous ? neighborhood.offsets(chunk) : neighborhood.neighborIds(chunk);
+    const auto flux = !chunk.isContiguous    ? scaledFluxOf<false, false>
+                      : weights.isUniform(c) ? scaledFluxOf<true, true>
+                                             : scaledFluxOf<true, false>;
+    addToPoints(
+        neighborhood, chunk,
+        flux(chunk, indices, weights.of(c), alive.of(chunk), neighborhood.pointIds(chunk), scale, concentration), rate);
   }
 }
 

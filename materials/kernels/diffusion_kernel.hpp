@@ -15,6 +15,12 @@ namespace pd::kernels {
 void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds* alive,
                        const double* concentration, double* rate, const std::vector<std::size_t>* only = nullptr);
 
+/// rate_i += sum_j w_ij (s_i + s_j)/2 (C_j - C_i) over the bonds whose bits are set, in the chunks `only`. `scale`: s,
+/// by local id, readable as C is.
+void addScaledFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConstants& weights,
+                             const AliveBonds& alive, const std::vector<std::size_t>& only, const double* scale,
+                             const double* concentration, double* rate);
+
 }  // namespace pd::kernels
 
 #endif

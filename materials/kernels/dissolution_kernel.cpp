@@ -63,8 +63,10 @@ bool PhaseBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
     markChunksOf(static_cast<int>(i), isMarked);
   }
   if (isMarked.empty()) return false;
+  changedChunks_.clear();
   for (std::size_t c = 0; c < isMarked.size(); ++c)
-    if (isMarked[c] != 0) refreshChunk(neighborhood, c);
+    if (isMarked[c] != 0) changedChunks_.push_back(c);
+  for (const std::size_t c : changedChunks_) refreshChunk(neighborhood, c);
   collect(neighborhood);
   return true;
 }
@@ -98,10 +100,20 @@ void PhaseBonds::collect(const ChunkedNeighborhood& neighborhood) {
   liquidChunks_.clear();
   solidChunks_.clear();
   wetChunks_.clear();
+  activeChunks_.clear();
   for (std::size_t c = 0; c < kinds_.size(); ++c) {
     if (kinds_[c].liquid) liquidChunks_.push_back(c);
     if (kinds_[c].fromSolid) solidChunks_.push_back(c);
     if (kinds_[c].fromLiquid) wetChunks_.push_back(c);
+    if (kinds_[c].liquid || kinds_[c].fromSolid || kinds_[c].fromLiquid) activeChunks_.push_back(c);
+  }
+  liquidRanges_.clear();
+  const auto n = static_cast<int>(isLiquid_.size());
+  for (int i = 0; i < n; ++i) {
+    if (!isLiquid(i)) continue;
+    const int first = i;
+    while (i < n && isLiquid(i)) ++i;
+    liquidRanges_.emplace_back(first, i);
   }
   sources_.clear();
   std::vector<char> isSource(isLiquid_.size(), 0);
@@ -132,8 +144,9 @@ void addWeightedSum(const ChunkedNeighborhood& neighborhood, const BondConstants
     Vector total = 0.0;
     for (int k = 0; k < chunk.nNeighbors; ++k) {
       if (bits[k] == 0) continue;
-      const Vector value = chunk.isContiguous ? load(values + chunk.firstPoint + neighborhood.offsets(chunk)[k])
-                                              : gather(values, neighborhood.neighborIds(chunk) + k * lanes);
+      const Vector value = values == nullptr    ? Vector(1.0)
+                           : chunk.isContiguous ? load(values + chunk.firstPoint + neighborhood.offsets(chunk)[k])
+                                                : gather(values, neighborhood.neighborIds(chunk) + k * lanes);
       const Vector weight = isUniform ? Vector(w[k]) : load(w + k * lanes);
       total += keep(weight * value, bits[k]);
     }

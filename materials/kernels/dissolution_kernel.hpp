@@ -2,6 +2,7 @@
 #ifndef PD_DISSOLUTION_KERNEL_HPP
 #define PD_DISSOLUTION_KERNEL_HPP
 
+#include <utility>
 #include <vector>
 
 #include "alive_bonds.hpp"
@@ -20,6 +21,18 @@ class PhaseBonds {
 
   /// `damage` by local id: a point is liquid where it is 1. Returns whether any point has changed.
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* damage);
+
+  /// Chunks with a point that has changed, or a neighbour of it, at the last refresh that found any.
+  const std::vector<std::size_t>& changedChunks() const { return changedChunks_; }
+  /// Chunks with any bond that is not between solid points.
+  const std::vector<std::size_t>& activeChunks() const { return activeChunks_; }
+  /// Local ids [first, end) of liquid points, those that are not owned included.
+  const std::vector<std::pair<int, int>>& liquidRanges() const { return liquidRanges_; }
+  bool isLiquid(int point) const { return isLiquid_[static_cast<std::size_t>(point)] != 0; }
+  /// Number of neighbours of an owned point, followed by them.
+  const int* listOf(int ownedPoint) const {
+    return list_ + starts_[static_cast<std::size_t>(ownedPosition_[static_cast<std::size_t>(ownedPoint)])];
+  }
 
   const AliveBonds& liquid() const { return liquid_; }
   const std::vector<std::size_t>& liquidChunks() const { return liquidChunks_; }  ///< that have such bonds
@@ -46,12 +59,13 @@ class PhaseBonds {
     bool liquid = false, fromSolid = false, fromLiquid = false;
   };
   std::vector<Kinds> kinds_;  ///< of bonds that a chunk has
-  std::vector<std::size_t> liquidChunks_, solidChunks_, wetChunks_;
+  std::vector<std::size_t> liquidChunks_, solidChunks_, wetChunks_, changedChunks_, activeChunks_;
+  std::vector<std::pair<int, int>> liquidRanges_;
   std::vector<int> sources_;
 };
 
-/// sum_i += scale_i sum_j w_ij v_j over the bonds whose bits are set, in the chunks `only`. `scale` null: 1. Arrays by
-/// local id, readable as PointArrays are.
+/// sum_i += scale_i sum_j w_ij v_j over the bonds whose bits are set, in the chunks `only`. `scale`, `values` null: 1.
+/// Arrays by local id, readable as PointArrays are.
 void addWeightedSum(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds& bonds,
                     const std::vector<std::size_t>& only, const double* scale, const double* values, double* sum);
 

@@ -34,8 +34,7 @@ def corrosion_deck(dimension, metal, solid, held, time, steps, name="result", **
         conditions["Sea"] = {"Type": "Prescribed Concentration", "Node Set": "Sea Node Set", "Value": 0.0}
     return {
         "Discretization": discretization,
-        "Materials": {"Metal": {"Material Model": "Corrosion Dissolution", "Lattice Rescaling": True,
-                                **SHAPES[dimension], **metal}},
+        "Materials": {"Metal": {"Material Model": "Corrosion Dissolution", **SHAPES[dimension], **metal}},
         "Damage Models": {"Phases": {"Damage Model": "Dissolution"}},
         "Blocks": {"Body": {"Block Names": "block_1", "Material": "Metal", "Damage Model": "Phases",
                             "Horizon": HORIZON}},

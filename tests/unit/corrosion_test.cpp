@@ -115,19 +115,6 @@ TEST(CurrentDensityTest, RefusesWhatIsNoCurrentDensity) {
 
 namespace k = kernels;
 
-/// Flux through planes with normal (cos, sin) of the unit flux's bonds c/|xi| on a square lattice of unit spacing, mean
-/// over the planes' positions.
-double latticeFlux(double constant, double range, k::VolumeCorrection rule, double angle) {
-  double sum = 0.0;
-  const int reach = static_cast<int>(range) + 2;
-  for (int a = -reach; a <= reach; ++a)
-    for (int b = -reach; b <= reach; ++b) {
-      const double r = std::hypot(a, b), across = a * std::cos(angle) + b * std::sin(angle);
-      if (across > 1e-12) sum += constant / r * k::volumeShare(rule, r, range, 1.0) * across;
-    }
-  return sum;
-}
-
 TEST(InterfaceFluxTest, ContinuumConstantPassesTheFlux) {
   // Integral of c/r x over the half neighbourhood x > 0.
   const double horizon = 3.0, area = 0.7, thickness = 0.4;
@@ -136,38 +123,6 @@ TEST(InterfaceFluxTest, ContinuumConstantPassesTheFlux) {
               1.0, 1e-14);
   EXPECT_NEAR(k::interfaceFluxConstant({k::Geometry::Solid, 1.0}, horizon) * pi * std::pow(horizon, 3) / 3.0, 1.0,
               1e-14);
-}
-
-TEST(InterfaceFluxTest, LatticeConstantPassesTheFluxAndTendsToTheContinuum) {
-  const auto rule = k::VolumeCorrection::RampBeyondHorizon;
-  for (const auto& section : {k::Section{k::Geometry::Bar, 1.0}, k::Section{k::Geometry::PlaneStrain, 1.0},
-                              k::Section{k::Geometry::Solid, 1.0}}) {
-    // First order in spacing over range: in the bar the sum of shares up to m is m - 1/2.
-    const double fine = k::latticeInterfaceFluxConstant(section, 20.0, 1.0, rule);
-    EXPECT_NEAR(fine / k::interfaceFluxConstant(section, 20.0), 1.0, 1.1 / 40.0) << k::dimensionOf(section.geometry);
-  }
-  for (const double range : {1.0, 2.0, 3.015, 4.0}) {
-    const double constant = k::latticeInterfaceFluxConstant({k::Geometry::PlaneStrain, 1.0}, range, 1.0, rule);
-    EXPECT_NEAR(latticeFlux(constant, range, rule, 0.0), 1.0, 1e-14) << range;
-  }
-}
-
-TEST(InterfaceFluxTest, AnisotropyOfTheLattice) {
-  // Exact along the lattice; slanting fronts pass more, the less the more spacings the bonds reach: 8 % at the default
-  // of two.
-  const auto rule = k::VolumeCorrection::RampBeyondHorizon;
-  const struct { double range, least, most; } cases[] = {{1.0, 1.0, 1.2836}, {2.0, 1.0, 1.0823}, {4.0, 1.0, 1.0274}};
-  for (const auto& c : cases) {
-    const double constant = k::latticeInterfaceFluxConstant({k::Geometry::PlaneStrain, 1.0}, c.range, 1.0, rule);
-    double least = 2.0, most = 0.0;
-    for (int degrees = 0; degrees <= 45; ++degrees) {
-      const double flux = latticeFlux(constant, c.range, rule, degrees * pi / 180.0);
-      least = std::min(least, flux);
-      most = std::max(most, flux);
-    }
-    EXPECT_NEAR(least, c.least, 2e-3) << c.range;
-    EXPECT_NEAR(most, c.most, 2e-3) << c.range;
-  }
 }
 
 }  // namespace

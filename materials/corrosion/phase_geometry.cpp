@@ -1,0 +1,113 @@
+#include "phase_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pd {
+
+namespace {
+
+/// Of a symmetric matrix with the entries xx, yy, zz, xy, yz, zx and no negative eigenvalue (trigonometric formula).
+double largestEigenvalue(const double (&m)[6]) {
+  const double mean = (m[0] + m[1] + m[2]) / 3.0;
+  const double a = m[0] - mean, b = m[1] - mean, c = m[2] - mean;
+  const double spread = std::sqrt((a * a + b * b + c * c + 2.0 * (m[3] * m[3] + m[4] * m[4] + m[5] * m[5])) / 6.0);
+  if (spread <= 1e-14 * mean) return mean;
+  const double determinant =
+      a * (b * c - m[4] * m[4]) - m[3] * (m[3] * c - m[4] * m[5]) + m[5] * (m[3] * m[4] - b * m[5]);
+  const double cosine = std::clamp(0.5 * determinant / (spread * spread * spread), -1.0, 1.0);
+  return mean + 2.0 * spread * std::cos(std::acos(cosine) / 3.0);
+}
+
+/// Solution of a system with such a matrix, by Cramer's rule, but for a factor.
+std::array<double, 3> solved(const double (&m)[6], const double (&b)[3]) {
+  const double c00 = m[1] * m[2] - m[4] * m[4], c11 = m[0] * m[2] - m[5] * m[5], c22 = m[0] * m[1] - m[3] * m[3];
+  const double c01 = m[4] * m[5] - m[3] * m[2], c12 = m[3] * m[5] - m[0] * m[4], c02 = m[3] * m[4] - m[1] * m[5];
+  return {c00 * b[0] + c01 * b[1] + c02 * b[2], c01 * b[0] + c11 * b[1] + c12 * b[2],
+          c02 * b[0] + c12 * b[1] + c22 * b[2]};
+}
+
+}  // namespace
+
+double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int count) const {
+  double moment[6] = {};
+  for (int k = 0; k < count; ++k) {
+    const int j = neighbors[k];
+    if (damage_[j] < 1.0) continue;
+    const Bond bond = weights_.bond(x_, point, j);
+    const double weight = diffusionWeight(bond, point, j) * volume_[j];
+    const auto& r = bond.along;
+    for (std::size_t d = 0; d < 3; ++d) {
+      moment[d] += weight * r[d] * r[d];
+      moment[3 + d] += weight * r[d] * r[(d + 1) % 3];
+    }
+  }
+  const double largest = largestEigenvalue(moment);
+  return largest > 0.0 ? 2.0 * weights_.diffusivity() / largest : 1.0;
+}
+
+/// Direction of the least-squares fit a + b.r to the solid's indicator (1 in solid, 0 in electrolyte) over the largest
+/// cube in the neighbourhood: sides of the body that cut it along the axes do not turn b.
+std::array<double, 3> PhaseGeometry::normal(int point, const int* neighbors, int count) const {
+  double volume = volume_[point], solid = damage_[point] < 1.0 ? volume : 0.0, place[3] = {}, solidPlace[3] = {},
+         solidSquare[3] = {}, square[6] = {};
+  std::array<double, 3> scale{1.0, 1.0, 1.0};
+  const double halfEdge = (weights_.dimension() == 3 ? 0.6 : 0.76) * weights_.horizon();
+  for (int k = 0; k < count; ++k) {
+    const int j = neighbors[k];
+    const Bond bond = weights_.bond(x_, point, j);
+    const auto& r = bond.mapped;
+    if (std::max({std::abs(r[0]), std::abs(r[1]), std::abs(r[2])}) > halfEdge) continue;
+    const bool isSolid = damage_[j] < 1.0;
+    volume += volume_[j];
+    if (isSolid) solid += volume_[j];
+    for (std::size_t d = 0; d < 3; ++d) {
+      place[d] += volume_[j] * r[d];
+      square[d] += volume_[j] * r[d] * r[d];
+      square[3 + d] += volume_[j] * r[d] * r[(d + 1) % 3];
+      if (isSolid) solidPlace[d] += volume_[j] * r[d];
+      if (isSolid) solidSquare[d] += volume_[j] * r[d] * r[d];
+      if (bond.along[d] != 0.0) scale[d] = r[d] / bond.along[d];
+    }
+  }
+  double size = 0.0, slope[3], slant = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    square[d] -= place[d] * place[d] / volume;
+    square[3 + d] -= place[d] * place[(d + 1) % 3] / volume;
+    size = std::max(size, square[d]);
+  }
+  for (std::size_t d = 0; d < 3; ++d) {
+    slope[d] = solidPlace[d] - solid * place[d] / volume;
+    slant += slope[d] * slope[d];
+    square[d] += 1e-6 * size;  // directions in which there is nothing
+  }
+  std::array<double, 3> n{};
+  constexpr double isUnclear = 0.05;  // between two walls, that cancel: the axis along which most solid lies
+  if (slant <= isUnclear * isUnclear * solid * solid * size / volume)
+    n[static_cast<std::size_t>(std::max_element(solidSquare, solidSquare + 3) - solidSquare)] = 1.0;
+  else
+    n = solved(square, slope);
+  // A normal maps with the inverse of the map of lengths.
+  for (std::size_t d = 0; d < 3; ++d) n[d] *= scale[d];
+  const double length = std::hypot(n[0], n[1], n[2]);
+  for (double& component : n) component /= length;
+  return n;
+}
+
+double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
+  const std::array<double, 3> n = normal(point, neighbors, count);
+  double passed[2] = {};
+  for (int k = 0; k < count; ++k) {
+    const int j = neighbors[k];
+    const Bond bond = weights_.bond(x_, point, j);
+    const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
+    passed[across > 0.0] += dissolutionWeight(bond, point, j) * volume_[j] * std::abs(across);
+  }
+  const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
+  // Sides of the body beside the point cut both halves alike, and by the mean an error of the normal counts in second
+  // order alone; a side before or behind it cuts one half.
+  constexpr double isCut = 0.75, least = 0.1;  // the latter of points that hang by a corner
+  return 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
+}
+
+}  // namespace pd

@@ -1,0 +1,45 @@
+// What the weights of bonds must be corrected by where walls cut neighbourhoods, and where fronts slant.
+#ifndef PD_PHASE_GEOMETRY_HPP
+#define PD_PHASE_GEOMETRY_HPP
+
+#include "transport_weights.hpp"
+
+namespace pd {
+
+/// Sums over the whole neighbourhood of one point. Arrays by local id; a point is liquid where its `damage` is 1.
+class PhaseGeometry {
+ public:
+  PhaseGeometry(const TransportWeights& weights, const double* x, const double* volume, const double* damage)
+      : weights_(weights), x_(x), volume_(volume), damage_(damage) {}
+
+  double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
+  double dissolutionWeight(int i, int j) const { return dissolutionWeight(weights_.bond(x_, i, j), i, j); }
+
+  /// 2 D over the largest second moment of the bonds to liquid points: 1 inside the electrolyte, more at a wall, where
+  /// what is left of a neighbourhood would otherwise diffuse too slowly along it. With the mean of both ends' values on
+  /// each bond, mass is conserved, and the bonds of a straight gap together diffuse with D along it exactly.
+  double diffusionCorrection(int point, const int* neighbors, int count) const;
+
+  /// What the dissolution weights of a solid point must be multiplied by for a plane front of the direction that the
+  /// solid around it has: bonds of a grid pass up to 8 % more where a front slants. Sides of the body, where bonds are
+  /// missing, are made up for: the side that has more of them counts.
+  double dissolutionCorrection(int point, const int* neighbors, int count) const;
+
+ private:
+  using Bond = TransportWeights::Bond;
+  double diffusionWeight(const Bond& bond, int i, int j) const {
+    return weights_.diffusion(bond, volume_[i], volume_[j]);
+  }
+  double dissolutionWeight(const Bond& bond, int i, int j) const {
+    return weights_.dissolution(bond, volume_[i], volume_[j]);
+  }
+  /// Unit vector from the electrolyte to the solid, along the axes of the horizon.
+  std::array<double, 3> normal(int point, const int* neighbors, int count) const;
+
+  const TransportWeights& weights_;
+  const double *x_, *volume_, *damage_;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,67 @@
+#include "solid_phases.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pd {
+
+namespace {
+
+/// 3 of "block_3", as Peridigm numbers blocks.
+int numberOf(const std::string& name, const std::string& owner) {
+  const std::string prefix = "block_";
+  const std::string digits = name.rfind(prefix, 0) == 0 ? name.substr(prefix.size()) : std::string();
+  if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
+    throw std::invalid_argument(owner + ": \"Phase Blocks\" takes names such as \"block_3\", not \"" + name + "\"");
+  return std::stoi(digits);
+}
+
+}  // namespace
+
+void SolidPhases::declareParameters(ParameterDeclarations& declare) {
+  declare.real("Solid Concentration", "mol/m3", "Metal atoms in the intact solid.").positive().required();
+  CurrentDensity::declareParameters(declare);
+  declare.texts("Phase Blocks",
+                "Blocks of the mesh whose solid has kinetics of its own (grain boundaries, second phases), such as "
+                "[block_2, block_3]; Current Density and Solid Concentration are of all others.");
+  declare.texts("Phase Current Densities", "Of each of these blocks: a number or an expression as Current Density is.");
+  declare.reals("Phase Solid Concentrations", "mol/m3", "Of each of these blocks; by default Solid Concentration.");
+  declare.needs("Phase Blocks", {"Phase Current Densities"});
+  declare.needs("Phase Current Densities", {"Phase Blocks"});
+  declare.needs("Phase Solid Concentrations", {"Phase Blocks"});
+}
+
+SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation, const std::string& owner) {
+  const double solid = params.get<double>("Solid Concentration");
+  phases_.push_back({-1, CurrentDensity(params, saturation, owner), solid});
+  if (params.isParameter("Phase Blocks")) {
+    const auto& blocks = params.get<Teuchos::Array<std::string>>("Phase Blocks");
+    const auto& currents = params.get<Teuchos::Array<std::string>>("Phase Current Densities");
+    Teuchos::Array<double> concentrations(blocks.size(), solid);
+    if (params.isParameter("Phase Solid Concentrations"))
+      concentrations = params.get<Teuchos::Array<double>>("Phase Solid Concentrations");
+    if (currents.size() != blocks.size() || concentrations.size() != blocks.size())
+      throw std::invalid_argument(owner +
+                                  ": \"Phase Current Densities\" and \"Phase Solid Concentrations\" need one "
+                                  "value for each of \"Phase Blocks\"");
+    for (int p = 0; p < blocks.size(); ++p) {
+      Teuchos::ParameterList own(params);
+      own.remove("Current Density Table", false);
+      own.set("Current Density", currents[p]);
+      phases_.push_back({numberOf(blocks[p], owner), CurrentDensity(own, saturation, owner + ", phase " + blocks[p]),
+                         concentrations[p]});
+    }
+  }
+  for (const Phase& phase : phases_)
+    if (!(phase.solidConcentration > saturation))
+      throw std::invalid_argument(owner + ": \"Saturation Concentration\" must be below \"Solid Concentration\"");
+}
+
+std::size_t SolidPhases::ofBlock(double blockId) const {
+  const auto block = static_cast<int>(std::lround(blockId));
+  for (std::size_t p = 1; p < phases_.size(); ++p)
+    if (phases_[p].block == block) return p;
+  return 0;
+}
+
+}  // namespace pd

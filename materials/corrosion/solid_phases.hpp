@@ -1,0 +1,36 @@
+// The solid phases of a metal (grains, their boundaries, second phases), each with its own kinetics.
+#ifndef PD_SOLID_PHASES_HPP
+#define PD_SOLID_PHASES_HPP
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "current_density.hpp"
+
+namespace pd {
+
+class SolidPhases {
+ public:
+  struct Phase {
+    int block;  ///< number of the block of the mesh; -1: every other
+    CurrentDensity currentDensity;
+    double solidConcentration;  ///< mol/m3
+  };
+
+  static void declareParameters(ParameterDeclarations& declare);
+  /// `params`: completed; `saturation` in mol/m3. Throws std::invalid_argument, naming `owner`.
+  SolidPhases(const Teuchos::ParameterList& params, double saturation, const std::string& owner);
+
+  std::size_t count() const { return phases_.size(); }
+  const Phase& operator[](std::size_t phase) const { return phases_[phase]; }
+  /// Phase of the points of a block, by the value of the field Block_Id.
+  std::size_t ofBlock(double blockId) const;
+
+ private:
+  std::vector<Phase> phases_;  ///< that of all other blocks first
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,161 @@
+#include "transport_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace pd {
+
+namespace {
+
+std::vector<double> numbers(const Teuchos::ParameterList& params, const char* key) {
+  if (!params.isParameter(key)) return {};
+  return params.get<Teuchos::Array<double>>(key).toVector();
+}
+
+kernels::HorizonShape shapeFrom(const Teuchos::ParameterList& params, const std::string& owner) {
+  if (!params.isParameter("Horizon Axes")) return {};
+  try {
+    return {numbers(params, "Horizon Axes"), numbers(params, "Horizon Rotation"),
+            params.get<std::string>("Horizon Shape") == "Box"};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(owner + ": " + error.what());
+  }
+}
+
+/// The longest axis along which a vector in mapped space has a component.
+std::size_t kindOf(const kernels::HorizonShape& shape, const std::array<double, 3>& mapped) {
+  constexpr double none = 1e-3;
+  for (const std::size_t axis : shape.longestFirst())
+    if (std::abs(mapped[axis]) > none * shape.radius()) return axis;
+  return 0;
+}
+
+}  // namespace
+
+void TransportWeights::declareParameters(ParameterDeclarations& declare) {
+  declare.real("Diffusivity", "m2/s", "Of metal ions in the electrolyte.").positive().required();
+  declare
+      .real("Dissolution Range", "m",
+            "How far apart solid and liquid points may be that exchange metal; by default 0.375 horizons. Where salt "
+            "covers the surface, the electrolyte is saturated as far as that. With Horizon Axes, along the longest.")
+      .positive();
+  declare
+      .reals("Horizon Axes", "m",
+             "Half axes of the horizon along x, y, z where it is no ball; the block's Horizon is the longest. For "
+             "grids whose spacings have the same ratios.")
+      .from("Jafarzadeh et al., Electrochim. Acta 401 (2022) 139512, section 4");
+  declare.reals("Horizon Rotation", "degrees",
+                "Of these axes: one angle, about z, or three, about x, y and z in turn.");
+  declare.text("Horizon Shape", "Of a horizon with axes.").oneOf({"Ellipsoid", "Box"}).defaultTo("Ellipsoid");
+  declare.needs("Horizon Rotation", {"Horizon Axes"});
+  BondFamily::declareGeometry(declare);
+}
+
+TransportWeights::TransportWeights(const Teuchos::ParameterList& params, const std::string& owner)
+    : family_(params, owner),
+      shape_(shapeFrom(params, owner)),
+      owner_(owner),
+      diffusivity_(params.get<double>("Diffusivity")) {
+  if (!shape_.isBall()) {
+    if (std::abs(family_.horizon / shape_.radius() - 1.0) > 1e-9)
+      throw std::invalid_argument(owner + ": the block's \"Horizon\" must be the longest of \"Horizon Axes\", " +
+                                  std::to_string(shape_.radius()) + " m");
+    if (numbers(params, "Horizon Axes").size() != static_cast<std::size_t>(dimension()))
+      throw std::invalid_argument(owner + ": \"Horizon Axes\" takes " + std::to_string(dimension()) +
+                                  " half axes here (see \"Plane Strain\" and \"One Dimensional\")");
+  }
+  range_ = params.isParameter("Dissolution Range") ? params.get<double>("Dissolution Range") : 0.375 * family_.horizon;
+  if (range_ > family_.horizon)
+    throw std::invalid_argument(owner + ": \"Dissolution Range\" must not exceed the horizon");
+  diffusionFactor_.fill(kernels::microDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare,
+                                                  diffusivity_, family_.horizon));
+  dissolutionFactor_.fill(kernels::interfaceFluxConstant(family_.section, range_));
+}
+
+TransportWeights::Bond TransportWeights::bond(const double* x, int point, int neighbor) const {
+  const ReferenceBond reference(x, point, neighbor);
+  Bond bond{reference.xi, reference.xi, reference.length, 0};
+  if (shape_.isBall()) return bond;
+  bond.along = shape_.along(reference.xi.data());
+  bond.mapped = shape_.mapped(bond.along);
+  bond.length = shape_.length(bond.mapped);
+  bond.kind = kindOf(shape_, bond.mapped);
+  return bond;
+}
+
+double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {
+  const double factor = shape_.volumeFactor();
+  const double spacing = 0.5 * (family_.spacing(factor * volume) + family_.spacing(factor * neighborVolume));
+  return kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
+}
+
+/// Calls visit(bond) for the bonds of a point inside the grid.
+template <class Visit>
+void TransportWeights::forGrid(double volume, Visit visit) const {
+  const double spacing = family_.spacing(shape_.volumeFactor() * volume);
+  const int reach = static_cast<int>(family_.horizon / spacing) + 2;
+  int n[3];
+  const auto range = [&](int axis) { return axis < dimension() ? reach : 0; };
+  for (n[0] = -range(0); n[0] <= range(0); ++n[0])
+    for (n[1] = -range(1); n[1] <= range(1); ++n[1])
+      for (n[2] = -range(2); n[2] <= range(2); ++n[2]) {
+        Bond bond{};
+        for (std::size_t d = 0; d < 3; ++d) {
+          bond.mapped[d] = n[d] * spacing;
+          bond.along[d] = bond.mapped[d] * shape_.halfAxis(d) / shape_.radius();
+        }
+        bond.length = shape_.length(bond.mapped);
+        bond.kind = kindOf(shape_, bond.mapped);
+        if (bond.length > 0.0 && share(bond.length, family_.horizon, volume, volume) > 0.0) visit(bond);
+      }
+}
+
+void TransportWeights::fitToGrid(double volume) {
+  if (shape_.isBall()) return;
+  // By kind of bond and axis: second moments, and first moments of one side.
+  double second[3][3] = {}, first[3][3] = {};
+  nNeighbors_ = 0;
+  forGrid(volume, [&](const Bond& b) {
+    ++nNeighbors_;
+    const double far = share(b.length, family_.horizon, volume, volume) * volume / (b.length * b.length);
+    const double near = share(b.length, range_, volume, volume) * volume / b.length;
+    for (std::size_t d = 0; d < 3; ++d) {
+      second[b.kind][d] += far * b.along[d] * b.along[d];
+      first[b.kind][d] += 0.5 * near * std::abs(b.along[d]);
+    }
+  });
+  double missing[3] = {2.0 * diffusivity_, 2.0 * diffusivity_, 2.0 * diffusivity_}, blocked[3] = {1.0, 1.0, 1.0};
+  for (const std::size_t kind : shape_.longestFirst()) {
+    if (kind >= static_cast<std::size_t>(dimension())) continue;
+    diffusionFactor_[kind] = missing[kind] / second[kind][kind];
+    dissolutionFactor_[kind] = blocked[kind] / first[kind][kind];
+    if (!(std::min(diffusionFactor_[kind], dissolutionFactor_[kind]) > 0.0) || !std::isfinite(dissolutionFactor_[kind]))
+      throw std::invalid_argument(owner_ + ": the horizon and \"Dissolution Range\" must reach over more spacings (" +
+                                  std::to_string(nNeighbors_) + " neighbours a point); usually four, and 1.5");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      missing[axis] -= diffusionFactor_[kind] * second[kind][axis];
+      blocked[axis] -= dissolutionFactor_[kind] * first[kind][axis];
+    }
+  }
+}
+
+void TransportWeights::checkGrid(const double* x, const double* volume, int point, const int* neighbors,
+                                 int count) const {
+  if (shape_.isBall() || count < nNeighbors_) return;
+  double moment[3] = {};
+  for (int k = 0; k < count; ++k) {
+    const Bond b = bond(x, point, neighbors[k]);
+    const double weight = diffusion(b, volume[point], volume[neighbors[k]]) * volume[neighbors[k]];
+    for (std::size_t d = 0; d < 3; ++d) moment[d] += 0.5 * weight * b.along[d] * b.along[d];
+  }
+  for (int d = 0; d < dimension(); ++d)
+    if (std::abs(moment[d] / diffusivity_ - 1.0) > 0.05)
+      throw std::invalid_argument(
+          owner_ + ": bonds near (" + std::to_string(x[3 * point]) + ", " + std::to_string(x[3 * point + 1]) + ", " +
+          std::to_string(x[3 * point + 2]) + ") diffuse " + std::to_string(moment[d] / diffusivity_) +
+          " D along axis " + std::to_string(d + 1) +
+          " of the horizon; \"Horizon Axes\" are for points on a grid along these axes, with spacings of their ratio");
+}
+
+}  // namespace pd

@@ -1,0 +1,67 @@
+// Weights of the bonds of a dissolving body: what diffuses over those within the electrolyte, and what dissolves over
+// those between solid and electrolyte, for horizons of any shape.
+#ifndef PD_TRANSPORT_WEIGHTS_HPP
+#define PD_TRANSPORT_WEIGHTS_HPP
+
+#include <array>
+#include <string>
+
+#include "bond_family.hpp"
+#include "horizon_shape.hpp"
+
+namespace pd {
+
+class TransportWeights {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  /// `params`: completed. Throws std::invalid_argument, naming `owner`.
+  TransportWeights(const Teuchos::ParameterList& params, const std::string& owner);
+
+  /// Vectors of a bond along the axes of the horizon (m) and in the space where it is a ball, and its length there.
+  struct Bond {
+    std::array<double, 3> along, mapped;
+    double length;
+    std::size_t kind;  ///< the longest axis of the horizon along which the bond has a component
+  };
+  Bond bond(const double* x, int point, int neighbor) const;
+
+  /// Constants of horizons that are no balls, for a point of this volume in a grid along the axes of the horizon whose
+  /// spacings have their ratio: such that diffusion along each axis is D, and a front across each axis passes what it
+  /// should. A bond counts for the longest axis that it has a component of: on a grid of 25:1, bonds that lean by one
+  /// spacing carry next to nothing across, and those along the short axis alone make up for it.
+  void fitToGrid(double volume);
+  /// Throws std::invalid_argument, naming the remedy, where the bonds of this point, if it has as many as one inside
+  /// such a grid, do not diffuse with D along each axis to 5 %: the mesh is no such grid.
+  void checkGrid(const double* x, const double* volume, int point, const int* neighbors, int count) const;
+  bool isBall() const { return shape_.isBall(); }
+
+  /// Per volume of the neighbour, 1/(m3 s).
+  double diffusion(const Bond& bond, double volume, double neighborVolume) const {
+    return diffusionFactor_[bond.kind] * share(bond.length, family_.horizon, volume, neighborVolume) /
+           (bond.length * bond.length);
+  }
+  /// Flux through a plane front over this bond, 1/m4 a unit of flux.
+  double dissolution(const Bond& bond, double volume, double neighborVolume) const {
+    return dissolutionFactor_[bond.kind] * share(bond.length, range_, volume, neighborVolume) / bond.length;
+  }
+
+  double diffusivity() const { return diffusivity_; }
+  double horizon() const { return family_.horizon; }  ///< radius in mapped space, m
+  int dimension() const { return family_.dimension(); }
+
+ private:
+  double share(double length, double range, double volume, double neighborVolume) const;
+  template <class Visit>
+  void forGrid(double volume, Visit visit) const;
+
+  BondFamily family_;  ///< in the space where the horizon is a ball
+  kernels::HorizonShape shape_;
+  std::string owner_;
+  double diffusivity_, range_;
+  std::array<double, 3> diffusionFactor_{}, dissolutionFactor_{};  ///< by kind of bond
+  int nNeighbors_ = 0;                                             ///< of a point inside the grid
+};
+
+}  // namespace pd
+
+#endif
