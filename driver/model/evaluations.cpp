@@ -130,8 +130,8 @@ void Model::evaluateForce(double dt) {
   sumBlocks("Force_Density");
 }
 
-void Model::evaluateFluxDivergence(double dt, const std::string& fluxField) {
-  callPrecompute(dt, true);
+void Model::evaluateFluxDivergence(double dt, const std::string& fluxField, bool isPrepared) {
+  if (!isPrepared) callPrecompute(dt, true);
   for (Block& block : *blocks_) {
     if (!declares(block, fluxField)) continue;
     const Timers::Scope timer(timers_, "flux divergence", bondsOf(block));

@@ -60,7 +60,8 @@ class Model {
   void evaluateForce(double dt);
   /// `fluxField` = flux divergence, complete at owned points. Ghosts of the advanced field must be up to date.
   /// precompute() is called for materials without mechanics alone: it is the (dear) preparation of forces elsewhere.
-  void evaluateFluxDivergence(double dt, const std::string& fluxField);
+  /// `isPrepared`: nothing has changed but the advanced field since the last evaluation: precompute() is left out.
+  void evaluateFluxDivergence(double dt, const std::string& fluxField, bool isPrepared = false);
   void evaluateStoredEnergy(double dt);
   /// Adds the tangents of all blocks.
   void assembleJacobian(double dt, PeridigmNS::SerialMatrix& matrix);

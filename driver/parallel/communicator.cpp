@@ -11,6 +11,25 @@ T reduce(T value, MPI_Datatype type, MPI_Op operation, MPI_Comm comm) {
   return result;
 }
 
+/// Every rank's values, in the order of ranks.
+template <class Values>
+Values concatenation(const Values& own, MPI_Datatype type, MPI_Comm comm) {
+  int size = 0;
+  MPI_Comm_size(comm, &size);
+  const int length = static_cast<int>(own.size());
+  std::vector<int> lengths(static_cast<std::size_t>(size)), starts(static_cast<std::size_t>(size));
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, comm);
+  int total = 0;
+  for (std::size_t rank = 0; rank < lengths.size(); ++rank) {
+    starts[rank] = total;
+    total += lengths[rank];
+  }
+  Values all;
+  all.resize(static_cast<std::size_t>(total));
+  MPI_Allgatherv(own.data(), length, type, all.data(), lengths.data(), starts.data(), type, comm);
+  return all;
+}
+
 }  // namespace
 
 Communicator::Communicator(MPI_Comm comm) : comm_(comm) {
@@ -28,18 +47,10 @@ double Communicator::min(double value) const { return reduce(value, MPI_DOUBLE, 
 
 bool Communicator::any(bool value) const { return reduce(value ? 1 : 0, MPI_INT, MPI_MAX, comm_) != 0; }
 
-std::string Communicator::gather(const std::string& text) const {
-  const int length = static_cast<int>(text.size());
-  std::vector<int> lengths(static_cast<std::size_t>(size_)), starts(static_cast<std::size_t>(size_));
-  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, comm_);
-  int total = 0;
-  for (std::size_t rank = 0; rank < lengths.size(); ++rank) {
-    starts[rank] = total;
-    total += lengths[rank];
-  }
-  std::string all(static_cast<std::size_t>(total), ' ');
-  MPI_Allgatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), starts.data(), MPI_CHAR, comm_);
-  return all;
+std::string Communicator::gather(const std::string& text) const { return concatenation(text, MPI_CHAR, comm_); }
+
+std::vector<double> Communicator::gather(const std::vector<double>& values) const {
+  return concatenation(values, MPI_DOUBLE, comm_);
 }
 
 void Communicator::barrier() const { MPI_Barrier(comm_); }

@@ -26,6 +26,8 @@ class Communicator : public PeridigmNS::Communicator {
   bool any(bool value) const;
   /// Concatenation of every rank's text, in the order of ranks, on every rank.
   std::string gather(const std::string& text) const;
+  /// The same of numbers.
+  std::vector<double> gather(const std::vector<double>& values) const;
   void barrier() const;
 
   int MyPID() const override { return rank_; }

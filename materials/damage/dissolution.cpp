@@ -22,6 +22,7 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& params);
 
 /// d_c, below 1 of what still has metal to give. Rounding must not keep a point solid that has given all it can.
 double expectedDamage(double concentration, double solid, double saturation) {
+  if (concentration >= solid && solid > saturation) return 0.0;
   const double left = (concentration - saturation) / std::max(solid - saturation, saturation);
   return solid == 0.0 || left <= 1e-12 ? 1.0 : std::clamp(1.0 - left, 0.0, mostDamagedSolid);
 }

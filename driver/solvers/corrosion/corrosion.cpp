@@ -16,7 +16,6 @@ namespace pd {
 namespace {
 
 const std::string rateField = fluxDivergenceField("Concentration");
-const std::string lastRateField = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 
 TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
   TransportSettings settings;
@@ -79,7 +78,7 @@ std::vector<int> Corrosion::fieldIds() const {
                           fields.getFieldId(ELEMENT, SCALAR, TWO_STEP, "Damage")};
   for (const char* label :
        {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate", "Dissolution_Rate_Slope",
-        "Solid_Concentration", "Saturation_Concentration", lastRateField.c_str()})
+        "Solid_Concentration", "Saturation_Concentration", "Transport_Unknown", lastTransportRate.c_str()})
     ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
   ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, "Current_Density"));
   return ids;
@@ -95,6 +94,8 @@ void Corrosion::initialize(Simulation& simulation) {
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
   initialMetal_ = metal(simulation);
+  double* lastRate = model.field(lastTransportRate);
+  std::fill(lastRate, lastRate + model.nPoints(), std::numeric_limits<double>::quiet_NaN());
 }
 
 double Corrosion::metal(Simulation& simulation) const {
@@ -109,13 +110,11 @@ double Corrosion::metal(Simulation& simulation) const {
 
 double Corrosion::frontAdvance(Simulation& simulation) const {
   Model& model = simulation.model;
-  const double *damage = model.field("Damage"), *concentration = model.field("Concentration");
+  const double* concentration = model.field("Concentration");
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   double largest = 0.0;
-  for (int i = 0; i < model.nOwned(); ++i)
-    if (damage[i] < 1.0)
-      largest = std::max(
-          largest, (transport_.before()[static_cast<std::size_t>(i)] - concentration[i]) / (solid[i] - saturation[i]));
+  for (const auto& [i, before, damage] : untouched_)
+    largest = std::max(largest, (before - concentration[i]) / (solid[i] - saturation[i]));
   return model.comm().max(largest);
 }
 
@@ -125,11 +124,12 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
   Model& model = simulation.model;
   if (nSteps_ == 0) return 0.0;
   const double *volume = model.field("Volume"), *saturation = model.field("Saturation_Concentration");
-  const double *area = model.field("Interface_Area_Density"), *lastRate = model.field(lastRateField);
+  const double *area = model.field("Interface_Area_Density"), *lastRate = model.field(lastTransportRate);
   double square = 0.0, total = 0.0;
-  for (std::size_t i = 0; i < transport_.rate().size(); ++i) {
-    if (transport_.isUnknown()[i] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
-    const double error = 0.5 * h * (transport_.rate()[i] - lastRate[i]) / saturation[i];
+  for (std::size_t k = 0; k < lists_.liquid().size(); ++k) {
+    const int i = lists_.liquid()[k];
+    if (transport_.isUnknown()[k] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
+    const double error = 0.5 * h * (transport_.rate()[k] - lastRate[i]) / saturation[i];
     square += volume[i] * error * error;
     total += volume[i];
   }
@@ -137,54 +137,84 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
   return total > 0.0 ? std::sqrt(model.comm().sum(square) / total) : 0.0;
 }
 
+void Corrosion::evaluateDamage(Model& model, double h) {
+  model.evaluateDamage(h);
+  const double *concentration = model.field("Concentration"), *damage = model.field("Damage");
+  for (const int i : lists_.update(model)) untouched_.push_back({i, concentration[i], damage[i]});
+}
+
 bool Corrosion::carryOver(Simulation& simulation, double h) {
   Model& model = simulation.model;
   double *concentration = model.field("Concentration"), *demand = model.field("Dissolution_Demand");
-  const double *damage = model.field("Damage"), *saturation = model.field("Saturation_Concentration");
-  const double *area = model.field("Interface_Area_Density"), *rate = model.field(rateField);
+  const double *saturation = model.field("Saturation_Concentration"), *area = model.field("Interface_Area_Density");
+  const double* rate = model.field(rateField);
   double* salt = model.field("Salt_Coverage");
-  const auto n = static_cast<std::size_t>(model.nOwned());
-  std::vector<double> debt(n, 0.0);
+  const auto fillLiquid = [&](double* values, double value) {
+    for (const int i : lists_.liquid()) values[i] = value;
+    std::fill(values + model.nOwned(), values + model.nPoints(), value);
+  };
   // Each pass reaches a horizon further.
   constexpr int maximumPasses = 20;
   for (int pass = 0; pass < maximumPasses; ++pass) {
-    bool owes = false;
-    for (std::size_t i = 0; i < n; ++i)
-      if (damage[i] < 1.0 && concentration[i] < saturation[i]) {
-        debt[i] = saturation[i] - concentration[i];
+    std::vector<std::pair<int, double>> debts;
+    for (const int i : lists_.dissolving())
+      if (concentration[i] < saturation[i]) {
+        debts.emplace_back(i, saturation[i] - concentration[i]);
         concentration[i] = saturation[i];
-        owes = true;
       }
     model.importGhosts("Concentration");
-    model.evaluateDamage(h);
-    if (!model.comm().any(owes)) break;
+    evaluateDamage(model, h);
+    if (!model.comm().any(!debts.empty())) break;
     // With the electrolyte at one concentration and salt on all surfaces, nothing flows but the demand.
-    const std::vector<double> present(concentration, concentration + n);
-    const std::vector<double> covered(salt, salt + model.nPoints());
-    std::fill(concentration, concentration + model.nPoints(), 0.0);
-    std::fill(salt, salt + model.nPoints(), 1.0);
-    std::fill(demand, demand + model.nPoints(), 0.0);
-    model.evaluateFluxDivergence(h, rateField);  // areas of the new interface
-    for (std::size_t i = 0; i < n; ++i) demand[i] = area[i] > 0.0 ? debt[i] / area[i] : 0.0;
-    model.importGhosts("Dissolution_Demand");
-    model.evaluateFluxDivergence(h, rateField);
-    for (std::size_t i = 0; i < n; ++i) {
-      concentration[i] = present[i] - debt[i] + rate[i];
-      debt[i] = 0.0;
+    const std::vector<int> liquid = lists_.liquid();
+    std::vector<double> present, covered;
+    for (const int i : liquid) {
+      present.push_back(concentration[i]);
+      covered.push_back(salt[i]);
     }
-    std::copy(covered.begin(), covered.end(), salt);
-    std::fill(demand, demand + model.nPoints(), 0.0);
+    fillLiquid(concentration, 0.0);
+    fillLiquid(salt, 1.0);
+    model.evaluateFluxDivergence(h, rateField);  // areas of the new interface
+    for (const auto& [i, debt] : debts) demand[i] = area[i] > 0.0 ? debt / area[i] : 0.0;
+    model.importGhosts("Dissolution_Demand");
+    model.evaluateFluxDivergence(h, rateField, true);
+    for (std::size_t k = 0; k < liquid.size(); ++k) {
+      concentration[liquid[k]] = present[k] + rate[liquid[k]];
+      salt[liquid[k]] = covered[k];
+    }
+    for (const int i : lists_.dissolving()) concentration[i] += rate[i];
+    for (const auto& [i, debt] : debts) concentration[i] -= debt;
+    fillLiquid(demand, 0.0);
   }
   model.importGhosts("Concentration");
   bool owes = false;
-  for (std::size_t i = 0; i < n; ++i) owes = owes || concentration[i] < -1e-6 * saturation[i];
+  for (const int i : lists_.liquid()) owes = owes || concentration[i] < -1e-6 * saturation[i];
+  for (const int i : lists_.dissolving()) owes = owes || concentration[i] < -1e-6 * saturation[i];
   return !model.comm().any(owes);
+}
+
+/// Everything as before the step.
+void Corrosion::takeBack(Model& model) {
+  transport_.takeBack(model);
+  double *concentration = model.field("Concentration"), *damage = model.field("Damage");
+  for (const Solid& solid : untouched_) {
+    concentration[solid.point] = solid.concentration;
+    damage[solid.point] = solid.damage;
+  }
+  model.importGhosts("Concentration");
+  model.importGhosts("Damage");
+  lists_.reset(model);
 }
 
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
   simulation.conditions.applyPrescribedValue("Concentration", t + h);
-  if (!transport_.solve(simulation, h)) {
+  const double *concentration = model.field("Concentration"), *damage = model.field("Damage");
+  BondsBeforeStep bonds(model);
+  const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
+  untouched_.clear();
+  for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i], damage[i]});
+  if (!transport_.solve(simulation, lists_, h)) {
     if (h < shortestTried_)
       throw RunError(
           fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
@@ -193,28 +223,27 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   }
   advance_ = frontAdvance(simulation);
   error_ = timeError(simulation, h);
-  surface_.take(model);
+  surface_.take(model, transport_.points());
   const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
-  double* damage = model.field("Damage");
-  const std::vector<double> phases(damage, damage + model.nPoints());
-  BondsBeforeStep bonds(model);
   if (isTooLong || !carryOver(simulation, h)) {
     bonds.restore();
-    std::copy(transport_.before().begin(), transport_.before().end(), model.field("Concentration"));
-    std::copy(phases.begin(), phases.end(), damage);
+    takeBack(model);
     if (h < shortestTried_) throw RunError(fmt::format("Corrosion: t = {:.6g} s: the front moves without end", t));
     return false;
   }
-  dissolveLooseMetalFirst(model, transport_.before(), h);
-  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  if (!before.empty()) {
+    dissolveLooseMetalFirst(model, before, h);
+    lists_.update(model);
+  }
   const double* volume = model.field("Volume");
   double held = 0.0;
-  for (std::size_t i = 0; i < transport_.rate().size(); ++i)
-    if (isHeld[i] != 0) held += volume[i] * h * transport_.rate()[i];
+  double* lastRate = model.field(lastTransportRate);
+  for (std::size_t k = 0; k < transport_.points().size(); ++k) {
+    const int i = transport_.points()[k];
+    if (transport_.isUnknown()[k] == 0) held += volume[i] * h * transport_.rate()[k];
+    lastRate[i] = transport_.isUnknown()[k] != 0 ? transport_.rate()[k] : std::numeric_limits<double>::quiet_NaN();
+  }
   outflow_ += model.comm().sum(held);
-  double* lastRate = model.field(lastRateField);
-  for (std::size_t i = 0; i < transport_.rate().size(); ++i)
-    lastRate[i] = transport_.isUnknown()[i] != 0 ? transport_.rate()[i] : std::numeric_limits<double>::quiet_NaN();
   return true;
 }
 
@@ -233,7 +262,8 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
   shortestTried_ = 1e-10 * dt;
   surface_.hide(simulation.model);
-  simulation.model.evaluateFluxDivergence(dt, rateField);  // areas, of which a restarted run finds those shown
+  lists_.reset(simulation.model);
+  transport_.forget();
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.

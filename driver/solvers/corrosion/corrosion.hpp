@@ -27,6 +27,8 @@ class Corrosion : public Solver {
   /// Largest share of a solid point's metal that the last step took.
   double frontAdvance(Simulation& simulation) const;
   double timeError(Simulation& simulation, double h) const;
+  void evaluateDamage(Model& model, double h);
+  void takeBack(Model& model);
   /// Solid points that have given more than they can take the rest from solid points around them, and those that have
   /// given all become liquid. False where there is not that much metal.
   bool carryOver(Simulation& simulation, double h);
@@ -37,6 +39,12 @@ class Corrosion : public Solver {
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
   TransportStep transport_;
   SurfaceRecord surface_;
+  PhaseLists lists_;
+  struct Solid {
+    int point;
+    double concentration, damage;
+  };
+  std::vector<Solid> untouched_;  ///< solid points before the step that it touches
   double proposedStep_ = 0.0, shortestTried_ = 0.0, advance_ = 0.0, error_ = 0.0;
   double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
   long long nSteps_ = 0, nRejected_ = 0;

@@ -10,10 +10,10 @@ constexpr const char* labels[] = {"Current_Density", "Interface_Area_Density"};
 
 }  // namespace
 
-void SurfaceRecord::take(Model& model) {
+void SurfaceRecord::take(Model& model, const std::vector<int>& liquid) {
   const double *current = model.field(labels[0]), *area = model.field(labels[1]);
   rows_.clear();
-  for (int i = 0; i < model.nOwned(); ++i)
+  for (const int i : liquid)
     if (area[i] > 0.0) rows_.push_back({i, {current[i], area[i]}});
 }
 

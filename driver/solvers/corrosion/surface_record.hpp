@@ -13,8 +13,8 @@ namespace pd {
 /// them anew, for currents that no surface has.
 class SurfaceRecord {
  public:
-  /// Of owned points, after the transport of a step.
-  void take(Model& model);
+  /// Of these points, after the transport of a step.
+  void take(Model& model, const std::vector<int>& liquid);
   /// Puts them into the fields, to be seen until hide() puts back what the material works with.
   void show(Model& model);
   void hide(Model& model);

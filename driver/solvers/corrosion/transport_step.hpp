@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "../../model/simulation.hpp"
+#include "phase_lists.hpp"
+#include "two_level_preconditioner.hpp"
 
 namespace pd {
 
@@ -19,45 +21,60 @@ struct TransportSettings {
 ///   C - C_old = h (L C + (1 - S) s(C)),    0 <= S, C <= C_sat, S = 0 where C < C_sat,
 /// L: diffusion between liquid points, s: what the bare surface gives, S: the share of it that salt covers. Saturation
 /// is thus a complementarity condition, solved with the transport by Newton's method on an active set (Hintermueller,
-/// Ito & Kunisch, SIAM J. Optim. 13 (2002) 865), each linear system by conjugate gradients without a matrix.
+/// Ito & Kunisch, SIAM J. Optim. 13 (2002) 865), each linear system by conjugate gradients without a matrix, with a
+/// preconditioner of two levels where they are stiff.
 class TransportStep {
  public:
   explicit TransportStep(const TransportSettings& settings) : settings_(settings) {}
 
-  /// Advances field Concentration at liquid and solid points by rates at the end of the step, so that what leaves the
-  /// one enters the other: mass is conserved whatever the tolerance. Prescribed points keep their values; Salt_Coverage
-  /// is left as the step needs it. Returns false where it does not converge, with the concentrations as they were.
-  /// Collective.
-  bool solve(Simulation& simulation, double h);
+  /// Advances field Concentration at liquid and dissolving points by rates at the end of the step, so that what leaves
+  /// the one enters the other: mass is conserved whatever the tolerance. Prescribed points keep their values;
+  /// Salt_Coverage is left as the step needs it. Returns false where it does not converge, with the concentrations as
+  /// they were. Collective.
+  bool solve(Simulation& simulation, const PhaseLists& lists, double h);
+  /// Concentrations as before the last step.
+  void takeBack(Model& model) const;
+  /// What is kept from step to step for speed alone. Without it, a run goes on exactly as after a restart.
+  void forget() { preconditioner_.discard(); }
 
-  /// Rate of the last step at owned points, prescribed ones included, mol/(m3 s).
-  const std::vector<double>& rate() const { return rate_; }
-  /// Concentrations before it, and which owned points were liquid and free.
-  const std::vector<double>& before() const { return before_; }
-  const std::vector<char>& isUnknown() const { return isUnknown_; }
+  // Of the last step.
+  const std::vector<int>& points() const { return ids_; }            ///< lists.liquid(); the others in its order
+  const std::vector<double>& rate() const { return rate_; }          ///< prescribed points included, mol/(m3 s)
+  const std::vector<char>& isUnknown() const { return isUnknown_; }  ///< not prescribed
   const std::string& trouble() const { return trouble_; }
 
-  long long nNewtonIterations = 0, nLinearIterations = 0;  ///< of all steps
+  long long nNewtonIterations = 0, nLinearIterations = 0, nPreconditioners = 0;  ///< of all steps
 
  private:
   struct Fields {
-    double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *damage, *area;
+    int nOwned, nPoints;
+    double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area, *lastRate;
     explicit Fields(Model& model);
   };
-  void findUnknowns(Simulation& simulation, const Fields& fields);
-  double residual(Simulation& simulation, const Fields& fields, double h);
-  bool updateSaturated(Simulation& simulation, const Fields& fields);
-  bool solveLinear(Simulation& simulation, const Fields& fields, double h, double target);
-  void applyMatrix(Simulation& simulation, const Fields& fields, double h, const std::vector<double>& direction,
+  void begin(Simulation& simulation, const Fields& fields);
+  bool iterate(Model& model, const Fields& fields, double h);
+  void finish(Model& model, const Fields& fields, double h);
+  void coverWithSalt(const Fields& fields, double coverage) const;
+  double dot(Model& model, const Fields& fields, const std::vector<double>& a, const std::vector<double>& b) const;
+  double residual(Model& model, const Fields& fields, double h);
+  bool updateSaturated(Model& model, const Fields& fields);
+  bool solveLinear(Model& model, const Fields& fields, double h, double target);
+  /// Conjugate gradients from step_ on; the iterations taken, negative where it failed.
+  int conjugateGradients(Model& model, const Fields& fields, double h, double target, int mostIterations);
+  void precondition(Model& model, const std::vector<double>& r, std::vector<double>& z);
+  void applyMatrix(Model& model, const Fields& fields, double h, const std::vector<double>& direction,
                    std::vector<double>& image);
-  double dot(Simulation& simulation, const Fields& fields, const std::vector<double>& a,
-             const std::vector<double>& b) const;
 
   TransportSettings settings_;
-  std::vector<char> isUnknown_, isSaturated_;  ///< [nOwned]; saturated: C is C_sat, S the unknown
-  std::vector<double> before_, rate_, residual_, step_, slope_;
+  std::vector<int> ids_, solidIds_;       ///< lists.liquid(), lists.dissolving()
+  std::vector<char> isUnknown_, isFree_;  ///< not free: prescribed, or C is C_sat and S the unknown
+  std::vector<double> before_, solidBefore_, rate_, residual_, step_, slope_;
+  TwoLevelPreconditioner preconditioner_;
+  int leastIterations_ = 0;  ///< with the present preconditioner
   std::string trouble_;
 };
+
+extern const std::string lastTransportRate;  ///< field: rate of the last step at liquid points; in checkpoints
 
 }  // namespace pd
 
