@@ -283,22 +283,31 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
                                            const int* neighborhoodList, DataManager& dataManager,
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
   const Views views(*this, dataManager);
-  const PhaseGeometry bonds = geometry(views);
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  if (!cache.isPrepared) takeUpPhases(cache, views);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
   const auto row = [&](int i) { return perPoint * map.GID(i) + offset; };
-  forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
-    if (views.damage[i] < 1.0 || views.damage[j] < 1.0) return;
-    const double correction = 0.5 * (views.diffusionCorrection[i] + views.diffusionCorrection[j]);
-    const double w = correction * bonds.diffusionWeight(i, j) * views.volume[i] * views.volume[j];
-    jacobian.addValue(row(i), row(i), -w);
-    jacobian.addValue(row(i), row(j), w);
-  });
-  for (int p = 0; p < numOwnedPoints; ++p) {
-    const int i = ownedIDs[p];
-    if (views.damage[i] >= 1.0)
-      jacobian.addValue(row(i), row(i), (1.0 - views.salt[i]) * views.slope[i] * views.volume[i]);
+  for (const std::size_t c : cache.phases.liquidChunks()) {
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    const double* weights = cache.diffusion.of(c);
+    const unsigned char* bits = cache.phases.liquid().of(chunk);
+    const bool isUniform = cache.diffusion.isUniform(c);
+    for (int lane = 0; lane < chunk.nLanes; ++lane) {
+      const int i = cache.neighborhood.pointIds(chunk)[lane];
+      if (!cache.phases.isLiquid(i)) continue;
+      double sum = 0.0;
+      for (int k = 0; k < chunk.nNeighbors; ++k) {
+        if (((bits[k] >> lane) & 1) == 0) continue;
+        const int j = cache.neighborhood.neighbor(chunk, k, lane);
+        const double w = 0.5 * (views.diffusionCorrection[i] + views.diffusionCorrection[j]) * views.volume[i] *
+                         weights[isUniform ? k : k * kernels::lanes + lane];
+        sum += w;
+        jacobian.addValue(row(i), row(j), w);
+      }
+      jacobian.addValue(row(i), row(i), (1.0 - views.salt[i]) * views.slope[i] * views.volume[i] - sum);
+    }
   }
 }
 

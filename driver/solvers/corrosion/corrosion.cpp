@@ -15,6 +15,7 @@ namespace pd {
 
 namespace {
 
+const std::string lastTransportRate = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 const std::string rateField = fluxDivergenceField("Concentration");
 
 TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
@@ -258,6 +259,7 @@ double Corrosion::nextStep(double h) const {
 
 void Corrosion::advance(Simulation& simulation, double t, double dt) {
   const double end = t + dt;
+  constexpr double ceilingGrowth = 1.1;  // what has failed is tried again only after some steps
   double now = t;
   if (proposedStep_ == 0.0) proposedStep_ = fixedStep_ > 0.0 ? fixedStep_ : 1e-4 * dt;
   shortestTried_ = 1e-10 * dt;
@@ -277,9 +279,11 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       now += h;
       shortest_ = shortest_ == 0.0 ? h : std::min(shortest_, h);
       longest_ = std::max(longest_, h);
+      ceiling_ *= ceilingGrowth;
       simulation.model.requireFinite("Concentration", static_cast<int>(nSteps_));
     } else {
       ++nRejected_;
+      ceiling_ = 0.75 * h;
     }
     if (fixedStep_ > 0.0) {
       const double growth = advance_ < 0.9 * frontLimit_ ? 2.0 : 1.0;
@@ -288,6 +292,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       const double next = isTaken ? nextStep(h) : std::min(0.5 * h, nextStep(h));
       // A step that was cut to meet the end says nothing about longer ones.
       proposedStep_ = isTaken && h < proposedStep_ ? std::max(next, std::min(proposedStep_, 2.0 * h)) : next;
+      proposedStep_ = std::min(proposedStep_, ceiling_);
     }
   }
   surface_.show(simulation.model);
@@ -304,7 +309,7 @@ std::vector<std::string> Corrosion::summary() const {
 }
 
 std::vector<double> Corrosion::restartState() const {
-  return {proposedStep_, initialMetal_, outflow_, static_cast<double>(nSteps_)};
+  return {proposedStep_, initialMetal_, outflow_, static_cast<double>(nSteps_), ceiling_};
 }
 
 void Corrosion::setRestartState(const std::vector<double>& state) {
@@ -312,6 +317,7 @@ void Corrosion::setRestartState(const std::vector<double>& state) {
   initialMetal_ = state.at(1);
   outflow_ = state.at(2);
   nSteps_ = static_cast<long long>(state.at(3));
+  ceiling_ = state.at(4);
 }
 
 PD_REGISTER_SOLVER(Corrosion, "Corrosion", "Dissolution of metal and implicit transport of its ions")

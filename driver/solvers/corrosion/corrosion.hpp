@@ -2,6 +2,8 @@
 #ifndef PD_CORROSION_HPP
 #define PD_CORROSION_HPP
 
+#include <limits>
+
 #include "../solver.hpp"
 #include "surface_record.hpp"
 #include "transport_step.hpp"
@@ -44,7 +46,8 @@ class Corrosion : public Solver {
     int point;
     double concentration, damage;
   };
-  std::vector<Solid> untouched_;  ///< solid points before the step that it touches
+  std::vector<Solid> untouched_;                              ///< solid points before the step that it touches
+  double ceiling_ = std::numeric_limits<double>::infinity();  ///< of steps, after one that failed
   double proposedStep_ = 0.0, shortestTried_ = 0.0, advance_ = 0.0, error_ = 0.0;
   double initialMetal_ = 0.0, outflow_ = 0.0, balance_ = 0.0;
   long long nSteps_ = 0, nRejected_ = 0;

@@ -10,11 +10,11 @@
 
 namespace pd {
 
-const std::string lastTransportRate = "Last_Transport_Rate";
-
 namespace {
 
 const std::string rateField = fluxDivergenceField("Concentration");
+
+constexpr int isIndefinite = -1, stillGoing = -2;
 
 }  // namespace
 
@@ -28,8 +28,7 @@ TransportStep::Fields::Fields(Model& model)
       slope(model.field("Dissolution_Rate_Slope")),
       saturation(model.field("Saturation_Concentration")),
       volume(model.field("Volume")),
-      area(model.field("Interface_Area_Density")),
-      lastRate(model.field(lastTransportRate)) {}
+      area(model.field("Interface_Area_Density")) {}
 
 /// Salt_Coverage of all points that are liquid here or elsewhere.
 void TransportStep::coverWithSalt(const Fields& fields, double coverage) const {
@@ -40,12 +39,13 @@ void TransportStep::coverWithSalt(const Fields& fields, double coverage) const {
 void TransportStep::begin(Simulation& simulation, const Fields& fields) {
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   const std::size_t n = ids_.size();
-  for (auto* values : {&before_, &residual_, &step_, &slope_, &rate_}) values->resize(n);
+  for (auto* values : {&before_, &saltBefore_, &residual_, &step_, &slope_, &rate_}) values->resize(n);
   isUnknown_.resize(n);
   isFree_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = ids_[k];
     before_[k] = fields.concentration[i];
+    saltBefore_[k] = fields.salt[i];
     isUnknown_[k] = isHeld[static_cast<std::size_t>(i)] == 0;
     // A guess, from fields alone, so that a restarted run makes the same.
     isFree_[k] = isUnknown_[k] != 0 && !(fields.area[i] > 0.0 && fields.salt[i] > 0.0);
@@ -76,13 +76,13 @@ double TransportStep::residual(Model& model, const Fields& fields, double h) {
 }
 
 /// From the residual with bare surfaces everywhere. Returns whether any point has changed sides.
-bool TransportStep::updateSaturated(Model& model, const Fields& fields) {
+bool TransportStep::updateSaturated(Model& model, const Fields& fields, double tolerance) {
   bool hasChanged = false;
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     const int i = ids_[k];
     if (isUnknown_[k] == 0 || fields.area[i] == 0.0) continue;
-    const double excess = fields.concentration[i] - fields.saturation[i];
-    const bool isSaturated = isFree_[k] == 0 ? residual_[k] > 0.0 : excess > 1e-12 * fields.saturation[i];
+    const double excess = fields.concentration[i] - fields.saturation[i], small = tolerance * fields.saturation[i];
+    const bool isSaturated = isFree_[k] == 0 ? residual_[k] > -small : excess > small;
     if (isSaturated && isFree_[k] != 0) fields.concentration[i] = fields.saturation[i];
     hasChanged = hasChanged || isSaturated != (isFree_[k] == 0);
     isFree_[k] = isSaturated ? 0 : 1;
@@ -119,7 +119,7 @@ int TransportStep::conjugateGradients(Model& model, const Fields& fields, double
     applyMatrix(model, fields, h, p, image);
     const double curvature = dot(model, fields, p, image);
     // A rate that grows quickly with C makes a long step indefinite.
-    if (!(curvature > 0.0)) return -1;
+    if (!(curvature > 0.0)) return isIndefinite;
     const double length = square / curvature;
     double largest = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
@@ -129,7 +129,7 @@ int TransportStep::conjugateGradients(Model& model, const Fields& fields, double
     }
     ++nLinearIterations;
     if (model.comm().max(largest) <= target) return iteration;
-    if (iteration >= mostIterations) return -2;
+    if (iteration >= mostIterations) return stillGoing;
     precondition(model, r, z);
     const double next = dot(model, fields, r, z);
     for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + next / square * p[k];
@@ -138,26 +138,34 @@ int TransportStep::conjugateGradients(Model& model, const Fields& fields, double
   return 0;
 }
 
-/// step_ from residual_. The preconditioner is made where it pays, and again where it has grown old.
+void TransportStep::makePreconditioner(Model& model, double h) {
+  preconditioner_.build(model, ids_, isFree_, h);
+  ++nPreconditioners;
+  builtFor_ = h;
+  leastIterations_ = std::numeric_limits<int>::max();
+  excess_ = 0;
+}
+
+/// step_ from residual_. The preconditioner is made where plain iterations are slow, and again where the iterations
+/// that an old one has cost are worth a new one.
 bool TransportStep::solveLinear(Model& model, const Fields& fields, double h, double target) {
-  constexpr int patience = 15;
-  const std::vector<double> present = [&] {
-    std::vector<double> values;
-    for (const int i : ids_) values.push_back(fields.concentration[i]);
-    return values;
-  }();
+  constexpr int patience = 15;  // iterations that a preconditioner costs, about
+  std::vector<double> present(ids_.size());
+  for (std::size_t k = 0; k < ids_.size(); ++k) present[k] = fields.concentration[ids_[k]];
   coverWithSalt(fields, 1.0);
   std::fill(step_.begin(), step_.end(), 0.0);
-  const bool wasBuilt = preconditioner_.isBuilt();
-  int taken = conjugateGradients(model, fields, h, target, wasBuilt ? 2 * leastIterations_ + patience : patience);
-  if (taken == -2) {
-    for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] = present[k];
-    preconditioner_.build(model, ids_, isFree_, h);
-    ++nPreconditioners;
+  if (preconditioner_.isBuilt() && (h != builtFor_ || excess_ > patience)) makePreconditioner(model, h);
+  const int most = !preconditioner_.isBuilt()                            ? patience
+                   : leastIterations_ == std::numeric_limits<int>::max() ? settings_.maximumLinearIterations
+                                                                         : leastIterations_ + 2 * patience;
+  int taken = conjugateGradients(model, fields, h, target, most);
+  if (taken == stillGoing && most < settings_.maximumLinearIterations) {
+    makePreconditioner(model, h);
     taken = conjugateGradients(model, fields, h, target, settings_.maximumLinearIterations);
-    leastIterations_ = std::max(taken, 0);
-  } else if (taken > 0) {
+  }
+  if (taken >= 0 && preconditioner_.isBuilt()) {
     leastIterations_ = std::min(leastIterations_, taken);
+    excess_ += taken - leastIterations_;
   }
   for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] = present[k];
   if (taken < 0) trouble_ = fmt::format("the linear system of a step of {:.3g} s is not solved", h);
@@ -165,6 +173,9 @@ bool TransportStep::solveLinear(Model& model, const Fields& fields, double h, do
 }
 
 bool TransportStep::iterate(Model& model, const Fields& fields, double h) {
+  // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+  constexpr double loosest = 1e-2, tightest = 1e-4;
+  double before = 0.0;
   for (int iteration = 0; iteration < settings_.maximumNewtonIterations; ++iteration) {
     double largest = residual(model, fields, h);
     // What rounding leaves of terms that cancel.
@@ -172,12 +183,15 @@ bool TransportStep::iterate(Model& model, const Fields& fields, double h) {
                                 ? 8.0 * std::numeric_limits<double>::epsilon() * preconditioner_.largestDiagonal()
                                 : 0.0;
     const double tolerance = std::max(settings_.tolerance, roundOff);
-    if (updateSaturated(model, fields))
+    if (updateSaturated(model, fields, tolerance))
       largest = residual(model, fields, h);
     else if (largest <= tolerance)
       return true;
     if (!std::isfinite(largest)) return false;
-    if (!solveLinear(model, fields, h, std::max(0.1 * tolerance, 1e-4 * largest))) return false;
+    const double ratio = before > 0.0 ? largest / before : 1.0;
+    const double share = std::clamp(0.9 * ratio * ratio, tightest, loosest);
+    before = largest;
+    if (!solveLinear(model, fields, h, std::max(0.1 * tolerance, share * largest))) return false;
     for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] += step_[k];
     ++nNewtonIterations;
   }
@@ -186,7 +200,11 @@ bool TransportStep::iterate(Model& model, const Fields& fields, double h) {
 
 void TransportStep::takeBack(Model& model) const {
   double* concentration = model.field("Concentration");
-  for (std::size_t k = 0; k < ids_.size(); ++k) concentration[ids_[k]] = before_[k];
+  double* salt = model.field("Salt_Coverage");
+  for (std::size_t k = 0; k < ids_.size(); ++k) {
+    concentration[ids_[k]] = before_[k];
+    salt[ids_[k]] = saltBefore_[k];
+  }
   for (std::size_t k = 0; k < solidBefore_.size(); ++k) concentration[solidIds_[k]] = solidBefore_[k];
   model.importGhosts("Concentration");
 }
@@ -221,14 +239,8 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   model.evaluateFluxDivergence(h, rateField);  // takes up the phases
   begin(simulation, fields);
-  // From the rates of the last step.
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    const int i = ids_[k];
-    double& c = fields.concentration[i];
-    if (isUnknown_[k] != 0 && std::isfinite(fields.lastRate[i]))
-      c = std::clamp(c + h * fields.lastRate[i], 0.0, fields.saturation[i]);
-    if (isUnknown_[k] != 0 && isFree_[k] == 0) c = fields.saturation[i];
-  }
+  for (std::size_t k = 0; k < ids_.size(); ++k)
+    if (isUnknown_[k] != 0 && isFree_[k] == 0) fields.concentration[ids_[k]] = fields.saturation[ids_[k]];
   if (!iterate(model, fields, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
     takeBack(model);

@@ -48,7 +48,7 @@ class TransportStep {
  private:
   struct Fields {
     int nOwned, nPoints;
-    double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area, *lastRate;
+    double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area;
     explicit Fields(Model& model);
   };
   void begin(Simulation& simulation, const Fields& fields);
@@ -57,8 +57,9 @@ class TransportStep {
   void coverWithSalt(const Fields& fields, double coverage) const;
   double dot(Model& model, const Fields& fields, const std::vector<double>& a, const std::vector<double>& b) const;
   double residual(Model& model, const Fields& fields, double h);
-  bool updateSaturated(Model& model, const Fields& fields);
+  bool updateSaturated(Model& model, const Fields& fields, double tolerance);
   bool solveLinear(Model& model, const Fields& fields, double h, double target);
+  void makePreconditioner(Model& model, double h);
   /// Conjugate gradients from step_ on; the iterations taken, negative where it failed.
   int conjugateGradients(Model& model, const Fields& fields, double h, double target, int mostIterations);
   void precondition(Model& model, const std::vector<double>& r, std::vector<double>& z);
@@ -68,13 +69,12 @@ class TransportStep {
   TransportSettings settings_;
   std::vector<int> ids_, solidIds_;       ///< lists.liquid(), lists.dissolving()
   std::vector<char> isUnknown_, isFree_;  ///< not free: prescribed, or C is C_sat and S the unknown
-  std::vector<double> before_, solidBefore_, rate_, residual_, step_, slope_;
+  std::vector<double> before_, saltBefore_, solidBefore_, rate_, residual_, step_, slope_;
   TwoLevelPreconditioner preconditioner_;
-  int leastIterations_ = 0;  ///< with the present preconditioner
+  double builtFor_ = 0.0;                 ///< step of the preconditioner
+  int leastIterations_ = 0, excess_ = 0;  ///< with it: fewest of a solve; all beyond that
   std::string trouble_;
 };
-
-extern const std::string lastTransportRate;  ///< field: rate of the last step at liquid points; in checkpoints
 
 }  // namespace pd
 

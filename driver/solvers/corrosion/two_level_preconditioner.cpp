@@ -3,6 +3,7 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_SerialMatrix.hpp"
@@ -29,13 +30,11 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
     nOwned_ = d.nOwned;
     for (int i = d.nOwned; i < d.nPoints; ++i)
       cubeOfGhost_[static_cast<std::size_t>(i - d.nOwned)] = owner.keyOf(x_ + 3 * i);
-    couplings_.resize(owner.cubes_.size());
-    keys_.resize(owner.cubes_.size());
-    for (const auto& [key, number] : owner.cubeAt_) keys_[number] = key;
+    couplings_.resize(owner.cubeAt_.size());
+    keys_.resize(owner.cubeAt_.size());
+    for (const auto& [key, number] : owner.cubeAt_) keys_[static_cast<std::size_t>(number)] = key;
     const double* volume = model.field("Volume");
-    for (const Cube& cube : owner.cubes_)
-      for (std::size_t k = cube.first; k < cube.first + cube.nPoints; ++k)
-        add(owner.points_[k], owner.points_[k], volume[owner.points_[k]]);
+    for (const int i : owner.points_) add(i, i, volume[i]);
   }
 
   void addValue(int row, int column, double value) override {
@@ -54,7 +53,8 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
   Entries entries() const {
     Entries result = betweenRanks_;
     for (const auto& [key, number] : owner_.cubeAt_)
-      for (const auto& [other, value] : couplings_[number]) result[{key, keys_[other]}] += value;
+      for (const auto& [other, value] : couplings_[static_cast<std::size_t>(number)])
+        result[{key, keys_[other]}] += value;
     return result;
   }
 
@@ -70,10 +70,12 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
     }
     const int other = owner_.cubeOf_[static_cast<std::size_t>(j)];
     if (other < 0) return;
-    if (cube == other) {
-      const Cube& c = owner_.cubes_[static_cast<std::size_t>(cube)];
-      owner_.inverses_[c.inverse + static_cast<std::size_t>(owner_.slotOf_[static_cast<std::size_t>(i)]) * c.nPoints +
-                       static_cast<std::size_t>(owner_.slotOf_[static_cast<std::size_t>(j)])] += value;
+    const int slot = owner_.slotOf_[static_cast<std::size_t>(i)],
+              back = slot - owner_.slotOf_[static_cast<std::size_t>(j)];
+    if (back >= 0 && back <= lineBand &&
+        owner_.lineOf_[static_cast<std::size_t>(slot)] == owner_.lineOf_[static_cast<std::size_t>(slot - back)]) {
+      owner_.lines_[static_cast<std::size_t>(slot * (lineBand + 1) + back)] += value;
+      owner_.usedBand_ = std::max(owner_.usedBand_, back);
     }
     auto& row = couplings_[static_cast<std::size_t>(cube)];
     for (auto& [number, sum] : row)
@@ -100,70 +102,114 @@ TwoLevelPreconditioner::Key TwoLevelPreconditioner::keyOf(const double* x) const
   return key;
 }
 
-void TwoLevelPreconditioner::makeCubes(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree) {
+/// Edge of cubes, and the axis along which the nearest neighbours lie.
+void TwoLevelPreconditioner::measure(Model& model) {
   const Discretization& d = model.discretization();
+  const Communicator& comm = model.comm();
   const double* x = model.field("Model_Coordinates");
-  if (edge_ == 0.0) {
-    double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
-    for (int i = 0; i < d.nOwned; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], x[3 * i + static_cast<int>(k)]);
-        high[k] = std::max(high[k], x[3 * i + static_cast<int>(k)]);
-      }
-    // Cells of the points, by what they fill: the thickness of a plane problem is no length of it.
-    const Communicator& comm = model.comm();
-    double filled = 1.0;
-    for (int k = 0; k < d.dimension; ++k) filled *= comm.max(high[k]) - comm.min(low[k]);
-    const auto n = static_cast<double>(d.nGlobal);
-    edge_ = std::pow(pointsOfCube[d.dimension - 1] * filled / n, 1.0 / d.dimension);
+  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, nearest[3] = {1e300, 1e300, 1e300};
+  for (int i = 0; i < d.nOwned; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], x[3 * i + k]);
+      high[k] = std::max(high[k], x[3 * i + k]);
+    }
+    const int* list = &d.neighborhoodList[static_cast<std::size_t>(d.neighborhoodStart[static_cast<std::size_t>(i)])];
+    constexpr int sampleStride = 97;
+    for (int n = 1; n <= *list && i % sampleStride == 0; ++n) {
+      double xi[3];
+      for (int k = 0; k < 3; ++k) xi[k] = std::abs(x[3 * list[n] + k] - x[3 * i + k]);
+      for (int k = 0; k < 3; ++k)
+        if (xi[(k + 1) % 3] + xi[(k + 2) % 3] < 1e-6 * xi[k]) nearest[k] = std::min(nearest[k], xi[k]);
+    }
   }
-  cubes_.clear();
-  cubeAt_.clear();
-  cubeOf_.assign(static_cast<std::size_t>(d.nOwned), -1);
-  slotOf_.assign(static_cast<std::size_t>(d.nOwned), 0);
-  std::vector<int> members;
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    if (isFree[k] == 0) continue;
-    const auto i = static_cast<std::size_t>(ids[k]);
-    const auto [at, isNew] = cubeAt_.emplace(keyOf(x + 3 * ids[k]), cubes_.size());
-    if (isNew) cubes_.push_back({0, 0, 0, -1});
-    cubeOf_[i] = static_cast<int>(at->second);
-    slotOf_[i] = static_cast<int>(cubes_[at->second].nPoints++);
-    members.push_back(ids[k]);
-  }
-  std::size_t first = 0, inverse = 0;
-  for (Cube& cube : cubes_) {
-    cube.first = first;
-    cube.inverse = inverse;
-    first += cube.nPoints;
-    inverse += cube.nPoints * cube.nPoints;
-  }
-  points_.resize(first);
-  inverses_.assign(inverse, 0.0);
-  for (const int i : members) {
-    const auto at = static_cast<std::size_t>(i);
-    points_[cubes_[static_cast<std::size_t>(cubeOf_[at])].first + static_cast<std::size_t>(slotOf_[at])] = i;
-  }
+  double filled = 1.0;
+  for (int k = 0; k < d.dimension; ++k) filled *= comm.max(high[k]) - comm.min(low[k]);
+  edge_ = std::pow(pointsOfCube[d.dimension - 1] * filled / static_cast<double>(d.nGlobal), 1.0 / d.dimension);
+  for (double& value : nearest) value = comm.min(value);
+  axis_ = static_cast<std::size_t>(std::min_element(nearest, nearest + 3) - nearest);
+  spacing_ = std::min(nearest[axis_], edge_);
 }
 
-void TwoLevelPreconditioner::invertCubes() {
-  const Teuchos::LAPACK<int, double> lapack;
-  for (const Cube& cube : cubes_) {
-    double* a = inverses_.data() + cube.inverse;
-    const auto n = static_cast<int>(cube.nPoints);
-    const std::size_t m = cube.nPoints;
-    std::vector<double> diagonal(m);
-    for (std::size_t i = 0; i < m; ++i) diagonal[i] = a[i * m + i];
-    int info = 0;
-    lapack.POTRF('L', n, a, n, &info);
-    if (info == 0) lapack.POTRI('L', n, a, n, &info);
-    if (info != 0) {  // a rate that grows quickly with C: the diagonal must do
-      std::fill(a, a + m * m, 0.0);
-      for (std::size_t i = 0; i < m; ++i) a[i * m + i] = 1.0 / std::max(std::abs(diagonal[i]), 1e-300);
-      continue;
+void TwoLevelPreconditioner::gatherPoints(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree) {
+  const double* x = model.field("Model_Coordinates");
+  if (edge_ == 0.0) measure(model);
+  const auto n = static_cast<std::size_t>(model.nOwned());
+  cubeAt_.clear();
+  cubeOf_.assign(n, -1);
+  slotOf_.assign(n, -1);
+  struct Place {
+    long long first, second;
+    double along;
+    int point;
+  };
+  std::vector<Place> places;
+  const auto grid = [&](int i, std::size_t axis) {
+    return std::llround(4.0 * x[3 * static_cast<std::size_t>(i) + axis] / spacing_ + 0.37);
+  };
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (isFree[k] == 0) continue;
+    const int i = ids[k];
+    cubeOf_[static_cast<std::size_t>(i)] =
+        cubeAt_.emplace(keyOf(x + 3 * i), static_cast<int>(cubeAt_.size())).first->second;
+    places.push_back(
+        {grid(i, (axis_ + 1) % 3), grid(i, (axis_ + 2) % 3), x[3 * static_cast<std::size_t>(i) + axis_], i});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.first, a.second, a.along) < std::tie(b.first, b.second, b.along);
+  });
+  points_.clear();
+  lineOf_.clear();
+  int line = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (k > 0 && std::tie(places[k].first, places[k].second) != std::tie(places[k - 1].first, places[k - 1].second))
+      ++line;
+    slotOf_[static_cast<std::size_t>(places[k].point)] = static_cast<int>(k);
+    points_.push_back(places[k].point);
+    lineOf_.push_back(line);
+  }
+  // Rows behind the last, which those before it look at.
+  lines_.assign((points_.size() + lineBand) * (lineBand + 1), 0.0);
+  usedBand_ = 0;
+}
+
+/// L D L^T in place. Where a pivot is not positive (a rate that grows quickly with C), the diagonal stands for the row.
+void TwoLevelPreconditioner::factorLines() {
+  constexpr int width = lineBand + 1;
+  for (int slot = 0; slot < static_cast<int>(points_.size()); ++slot) {
+    double* row = &lines_[static_cast<std::size_t>(slot * width)];
+    const double diagonal = row[0];
+    for (int k = std::min(lineBand, slot); k >= 1; --k) {
+      const double* other = &lines_[static_cast<std::size_t>((slot - k) * width)];
+      // row[k] holds A(slot, slot - k); subtract what earlier slots contribute, as L D L^T.
+      for (int m = k + 1; m <= std::min(lineBand, slot); ++m)
+        if (m - k <= lineBand) row[k] -= row[m] * lines_[static_cast<std::size_t>((slot - m) * width)] * other[m - k];
+      row[k] /= other[0];
     }
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = i + 1; j < m; ++j) a[j * m + i] = a[i * m + j];
+    for (int k = 1; k <= std::min(lineBand, slot); ++k)
+      row[0] -= row[k] * row[k] * lines_[static_cast<std::size_t>((slot - k) * width)];
+    if (row[0] > 1e-8 * std::abs(diagonal)) continue;
+    std::fill(row, row + width, 0.0);
+    row[0] = std::max(std::abs(diagonal), 1e-300);
+  }
+  for (std::size_t slot = 0; slot < points_.size(); ++slot) lines_[slot * width] = 1.0 / lines_[slot * width];
+}
+
+template <int used>
+void TwoLevelPreconditioner::solveLines(double* values) const {
+  constexpr int width = lineBand + 1;
+  const auto n = static_cast<std::ptrdiff_t>(points_.size());
+  for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
+    const double* row = lines_.data() + slot * width;
+    double value = values[slot];
+    for (int k = used; k >= 1; --k) value -= row[k] * values[slot - k];  // what was found last comes last
+    values[slot] = value;
+  }
+  for (std::ptrdiff_t slot = n - 1; slot >= 0; --slot) {
+    const double* row = lines_.data() + slot * width;
+    double value = values[slot] * row[0];
+    // Rows ahead hold what they take from this one.
+    for (int k = used; k >= 1; --k) value -= row[k + k * width] * values[slot + k];
+    values[slot] = value;
   }
 }
 
@@ -207,7 +253,9 @@ void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const Entries&
   int info = 0;
   if (nCoarse_ > 0) lapack.GBTRF(nCoarse_, nCoarse_, band_, band_, coarse_.data(), height, pivots_.data(), &info);
   if (info != 0) nCoarse_ = 0;  // without it the cubes must do
-  for (const auto& [key, cube] : cubeAt_) cubes_[cube].coarse = nCoarse_ > 0 ? numberOf.at(key) : -1;
+  coarseOf_.assign(cubeAt_.size(), 0);
+  for (const auto& [key, cube] : cubeAt_)
+    coarseOf_[static_cast<std::size_t>(cube)] = nCoarse_ > 0 ? numberOf.at(key) : 0;
 }
 
 void TwoLevelPreconditioner::build(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree,
@@ -216,62 +264,58 @@ void TwoLevelPreconditioner::build(Model& model, const std::vector<int>& ids, co
   std::fill(unknown, unknown + model.nPoints(), 0.0);
   for (std::size_t k = 0; k < ids.size(); ++k) unknown[ids[k]] = isFree[k] != 0 ? 1.0 : 0.0;
   model.importGhosts("Transport_Unknown");
-  makeCubes(model, ids, isFree);
-  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
-  unknowns.setUnknowns(false, true);
+  gatherPoints(model, ids, isFree);
+  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true);
   Collector collector(*this, model, h);
   model.assembleJacobian(h, collector);
   const double* volume = model.field("Volume");
   largestDiagonal_ = 1.0;
-  for (const Cube& cube : cubes_)
-    for (std::size_t k = 0; k < cube.nPoints; ++k)
-      largestDiagonal_ =
-          std::max(largestDiagonal_, inverses_[cube.inverse + k * cube.nPoints + k] / volume[points_[cube.first + k]]);
+  for (std::size_t slot = 0; slot < points_.size(); ++slot)
+    largestDiagonal_ = std::max(largestDiagonal_, lines_[slot * (lineBand + 1)] / volume[points_[slot]]);
   largestDiagonal_ = model.comm().max(largestDiagonal_);
   makeCoarse(model.comm(), collector.entries());
-  invertCubes();
-  full_.assign(static_cast<std::size_t>(model.nOwned()), 0.0);
+  factorLines();
   isBuilt_ = true;
 }
 
 void TwoLevelPreconditioner::apply(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree,
                                    const std::vector<double>& r, std::vector<double>& z) {
   const double* volume = model.field("Volume");
-  for (std::size_t k = 0; k < ids.size(); ++k) full_[static_cast<std::size_t>(ids[k])] = volume[ids[k]] * r[k];
-  coarseValues_.assign(static_cast<std::size_t>(nCoarse_), 0.0);
+  lineValues_.assign(points_.size() + 2 * lineBand, 0.0);
+  double* lineValues = lineValues_.data() + lineBand;
+  partial_.assign(static_cast<std::size_t>(nCoarse_), 0.0);
+  const auto coarseOf = [&](int i) {
+    return static_cast<std::size_t>(coarseOf_[static_cast<std::size_t>(cubeOf_[static_cast<std::size_t>(i)])]);
+  };
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const int slot = slotOf_[static_cast<std::size_t>(ids[k])];
+    if (slot < 0) continue;
+    const double value = volume[ids[k]] * r[k];
+    lineValues[slot] = value;
+    if (nCoarse_ > 0) partial_[coarseOf(ids[k])] += value;
+  }
+  if (usedBand_ <= 2)
+    solveLines<2>(lineValues);
+  else if (usedBand_ <= 4)
+    solveLines<4>(lineValues);
+  else
+    solveLines<lineBand>(lineValues);
   if (nCoarse_ > 0) {
-    std::vector<double>& partial = local_;
-    partial.assign(coarseValues_.size(), 0.0);
-    for (const Cube& cube : cubes_)
-      for (std::size_t k = 0; k < cube.nPoints; ++k)
-        partial[static_cast<std::size_t>(cube.coarse)] += full_[static_cast<std::size_t>(points_[cube.first + k])];
-    model.comm().SumAll(partial.data(), coarseValues_.data(), nCoarse_);
+    coarseValues_.resize(partial_.size());
+    model.comm().SumAll(partial_.data(), coarseValues_.data(), nCoarse_);
     const Teuchos::LAPACK<int, double> lapack;
     int info = 0;
     lapack.GBTRS('N', nCoarse_, band_, band_, 1, coarse_.data(), 3 * band_ + 1, pivots_.data(), coarseValues_.data(),
                  nCoarse_, &info);
   }
-  // Points that were not free when this was built.
-  for (std::size_t k = 0; k < ids.size(); ++k)
-    z[k] = cubeOf_[static_cast<std::size_t>(ids[k])] < 0 ? r[k] / largestDiagonal_ : 0.0;
-  std::vector<double>& solution = full_;
-  for (const Cube& cube : cubes_) {
-    const double* a = inverses_.data() + cube.inverse;
-    const double constant = cube.coarse >= 0 ? coarseValues_[static_cast<std::size_t>(cube.coarse)] : 0.0;
-    local_.assign(cube.nPoints, constant);
-    for (std::size_t j = 0; j < cube.nPoints; ++j) {
-      const double value = solution[static_cast<std::size_t>(points_[cube.first + j])];
-      const double* column = a + j * cube.nPoints;
-      for (std::size_t i = 0; i < cube.nPoints; ++i) local_[i] += column[i] * value;
-    }
-    for (std::size_t j = 0; j < cube.nPoints; ++j)
-      solution[static_cast<std::size_t>(points_[cube.first + j])] = local_[j];
-  }
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const auto i = static_cast<std::size_t>(ids[k]);
-    if (cubeOf_[i] >= 0) z[k] = solution[i];
-    if (isFree[k] == 0) z[k] = 0.0;
-    full_[i] = 0.0;
+    const int slot = slotOf_[static_cast<std::size_t>(ids[k])];
+    if (isFree[k] == 0)
+      z[k] = 0.0;
+    else if (slot < 0)  // was not free when this was built
+      z[k] = r[k] / largestDiagonal_;
+    else
+      z[k] = lineValues[slot] + (nCoarse_ > 0 ? coarseValues_[coarseOf(ids[k])] : 0.0);
   }
 }
 

@@ -11,10 +11,10 @@
 
 namespace pd {
 
-/// Points are gathered in cubes of space, a few tens in each. Within a cube the step's matrix is inverted exactly; what
-/// is constant in cubes is solved for together (additive Schwarz with Nicolaides' coarse space: Dolean, Jolivet &
-/// Nataf, An Introduction to Domain Decomposition Methods, 2015). Since diffusion knows no direction, cubes suit grids
-/// of any aspect ratio: of one that is 25 times finer across a gap than along it, a cube holds columns of points.
+/// The step's matrix is inverted along lines of points, those in which the grid is finest, where bonds are strongest;
+/// and what is constant in cubes of space, a few tens of points in each, is solved for together (additive Schwarz with
+/// Nicolaides' coarse space: Dolean, Jolivet & Nataf, An Introduction to Domain Decomposition Methods, 2015). Of a grid
+/// that is 25 times finer across a gap than along it, a line is a column across the gap, and a cube a part of one.
 class TwoLevelPreconditioner {
  public:
   /// Of V (1 - h L - h s), V: volumes, L: diffusion, s: slopes of the dissolution rate as the material's Jacobian has
@@ -31,29 +31,32 @@ class TwoLevelPreconditioner {
 
  private:
   using Key = std::array<int, 3>;  ///< place of a cube, in edges
-  struct Cube {
-    std::size_t first, nPoints;  ///< in points_
-    std::size_t inverse;         ///< start of its inverse in inverses_, [nPoints^2]
-    int coarse = -1;             ///< its unknown in the coarse matrix
-  };
   using Entries = std::map<std::pair<Key, Key>, double>;
   class Collector;
   Key keyOf(const double* x) const;
-  void makeCubes(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree);
-  void invertCubes();
+  void measure(Model& model);
+  void gatherPoints(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree);
+  void factorLines();
+  template <int used>
+  void solveLines(double* values) const;  ///< readable and 0 `used` values before and behind
   void makeCoarse(const Communicator& comm, const Entries& own);
 
+  static constexpr int lineBand = 8;  ///< points of a line that one is coupled with, on either side
+
   bool isBuilt_ = false;
-  double edge_ = 0.0, largestDiagonal_ = 1.0;
-  std::vector<Cube> cubes_;
-  std::map<Key, std::size_t> cubeAt_;
-  std::vector<int> points_;           ///< local ids, by cube
-  std::vector<int> cubeOf_, slotOf_;  ///< by owned local id; -1: in none
-  std::vector<double> inverses_;
+  double edge_ = 0.0, spacing_ = 0.0, largestDiagonal_ = 1.0;
+  std::size_t axis_ = 0;              ///< of lines
+  std::vector<int> points_, lineOf_;  ///< by slot: local ids line by line, in order along it; number of the line
+  std::vector<int> slotOf_, cubeOf_;  ///< by owned local id: slot, cube; -1: in none
+  std::map<Key, int> cubeAt_;
+  std::vector<int> coarseOf_;  ///< by cube: its unknown in the coarse matrix
+  /// L D L^T of each line: [slot (lineBand + 1) + k]: 1/D, then L of the k-th slot before.
+  std::vector<double> lines_;
+  int usedBand_ = 0;
   int nCoarse_ = 0, band_ = 0;
   std::vector<double> coarse_;  ///< factors as LAPACK's banded LU lays them out
   std::vector<int> pivots_;
-  std::vector<double> full_, local_, coarseValues_;  ///< scratch
+  std::vector<double> lineValues_, partial_, coarseValues_;  ///< scratch
 };
 
 }  // namespace pd
