@@ -29,7 +29,7 @@ class Plate(CorrosionTest):
         deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
         return deck
 
-    def assert_same(self, found, expected, what, allowed=1e-10):
+    def assert_same(self, found, expected, what, allowed=1e-8):
         self.assertEqual(found.steps(), expected.steps())
         for step in expected.steps():
             a, b = found.field("Damage", step), expected.field("Damage", step)

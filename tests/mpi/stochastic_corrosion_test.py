@@ -19,7 +19,7 @@ class Stochastic:
         deck["Output"]["Output Variables"].append("Loose")
         return deck
 
-    def assert_same(self, found, expected, what, allowed=1e-10):
+    def assert_same(self, found, expected, what, allowed=1e-8):
         super().assert_same(found, expected, what, allowed)
         for step in expected.steps():
             # Damage counts broken bonds.

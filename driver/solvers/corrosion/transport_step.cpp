@@ -118,7 +118,7 @@ int TransportStep::conjugateGradients(Model& model, const Fields& fields, double
   for (int iteration = 1; square != 0.0; ++iteration) {
     applyMatrix(model, fields, h, p, image);
     const double curvature = dot(model, fields, p, image);
-    // A rate that grows quickly with C makes a long step indefinite.
+    // A rate that grows quickly with C makes a long step's matrix indefinite.
     if (!(curvature > 0.0)) return isIndefinite;
     const double length = square / curvature;
     double largest = 0.0;
@@ -161,6 +161,12 @@ bool TransportStep::solveLinear(Model& model, const Fields& fields, double h, do
   int taken = conjugateGradients(model, fields, h, target, most);
   if (taken == stillGoing && most < settings_.maximumLinearIterations) {
     makePreconditioner(model, h);
+    taken = conjugateGradients(model, fields, h, target, settings_.maximumLinearIterations);
+  }
+  if (taken == isIndefinite) {
+    // A rate that grows so quickly with C mostly ends at saturation: without its slope, the iterations get there.
+    std::fill(slope_.begin(), slope_.end(), 0.0);
+    std::fill(step_.begin(), step_.end(), 0.0);
     taken = conjugateGradients(model, fields, h, target, settings_.maximumLinearIterations);
   }
   if (taken >= 0 && preconditioner_.isBuilt()) {
