@@ -87,7 +87,9 @@ TransportWeights::Bond TransportWeights::bond(const double* x, int point, int ne
 double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {
   const double factor = shape_.volumeFactor();
   const double spacing = 0.5 * (family_.spacing(factor * volume) + family_.spacing(factor * neighborVolume));
-  return kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
+  const double value = kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
+  constexpr double roundOff = 1e-9;  // of points that lie exactly where the share ends
+  return value > roundOff ? value : 0.0;
 }
 
 /// Calls visit(bond) for the bonds of a point inside the grid.

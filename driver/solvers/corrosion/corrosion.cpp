@@ -95,8 +95,6 @@ void Corrosion::initialize(Simulation& simulation) {
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
   initialMetal_ = metal(simulation);
-  double* lastRate = model.field(lastTransportRate);
-  std::fill(lastRate, lastRate + model.nPoints(), std::numeric_limits<double>::quiet_NaN());
 }
 
 double Corrosion::metal(Simulation& simulation) const {
@@ -265,6 +263,10 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   shortestTried_ = 1e-10 * dt;
   surface_.hide(simulation.model);
   lists_.reset(simulation.model);
+  if (nSteps_ == 0) {
+    double* lastRate = simulation.model.field(lastTransportRate);
+    std::fill(lastRate, lastRate + simulation.model.nPoints(), std::numeric_limits<double>::quiet_NaN());
+  }
   transport_.forget();
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
