@@ -1,6 +1,7 @@
 #include "corrosion_dissolution.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
@@ -46,7 +47,8 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, 
       weights_(params, owner),
       saturation_(params.get<double>("Saturation Concentration")),
       chargeNumber_(params.get<double>("Charge Number")),
-      phases_(params, saturation_, owner) {
+      phases_(params, saturation_, owner),
+      acidity_(params, saturation_, owner) {
   FieldManager& fields = FieldManager::self();
   const auto point = [&](const char* label, Field::Temporal temporal = Field::CONSTANT) {
     return fields.getFieldId(Field::NODE, Field::SCALAR, temporal, label);
@@ -66,6 +68,7 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, 
   saturationId_ = point("Saturation_Concentration");
   diffusionCorrectionId_ = point("Diffusion_Correction");
   dissolutionCorrectionId_ = point("Dissolution_Correction");
+  if (acidity_.isGiven()) phId_ = point("pH");
   if (phases_.count() > 1) blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
 }
 
@@ -90,6 +93,7 @@ std::vector<int> CorrosionDissolution::FieldIds() const {
                           diffusionCorrectionId_,
                           dissolutionCorrectionId_};
   if (blockId_ >= 0) ids.push_back(blockId_);
+  if (phId_ >= 0) ids.push_back(phId_);
   return ids;
 }
 
@@ -97,7 +101,7 @@ struct CorrosionDissolution::Views {
   int nPoints;
   const double *x, *volume, *concentration, *damage, *salt, *demand, *blockId = nullptr;
   double *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
-      *dissolutionCorrection;
+      *dissolutionCorrection, *ph = nullptr;
 
   Views(const CorrosionDissolution& material, DataManager& dataManager) {
     nPoints = dataManager.getData(material.volumeId_, Field::STEP_NONE)->MyLength();
@@ -116,6 +120,7 @@ struct CorrosionDissolution::Views {
     saturation = view(dataManager, material.saturationId_, Field::STEP_NONE);
     diffusionCorrection = view(dataManager, material.diffusionCorrectionId_, Field::STEP_NONE);
     dissolutionCorrection = view(dataManager, material.dissolutionCorrectionId_, Field::STEP_NONE);
+    if (material.phId_ >= 0) ph = view(dataManager, material.phId_, Field::STEP_NONE);
     if (material.blockId_ >= 0) blockId = view(dataManager, material.blockId_, Field::STEP_NONE);
   }
 };
@@ -137,6 +142,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
     const std::size_t phase = views.blockId == nullptr ? 0 : phases_.ofBlock(views.blockId[i]);
     views.solid[i] = views.concentration[i] > saturation_ ? phases_[phase].solidConcentration : 0.0;
     views.saturation[i] = saturation_;
+    if (views.ph != nullptr) views.ph[i] = std::numeric_limits<double>::quiet_NaN();
     weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
   }
 }
@@ -153,6 +159,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
+    made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
     made.concentration.zero(views.nPoints, 1);
     made.diffusionCorrection.zero(views.nPoints, 1);
     made.area.resize(phases_.count());
@@ -173,6 +180,7 @@ void CorrosionDissolution::precompute(const double, const int numOwnedPoints, co
   const Views views(*this, dataManager);
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
   takeUpPhases(cache, views);
+  findAcidity(cache, views);
   cache.isPrepared = true;
 }
 
@@ -193,8 +201,16 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
       else
         views.dissolutionCorrection[i] = bonds.dissolutionCorrection(i, list + 1, *list);
       views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
+      if (views.ph == nullptr || !phases.isLiquid(i) || cache.isListed[static_cast<std::size_t>(i)] != 0) continue;
+      cache.isListed[static_cast<std::size_t>(i)] = 1;
+      cache.liquid.push_back(i);
     }
   }
+}
+
+/// pH is a number where there is electrolyte.
+void CorrosionDissolution::findAcidity(const Cache& cache, const Views& views) const {
+  for (const int i : cache.liquid) views.ph[i] = acidity_.at(views.concentration[i]);
 }
 
 void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
@@ -246,7 +262,10 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
   const kernels::PhaseBonds& phases = cache.phases;
   // A host that probes with lists of its own prepares nothing for them.
-  if (!cache.isPrepared) takeUpPhases(cache, views);
+  if (!cache.isPrepared) {
+    takeUpPhases(cache, views);
+    findAcidity(cache, views);
+  }
   if (!cache.hasAreas) findAreas(cache, views);
   // Deep solid has no rate, and costs nothing.
   if (cache.zeroed != views.rate) std::fill(views.rate, views.rate + views.nPoints, 0.0);

@@ -14,6 +14,7 @@
 #define PD_CORROSION_DISSOLUTION_HPP
 
 #include "Peridigm_Material.hpp"
+#include "acidity.hpp"
 #include "dissolution_kernel.hpp"
 #include "phase_geometry.hpp"
 #include "point_arrays.hpp"
@@ -59,6 +60,8 @@ class CorrosionDissolution : public PeridigmNS::Material {
     kernels::PointArrays concentration, diffusionCorrection, correction;
     std::vector<kernels::PointArrays> isOfPhase, area,
         lostFlux;                    ///< by solid phase; the first empty where there is one
+    std::vector<int> liquid;         ///< owned points, where pH is kept
+    std::vector<char> isListed;      ///< by local id: in `liquid`
     bool hasAreas = false;           ///< `area` is of the present phases
     bool isPrepared = false;         ///< precompute() has been called: it will be whenever phases change
     const double* zeroed = nullptr;  ///< rates that are 0 wherever nothing flows
@@ -68,15 +71,17 @@ class CorrosionDissolution : public PeridigmNS::Material {
   PhaseGeometry geometry(const Views& views) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
+  void findAcidity(const Cache& cache, const Views& views) const;
   /// Of a liquid point near the surface: Q of each phase into cache.lostFlux, and what it gains itself.
   bool dissolve(Cache& cache, const Views& views, int point) const;
 
   TransportWeights weights_;
   double saturation_, chargeNumber_;
   SolidPhases phases_;
+  Acidity acidity_;
   int modelCoordinatesId_, volumeId_, concentrationId_, rateId_, damageId_, saltId_, demandId_, areaId_, currentId_,
       dissolutionRateId_, slopeId_, solidId_, saturationId_, diffusionCorrectionId_, dissolutionCorrectionId_,
-      blockId_ = -1;
+      blockId_ = -1, phId_ = -1;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

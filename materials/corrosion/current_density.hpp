@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parameters.hpp"
+#include "sampled_function.hpp"
 
 namespace pd {
 
@@ -30,8 +31,8 @@ class CurrentDensity {
   void readTable(const Teuchos::Array<double>& numbers, const std::string& owner);
 
   double saturation_;
-  std::vector<double> concentrations_;  ///< of a table; empty where samples are equally spaced
-  std::vector<double> values_, slopes_;
+  std::vector<double> concentrations_, values_;  ///< of a table; empty where there is none
+  SampledFunction sampled_;
   bool isLogarithmic_ = false;  ///< samples are of ln i
 };
 

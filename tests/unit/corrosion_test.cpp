@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../../materials/corrosion/acidity.hpp"
 #include "../../materials/corrosion/current_density.hpp"
 #include "bond_constants.hpp"
 
@@ -54,6 +55,22 @@ TEST(CurrentDensityTest, IsTheFormulaBetweenSamples) {
     const double molar = 5.6 * k / 7001.0;
     ASSERT_NEAR(current.at(1000.0 * molar).current / exactCurrent(molar), 1.0, 1e-7) << molar;
   }
+}
+
+TEST(AcidityTest, IsTheFormulaUpToSaturation) {
+  Teuchos::ParameterList list;
+  EXPECT_FALSE(Acidity(list, alloySaturation, "a test").isGiven());
+  list.set("pH", alloyPh);
+  const Acidity acidity(list, alloySaturation, "a test");
+  ASSERT_TRUE(acidity.isGiven());
+  for (int k = 0; k <= 701; ++k) {
+    const double molar = 5.6 * k / 701.0;
+    ASSERT_NEAR(acidity.at(1000.0 * molar), exactPh(molar), 1e-10) << molar;
+  }
+  EXPECT_NEAR(acidity.at(-100.0), exactPh(0.0), 1e-12);
+  EXPECT_NEAR(acidity.at(9000.0), exactPh(5.6), 1e-12);
+  list.set<std::string>("pH", "log(C)");
+  EXPECT_THROW(Acidity(list, alloySaturation, "a test"), std::invalid_argument);
 }
 
 TEST(CurrentDensityTest, SlopeIsThatOfTheCurrent) {

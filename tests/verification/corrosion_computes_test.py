@@ -95,6 +95,27 @@ class Computes(CorrosionTest):
         self.assertAlmostEqual(h["Volume_Loss"][-1] / ring, 1.0, delta=0.1)
         np.testing.assert_allclose(h["Total_Current"], CURRENT * np.pi * (radius + grown), rtol=0.15)
 
+    def test_ph_follows_the_concentration(self):
+        """Where there is electrolyte, at the time of the output."""
+        self.x = lattice([40e-6, 16e-6], SPACING, [0.0, -6e-6])
+        self.volume = SPACING**2
+        self.write_mesh(self.x, self.volume)
+        metal = {**STEEL, "pH": "7.405*exp(-0.08036*C) - 6.498", "Current Density": "5.1e3 + 0*pH"}
+        deck = corrosion_deck(2, metal, "y > 0", "y < -5.0e-6", 40.0, 4)
+        deck["Output"]["Output Variables"].append("pH")
+        deck["Compute Class Parameters"]["Lowest"] = {"Compute Class": "Field_Minimum", "Variable": "pH"}
+        result = self.solve(deck)
+        for step in result.steps():
+            c, liquid = result.field("Concentration", step), result.field("Damage", step) >= 1.0
+            ph = result.field("pH", step)
+            expected = 7.405 * np.exp(-0.08036e-3 * c) - 6.498
+            np.testing.assert_allclose(ph[liquid], expected[liquid], rtol=1e-9, err_msg=f"step {step}")
+            self.assertTrue(np.all(np.isnan(ph[~liquid])))
+            self.assertGreater(np.sum(~liquid), 0)
+            lowest = result.history()["Field_Minimum"][step]
+            self.assertAlmostEqual(lowest, np.min(expected[liquid]), delta=1e-9)
+        self.assertLess(lowest, 0.8)
+
 
 if __name__ == "__main__":
     unittest.main()
