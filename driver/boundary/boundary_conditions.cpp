@@ -8,6 +8,7 @@
 #include "../model/solver_sections.hpp"
 #include "Peridigm_Field.hpp"
 #include "condition.hpp"
+#include "far_field.hpp"
 
 namespace pd {
 
@@ -32,6 +33,7 @@ struct BoundaryConditions::Implementation {
   std::vector<char> displacementMask;
   std::map<std::string, std::vector<char>> valueMasks;
   std::vector<char> emptyMask;
+  FarField farField;
 
   explicit Implementation(Model& theModel) : model(theModel) {}
   std::size_t nPoints() const { return static_cast<std::size_t>(model.nPoints()); }
@@ -39,7 +41,7 @@ struct BoundaryConditions::Implementation {
 
   void allocate(const Condition& condition);
   void findConflicts(bool laterOneHolds);
-  void scaleTractions();
+  void scaleByVolume();
   void write(const Condition& condition, double t);
   void setDisplacement(std::size_t which, double t);
   void updateOffsets(std::size_t which, double t);
@@ -96,13 +98,17 @@ void BoundaryConditions::Implementation::findConflicts(bool laterOneHolds) {
   mistakes.report();
 }
 
-void BoundaryConditions::Implementation::scaleTractions() {
+void BoundaryConditions::Implementation::scaleByVolume() {
   for (Condition& condition : conditions) {
-    if (condition.kind != ConditionKind::Traction) continue;
+    if (condition.kind != ConditionKind::Traction && condition.kind != ConditionKind::FarField) continue;
     double volume = 0.0;
     for (const int point : condition.points)
       if (point < model.nOwned()) volume += model.discretization().volume[static_cast<std::size_t>(point)];
-    condition.scale = condition.area / model.comm().sum(volume);
+    volume = model.comm().sum(volume);
+    if (condition.kind == ConditionKind::FarField)
+      condition.exchangeRate = exchangeRate(condition.diffusivity, condition.distance, volume / condition.area);
+    else
+      condition.scale = condition.area / volume;
   }
 }
 
@@ -170,7 +176,7 @@ BoundaryConditions::BoundaryConditions(const Deck& deck, Model& model)
     mistakes.report();
     self.findConflicts(deck.isPeridigmDeck());
   });
-  self.scaleTractions();
+  self.scaleByVolume();
   self.addsIncrements = deck.isPeridigmDeck();
   self.previous.resize(self.conditions.size());
   self.offsets.resize(self.conditions.size());
@@ -218,10 +224,32 @@ void BoundaryConditions::applyPrescribedValue(const std::string& field, double t
     if (condition.kind == ConditionKind::PrescribedValue && condition.field == field) self.write(condition, t);
 }
 
+const BoundaryConditions::FarField& BoundaryConditions::farField(const std::string& field, double t) {
+  auto& self = *implementation_;
+  FarField& result = self.farField;
+  result = FarField{};
+  for (const Condition& condition : self.conditions) {
+    if (condition.kind != ConditionKind::FarField || condition.field != field) continue;
+    result.coefficient.resize(static_cast<std::size_t>(self.model.nOwned()), 0.0);
+    result.value.resize(result.coefficient.size(), 0.0);
+    const std::vector<double>& given = condition.evaluate(self.x(), t);
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      if (condition.points[k] >= self.model.nOwned()) continue;
+      // Where two act, to both.
+      const auto i = static_cast<std::size_t>(condition.points[k]);
+      const double sum = result.coefficient[i] + condition.exchangeRate;
+      result.value[i] += (given[k] - result.value[i]) * condition.exchangeRate / sum;
+      result.coefficient[i] = sum;
+    }
+  }
+  return result;
+}
+
 bool BoundaryConditions::prescribedValueDependsOnTime(const std::string& field) const {
   const auto& conditions = implementation_->conditions;
   return std::any_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
-    return condition.field == field && !condition.isInitial() && condition.value.dependsOnTime();
+    return condition.field == field && !condition.isInitial() && condition.kind != ConditionKind::FarField &&
+           condition.value.dependsOnTime();
   });
 }
 

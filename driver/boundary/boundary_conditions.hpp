@@ -26,6 +26,10 @@ namespace pd {
 ///  - No Failure {Node Set}: sets the field No_Failure, whose bonds damage models leave alone
 ///  - Saturated Crack Faces {Field, Value, Threshold, Node Set (default: all points)}: points whose Damage exceeds
 ///    Threshold hold Value from then on. They are marked by 1 in the field <Field>_Source.
+///  - Far Field Concentration {Node Set, Value, Distance, Diffusivity, Area}: the electrolyte goes on beyond the open
+///    face of `Area` m2 behind the node set, for `Distance` m, to where its concentration is Value: in steady state the
+///    flux out of the set is Diffusivity (C - Value) / (Distance + thickness of the set), to about 0.2 horizons of that
+///    way. Acts through the solvers that ask for farField().
 class BoundaryConditions {
  public:
   /// Allocates the fields that the conditions need in `model`. Throws DeckError naming both conditions where two of
@@ -41,6 +45,13 @@ class BoundaryConditions {
   void applyPrescribed(double t);
   /// Sets the prescribed values of one scalar field alone (what a diffusion solver asks for in each stage).
   void applyPrescribedValue(const std::string& field, double t);
+  /// What is beyond the mesh: a rate coefficient_i (value_i - field_i) at owned point i.
+  struct FarField {
+    std::vector<double> coefficient;  ///< [nOwned] 1/s, 0 where there is nothing; empty without any such condition
+    std::vector<double> value;        ///< [nOwned] in the unit of the field
+  };
+  /// Of a scalar field at time t; valid until the next call.
+  const FarField& farField(const std::string& field, double t);
   /// Whether a prescribed value of this field changes with time.
   bool prescribedValueDependsOnTime(const std::string& field) const;
   /// Adds External_Force_Density (body force, traction) at time t to `forceDensity` [3 nOwned].

@@ -29,6 +29,7 @@ const std::map<std::string, Type>& types() {
       {"Traction", {ConditionKind::Traction, "Force_Density"}},
       {"No Failure", {ConditionKind::NoFailure, "No_Failure"}},
       {"Saturated Crack Faces", {ConditionKind::SaturatedCrackFaces, ""}},
+      {"Far Field Concentration", {ConditionKind::FarField, "Concentration"}},
   };
   return known;
 }
@@ -89,7 +90,11 @@ Condition readCondition(const std::string& name, const DeckNode& node, const Dis
     condition.component = componentOf(node);
   if (kind != ConditionKind::NoFailure) condition.value = Function::fromDeck(needed(node, "Value"));
   if (kind == ConditionKind::SaturatedCrackFaces) condition.threshold = needed(node, "Threshold").real();
-  if (kind == ConditionKind::Traction) condition.area = needed(node, "Area").real();
+  if (kind == ConditionKind::Traction || kind == ConditionKind::FarField) condition.area = needed(node, "Area").real();
+  if (kind == ConditionKind::FarField) {
+    condition.diffusivity = needed(node, "Diffusivity").real();
+    condition.distance = needed(node, "Distance").real();
+  }
   return condition;
 }
 

@@ -20,7 +20,8 @@ enum class ConditionKind {
   BodyForce,
   Traction,
   NoFailure,
-  SaturatedCrackFaces
+  SaturatedCrackFaces,
+  FarField
 };
 
 struct Condition {
@@ -31,9 +32,11 @@ struct Condition {
   int component = 0;        ///< of a vector field
   std::vector<int> points;  ///< local ids, owned and ghosts
   Function value = Function::constant(0.0);
-  double threshold = 0.0;  ///< of Damage
-  double area = 0.0;       ///< m2, of a traction
-  double scale = 1.0;      ///< of the value; a traction's Area over the volume of its points
+  double threshold = 0.0;                    ///< of Damage
+  double area = 0.0;                         ///< m2, of a traction or a far field
+  double scale = 1.0;                        ///< of the value; a traction's Area over the volume of its points
+  double diffusivity = 0.0, distance = 0.0;  ///< m2/s and m, of a far field
+  double exchangeRate = 0.0;                 ///< 1/s, of a far field
 
   bool isForce() const { return kind == ConditionKind::BodyForce || kind == ConditionKind::Traction; }
   bool isInitial() const {

@@ -49,7 +49,11 @@ class PluginCheck {
     isComplete_ = !check_.ofKind(Kind::Block).empty();
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
-      make(*solver, [&] { return SolverRegistry::self().create(solver->section.plugin, solver->list)->fieldIds(); });
+      make(*solver, [&] {
+        const auto made = SolverRegistry::self().create(solver->section.plugin, solver->list);
+        for (const std::string& label : made->fieldsWithFarField()) farFields_.insert(label);
+        return made->fieldIds();
+      });
     for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) conditionField(*condition);
     computes();
     for (const CheckedSection* output : check_.ofKind(Kind::Output)) outputVariables(output->section.node);
@@ -107,6 +111,12 @@ class PluginCheck {
   void conditionField(const CheckedSection& condition) {
     const DeckNode field = condition.section.node["Field"];
     if (condition.section.plugin == "No Failure") labels_.insert("No_Failure");
+    if (condition.section.plugin == "Far Field Concentration" && isComplete_ && farFields_.count("Concentration") == 0)
+      mistakes_.add(
+          condition.section.node.keyPlace(),
+          condition.section.node.path() +
+              ": no solver of this deck takes an electrolyte beyond the mesh into account, as Corrosion does; "
+              "use Prescribed Concentration");
     if (!field.isScalar() || !isKnown(field)) return;
     if (condition.section.plugin == "Saturated Crack Faces") labels_.insert(field.text() + "_Source");
     if (!FieldManager::self().hasField(field.text())) return;
@@ -186,7 +196,8 @@ class PluginCheck {
   const Deck& deck_;
   Mistakes& mistakes_;
   std::set<std::string> labels_;
-  bool isComplete_ = true;  ///< all plug-ins could be made
+  std::set<std::string> farFields_;  ///< that solvers take into account
+  bool isComplete_ = true;           ///< all plug-ins could be made
 };
 
 }  // namespace

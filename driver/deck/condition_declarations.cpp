@@ -28,6 +28,7 @@ class ConditionDeclarations {
     scalars("Prescribed ", "Value at all times.");
     withType("No Failure").text("Node Set", "Points whose bonds never break.").required();
     saturatedCrackFaces();
+    farField();
   }
 
   std::map<std::string, Declarations> all;
@@ -64,6 +65,24 @@ class ConditionDeclarations {
     declare.real("Threshold", "1", "Damage above which a point becomes a source.").strictlyBetween(0.0, 1.0).required();
   }
 
+  void farField() {
+    Declarations& declare =
+        withValue("Far Field Concentration", "mol/m3", "Concentration where the electrolyte beyond the mesh ends.");
+    declare
+        .real(
+            "Distance", "m",
+            "From the end of the mesh to there; of an electrolyte without end in all directions the radius of the half "
+            "sphere at which the mesh ends.")
+        .atLeast(0.0)
+        .required();
+    declare.real("Diffusivity", "m2/s", "Of metal ions on the way.").positive().required();
+    declare
+        .real("Area", "m2",
+              "Of the open face; the node set is a layer of electrolyte behind it, about a horizon thick.")
+        .positive()
+        .required();
+  }
+
   static void declareField(Declarations& declare) {
     declare.text("Field", "Scalar point field, such as Concentration.").required();
   }
@@ -89,7 +108,8 @@ std::vector<std::string> boundaryConditionTypes() {
           "Body Force",
           "Traction",
           "No Failure",
-          "Saturated Crack Faces"};
+          "Saturated Crack Faces",
+          "Far Field Concentration"};
 }
 
 const Declarations& boundaryConditionDeclarations(const std::string& type) {

@@ -18,6 +18,8 @@ class Solver {
 
   /// Labels of fields that this solver needs beyond the plug-ins'; registers them with the FieldManager.
   virtual std::vector<int> fieldIds() const { return {}; }
+  /// Fields whose far field (BoundaryConditions::farField) this solver takes into account.
+  virtual std::vector<std::string> fieldsWithFarField() const { return {}; }
   /// Called once when the model is initialised; `dt` is the length of an increment (0: the solver chooses).
   virtual void initialize(Simulation&) {}
   /// Number of increments from t0 to t1 (a load step, a time step: what output frequencies count).

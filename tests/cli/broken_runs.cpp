@@ -104,6 +104,11 @@ std::vector<Broken> brokenRuns() {
        {{"    Type: No Failure\n    Node Set: Corner Node Set\n",
          "    Type: Saturated Crack Faces\n    Field: Concentration\n    Value: 1.0\n    Threshold: 1.5\n"}},
        {"deck.yaml:61:16: Boundary Conditions/Keep/Threshold is 1.5, must be in (0, 1)"}},
+      {"FarFieldWithoutItsSolver",
+       {{"Type: Prescribed Concentration\n",
+         "Type: Far Field Concentration\n    Distance: 1.0e-3\n    Diffusivity: 1.0e-9\n    Area: 1.0e-6\n"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: no solver of this deck takes an electrolyte beyond the mesh into "
+        "account, as Corrosion does; use Prescribed Concentration"}},
       {"TimesReversed",
        {{"Final Time: 10.0", "Final Time: -1.0"}},
        {"deck.yaml:62:15: Solver: Final Time -1 s must be after Initial Time 0 s"}},

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "../model_plugins.hpp"
 #include "../mpi/lattice.hpp"
+#include "driver/boundary/far_field.hpp"
 
 namespace pd::test {
 namespace {
@@ -119,6 +123,66 @@ TEST_F(BoundaryConditionsTest, ForcesAddUp) {
   EXPECT_DOUBLE_EQ(force[3 * 5], 13.0);
   EXPECT_DOUBLE_EQ(force[3 * 6], 13.0);
   EXPECT_DOUBLE_EQ(force[3 * 4], 0.0);
+}
+
+TEST_F(BoundaryConditionsTest, FarFieldDrawsTheFluxOfTheWayToIt) {
+  // Two points of 1 m3 on 0.5 m2: a layer of 4 m.
+  const Deck deck = deckWith(
+      "  Sea: {Type: Far Field Concentration, Node Set: Right Node Set, Value: \"2*t\", Distance: 6.0,"
+      " Diffusivity: 3.0, Area: 0.5}\n");
+  Model model = modelOf(deck);
+  BoundaryConditions conditions(deck, model);
+  const auto& sea = conditions.farField("Concentration", 4.0);
+  ASSERT_EQ(sea.coefficient.size(), 7u);
+  const double k = sea.coefficient[5], y = 4.0 * std::sqrt(k / 3.0);
+  EXPECT_NEAR(3.0 / 4.0 * y * std::tanh(y), 3.0 / (6.0 + 4.0), 1e-14);
+  const std::vector<double> coefficient = {0, 0, 0, 0, 0, k, k}, value = {0, 0, 0, 0, 0, 8.0, 8.0};
+  EXPECT_EQ(sea.coefficient, coefficient);
+  EXPECT_EQ(sea.value, value);
+  EXPECT_EQ(conditions.farField("Concentration", 5.0).value[6], 10.0);
+  EXPECT_TRUE(conditions.farField("Temperature", 4.0).coefficient.empty());
+  // It prescribes nothing.
+  EXPECT_EQ(conditions.valueIsPrescribed("Concentration"), std::vector<char>(7, 0));
+  EXPECT_FALSE(conditions.prescribedValueDependsOnTime("Concentration"));
+}
+
+TEST_F(BoundaryConditionsTest, FarFieldsAddUp) {
+  const char* const format =
+      "  %s: {Type: Far Field Concentration, Node Set: %s, Value: %s, Distance: 6.0, Diffusivity: 3.0, Area: 0.5}\n";
+  char sea[200], spring[200];
+  std::snprintf(sea, sizeof sea, format, "Sea", "Right Node Set", "1.0");
+  std::snprintf(spring, sizeof spring, format, "Spring", "Right Node Set", "4.0");
+  const Deck deck = deckWith(std::string(sea) + spring);
+  Model model = modelOf(deck);
+  BoundaryConditions conditions(deck, model);
+  const auto& both = conditions.farField("Concentration", 2.0);
+  EXPECT_DOUBLE_EQ(both.coefficient[6], 2.0 * exchangeRate(3.0, 6.0, 4.0));
+  EXPECT_DOUBLE_EQ(both.value[6], 2.5);
+}
+
+TEST(FarField, ExchangeOfALayer) {
+  // Far away, D/(h l); at no distance, y tanh y = 1 at y = 1.19967864 (Abramowitz & Stegun, table 4.20).
+  EXPECT_NEAR(exchangeRate(2.0, 1e6, 1.0), 2.0 / 1e6, 1e-11);
+  EXPECT_NEAR(exchangeRate(2.0, 0.0, 0.5), 2.0 * std::pow(1.19967864 / 0.5, 2), 1e-6);
+  // The steady state of a bar of 10 at C = 1 at one end, that goes on for `distance` past a layer of 2, by differences.
+  for (const double distance : {0.0, 1.0, 30.0}) {
+    constexpr int n = 24000;
+    const double length = 12.0, dx = length / n, k = exchangeRate(0.7, distance, 2.0);
+    // Thomas' algorithm for -D C'' + k C = 0 in cells, no flux through the end.
+    std::vector<double> above(n), right(n);
+    for (int i = 0; i < n; ++i) {
+      const double sink = (i + 0.5) * dx > 10.0 ? k * dx * dx / 0.7 : 0.0;
+      const double below = i == 0 ? 2.0 : 1.0, next = i + 1 == n ? 0.0 : 1.0;  // half a cell from the fixed end
+      const auto at = static_cast<std::size_t>(i);
+      const double diagonal = below + next + sink - (i == 0 ? 0.0 : above[at - 1]);
+      above[at] = next / diagonal;
+      right[at] = (i == 0 ? 2.0 : right[at - 1]) / diagonal;
+    }
+    double first = 0.0;
+    for (std::size_t i = n; i-- > 0;) first = right[i] + above[i] * first;
+    const double flux = 0.7 * (1.0 - first) / (0.5 * dx);
+    EXPECT_NEAR(flux, 0.7 / (12.0 + distance), 1e-6) << distance;
+  }
 }
 
 TEST_F(BoundaryConditionsTest, DamagedPointsBecomeSourcesForGood) {

@@ -31,6 +31,24 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
   return declarations.complete(given, "Corrosion");
 }
 
+/// Throws RunError where a point has less than no metal, or more than the solid.
+void requireConcentrations(Model& model) {
+  const double* concentration = model.field("Concentration");
+  const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
+  std::string message;
+  for (int i = 0; i < model.nOwned() && message.empty(); ++i) {
+    const double most = std::max(solid[i], saturation[i]);
+    if (concentration[i] >= -1e-6 * saturation[i] && concentration[i] <= (1.0 + 1e-9) * most) continue;
+    const auto point = static_cast<std::size_t>(i);
+    const double* x = model.discretization().x.data() + 3 * point;
+    message = fmt::format(
+        "Corrosion: concentration {:g} mol/m3 at point {} (x = {:g}, y = {:g}, z = {:g} m) is not between 0 and the "
+        "{:g} of the metal; look at the initial and prescribed concentrations\n",
+        concentration[i], model.discretization().globalIds[point] + 1, x[0], x[1], x[2], most);
+  }
+  if (model.comm().any(!message.empty())) throw RunError(model.comm().gather(message));
+}
+
 }  // namespace
 
 void Corrosion::declareParameters(ParameterDeclarations& declare) {
@@ -94,6 +112,7 @@ void Corrosion::initialize(Simulation& simulation) {
     throw RunError(
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
+  requireConcentrations(model);
   initialMetal_ = metal(simulation);
 }
 
@@ -213,7 +232,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
   untouched_.clear();
   for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i], damage[i]});
-  if (!transport_.solve(simulation, lists_, h)) {
+  if (!transport_.solve(simulation, lists_, t, h)) {
     if (h < shortestTried_)
       throw RunError(
           fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
@@ -235,14 +254,14 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
     lists_.update(model);
   }
   const double* volume = model.field("Volume");
-  double held = 0.0;
+  double left = 0.0;
   double* lastRate = model.field(lastTransportRate);
   for (std::size_t k = 0; k < transport_.points().size(); ++k) {
     const int i = transport_.points()[k];
-    if (transport_.isUnknown()[k] == 0) held += volume[i] * h * transport_.rate()[k];
+    left += volume[i] * h * (transport_.isUnknown()[k] == 0 ? transport_.rate()[k] : -transport_.inflow()[k]);
     lastRate[i] = transport_.isUnknown()[k] != 0 ? transport_.rate()[k] : std::numeric_limits<double>::quiet_NaN();
   }
-  outflow_ += model.comm().sum(held);
+  outflow_ += model.comm().sum(left);
   return true;
 }
 
@@ -307,7 +326,7 @@ std::vector<std::string> Corrosion::summary() const {
       fmt::format("Corrosion: {} steps of {:.3g} to {:.3g} s, {} rejected; {} Newton and {} linear iterations", nSteps_,
                   shortest_, longest_, nRejected_, transport_.nNewtonIterations, transport_.nLinearIterations),
       fmt::format("Corrosion: metal in solid and electrolyte {:.6g} mol at the start, {:.6g} mol have left through "
-                  "prescribed points; the balance is off by {:.2g} of it",
+                  "prescribed points and far fields; the balance is off by {:.2g} of it",
                   initialMetal_, outflow_, balance_)};
 }
 

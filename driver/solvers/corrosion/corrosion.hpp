@@ -16,6 +16,7 @@ class Corrosion : public Solver {
   explicit Corrosion(const Teuchos::ParameterList& given);
 
   std::vector<int> fieldIds() const override;
+  std::vector<std::string> fieldsWithFarField() const override { return {"Concentration"}; }
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;

@@ -36,10 +36,13 @@ void TransportStep::coverWithSalt(const Fields& fields, double coverage) const {
   std::fill(fields.salt + fields.nOwned, fields.salt + fields.nPoints, coverage);
 }
 
-void TransportStep::begin(Simulation& simulation, const Fields& fields) {
+void TransportStep::begin(Simulation& simulation, const Fields& fields, double end) {
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  const BoundaryConditions::FarField& far = simulation.conditions.farField("Concentration", end);
   const std::size_t n = ids_.size();
-  for (auto* values : {&before_, &saltBefore_, &residual_, &step_, &slope_, &rate_}) values->resize(n);
+  for (auto* values : {&before_, &saltBefore_, &residual_, &step_, &slope_, &rate_, &inflow_}) values->resize(n);
+  exchange_.assign(n, 0.0);
+  farValue_.assign(n, 0.0);
   isUnknown_.resize(n);
   isFree_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -47,6 +50,10 @@ void TransportStep::begin(Simulation& simulation, const Fields& fields) {
     before_[k] = fields.concentration[i];
     saltBefore_[k] = fields.salt[i];
     isUnknown_[k] = isHeld[static_cast<std::size_t>(i)] == 0;
+    if (isUnknown_[k] != 0 && !far.coefficient.empty()) {
+      exchange_[k] = far.coefficient[static_cast<std::size_t>(i)];
+      farValue_[k] = far.value[static_cast<std::size_t>(i)];
+    }
     // A guess, from fields alone, so that a restarted run makes the same.
     isFree_[k] = isUnknown_[k] != 0 && !(fields.area[i] > 0.0 && fields.salt[i] > 0.0);
   }
@@ -68,7 +75,8 @@ double TransportStep::residual(Model& model, const Fields& fields, double h) {
   double largest = 0.0;
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     const int i = ids_[k];
-    residual_[k] = isUnknown_[k] != 0 ? before_[k] + h * fields.rate[i] - fields.concentration[i] : 0.0;
+    inflow_[k] = exchange_[k] * (farValue_[k] - fields.concentration[i]);
+    residual_[k] = isUnknown_[k] != 0 ? before_[k] + h * (fields.rate[i] + inflow_[k]) - fields.concentration[i] : 0.0;
     slope_[k] = fields.slope[i];
     if (isFree_[k] != 0) largest = std::max(largest, std::abs(residual_[k]) / fields.saturation[i]);
   }
@@ -90,14 +98,15 @@ bool TransportStep::updateSaturated(Model& model, const Fields& fields, double t
   return model.comm().any(hasChanged);
 }
 
-/// image = (1 - h L - h s') direction at free points. The flux of an electrolyte whose surfaces salt covers is linear.
+/// image = (1 - h L - h s' + h k) direction at free points, k: exchange with the far field. The flux of an electrolyte
+/// whose surfaces salt covers is linear.
 void TransportStep::applyMatrix(Model& model, const Fields& fields, double h, const std::vector<double>& direction,
                                 std::vector<double>& image) {
   for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] = direction[k];
   model.importGhosts("Concentration");
   model.evaluateFluxDivergence(h, rateField, true);
   for (std::size_t k = 0; k < ids_.size(); ++k)
-    image[k] = isFree_[k] != 0 ? (1.0 - h * slope_[k]) * direction[k] - h * fields.rate[ids_[k]] : 0.0;
+    image[k] = isFree_[k] != 0 ? (1.0 + h * (exchange_[k] - slope_[k])) * direction[k] - h * fields.rate[ids_[k]] : 0.0;
 }
 
 void TransportStep::precondition(Model& model, const std::vector<double>& r, std::vector<double>& z) {
@@ -226,7 +235,8 @@ void TransportStep::finish(Model& model, const Fields& fields, double h) {
   model.evaluateFluxDivergence(h, rateField, true);
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     const int i = ids_[k];
-    rate_[k] = fields.rate[i];
+    inflow_[k] = exchange_[k] * (farValue_[k] - fields.concentration[i]);
+    rate_[k] = fields.rate[i] + inflow_[k];
     fields.concentration[i] = isUnknown_[k] != 0 ? before_[k] + h * rate_[k] : before_[k];
   }
   for (std::size_t k = 0; k < solidBefore_.size(); ++k) {
@@ -235,7 +245,7 @@ void TransportStep::finish(Model& model, const Fields& fields, double h) {
   }
 }
 
-bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, double h) {
+bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, double t, double h) {
   Model& model = simulation.model;
   const Fields fields(model);
   ids_ = lists.liquid();
@@ -244,7 +254,7 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   solidIds_ = lists.dissolving();
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   model.evaluateFluxDivergence(h, rateField);  // takes up the phases
-  begin(simulation, fields);
+  begin(simulation, fields, t + h);
   for (std::size_t k = 0; k < ids_.size(); ++k)
     if (isUnknown_[k] != 0 && isFree_[k] == 0) fields.concentration[ids_[k]] = fields.saturation[ids_[k]];
   if (!iterate(model, fields, h)) {
