@@ -57,6 +57,27 @@ class Histories(CorrosionTest):
             for label in ("Corrosion_Depth", "Binned_Depth"):
                 np.testing.assert_allclose(found.field(label), expected.field(label), rtol=0.0, atol=1e-14)
 
+    def test_far_field(self):
+        def deck(name, time=20.0, steps=8):
+            deck = self.deck(time, steps, name)
+            conditions = deck["Boundary Conditions"]
+            # The pit's electrolyte is open where it was held.
+            conditions["Sea"] = {"Type": "Far Field Concentration", "Node Set": "Sea Node Set", "Value": "10*t",
+                                 "Distance": 50e-6, "Diffusivity": STEEL["Diffusivity"], "Area": 4e-6}
+            return deck
+
+        expected = self.solve(deck("open"))
+        self.check(expected, METAL)
+        found = self.solve(deck("open2"), ranks=2)
+        self.check(found, METAL)
+        for label, scale in (("Concentration", STEEL["Solid Concentration"]), ("Damage", 1.0)):
+            np.testing.assert_allclose(found.field(label), expected.field(label), rtol=0.0, atol=1e-10 * scale)
+        half = deck("half", 10.0, 4)
+        half["Output"]["Checkpoint Frequency"] = 4
+        self.solve(half)
+        rest = self.solve(deck("half"), arguments=["--restart", "half.checkpoint.h5"])
+        np.testing.assert_array_equal(rest.field("Concentration", 8), expected.field("Concentration", 8))
+
     def test_restart(self):
         whole = self.solve(self.deck(20.0, 8, "whole")).history()
         half = self.deck(10.0, 4, "half")
