@@ -267,8 +267,10 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
     findAcidity(cache, views);
   }
   if (!cache.hasAreas) findAreas(cache, views);
-  // Deep solid has no rate, and costs nothing.
-  if (cache.zeroed != views.rate) std::fill(views.rate, views.rate + views.nPoints, 0.0);
+  // Deep solid has no rate, and costs nothing; but where there are several blocks, hosts add up the rates of all in
+  // each.
+  const bool isOnlyBlock = numOwnedPoints == dataManager.getOwnedScalarPointMap()->NumMyElements();
+  if (cache.zeroed != views.rate || !isOnlyBlock) std::fill(views.rate, views.rate + views.nPoints, 0.0);
   cache.zeroed = views.rate;
   for (const std::size_t c : phases.activeChunks()) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
@@ -282,7 +284,13 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
   kernels::addScaledFluxDivergence(cache.neighborhood, cache.diffusion, phases.liquid(), phases.liquidChunks(),
                                    cache.diffusionCorrection[0], cache.concentration[0], views.rate);
   bool dissolves = false;
-  for (const int j : phases.sources()) dissolves = dissolve(cache, views, j) || dissolves;
+  for (const int j : phases.sources()) {
+    const bool isIdle = views.salt[j] >= 1.0 && views.demand[j] == 0.0;
+    if (isIdle)
+      for (kernels::PointArrays& lost : cache.lostFlux) lost[0][j] = 0.0;
+    else
+      dissolves = dissolve(cache, views, j) || dissolves;
+  }
   if (!dissolves) return;
   if (phases_.count() == 1) {
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(),

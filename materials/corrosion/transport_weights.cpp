@@ -88,7 +88,7 @@ double TransportWeights::share(double length, double range, double volume, doubl
   const double factor = shape_.volumeFactor();
   const double spacing = 0.5 * (family_.spacing(factor * volume) + family_.spacing(factor * neighborVolume));
   const double value = kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
-  constexpr double roundOff = 1e-9;  // of points that lie exactly where the share ends
+  constexpr double roundOff = 1e-4;  // of points that lie where the share ends, but for rounded coordinates
   return value > roundOff ? value : 0.0;
 }
 
