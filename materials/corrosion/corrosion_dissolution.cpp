@@ -126,7 +126,7 @@ struct CorrosionDissolution::Views {
 };
 
 PhaseGeometry CorrosionDissolution::geometry(const Views& views) const {
-  return {weights_, views.x, views.volume, views.damage};
+  return {weights_, views.x, views.volume, views.damage, &phases_, views.blockId};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
@@ -147,7 +147,8 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
   }
 }
 
-CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, const Views& views) const {
+CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, const Views& views,
+                                                           DataManager& dataManager) const {
   return caches_.of(call, views.x, [&](const Call& c) {
     const PhaseGeometry bonds = geometry(views);
     Cache made;
@@ -160,6 +161,10 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
     made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
+    std::vector<char> isOwn(static_cast<std::size_t>(views.nPoints), 0);
+    for (int p = 0; p < c.nOwned; ++p) isOwn[static_cast<std::size_t>(c.ownedIds[p])] = 1;
+    for (int i = 0; i < dataManager.getOwnedScalarPointMap()->NumMyElements(); ++i)
+      if (isOwn[static_cast<std::size_t>(i)] == 0) made.ofOtherBlocks.push_back(i);
     made.concentration.zero(views.nPoints, 1);
     made.diffusionCorrection.zero(views.nPoints, 1);
     made.area.resize(phases_.count());
@@ -178,7 +183,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
 void CorrosionDissolution::precompute(const double, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) const {
   const Views views(*this, dataManager);
-  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
   takeUpPhases(cache, views);
   findAcidity(cache, views);
   cache.isPrepared = true;
@@ -234,7 +239,7 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
     const double area = cache.area[p][0][j];  // of the points of this call; others are seen to by theirs
-    double flux = views.demand[j];
+    double flux = phases_[p].pace * views.demand[j];
     if (bare > 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
       flux += bare * perCurrent * i.current;
@@ -259,7 +264,7 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
 void CorrosionDissolution::computeFluxDivergence(const double, const int numOwnedPoints, const int* ownedIDs,
                                                  const int* neighborhoodList, DataManager& dataManager) const {
   const Views views(*this, dataManager);
-  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
   const kernels::PhaseBonds& phases = cache.phases;
   // A host that probes with lists of its own prepares nothing for them.
   if (!cache.isPrepared) {
@@ -272,6 +277,7 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
   const bool isOnlyBlock = numOwnedPoints == dataManager.getOwnedScalarPointMap()->NumMyElements();
   if (cache.zeroed != views.rate || !isOnlyBlock) std::fill(views.rate, views.rate + views.nPoints, 0.0);
   cache.zeroed = views.rate;
+  for (const int i : cache.ofOtherBlocks) views.rate[i] = 0.0;
   for (const std::size_t c : phases.activeChunks()) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
@@ -310,7 +316,7 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
                                            const int* neighborhoodList, DataManager& dataManager,
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
   const Views views(*this, dataManager);
-  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views);
+  Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
   if (!cache.isPrepared) takeUpPhases(cache, views);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();

@@ -7,9 +7,9 @@
 // (phase_geometry.hpp), and the flux of metal ions from the surface near liquid point j,
 //   Q_j = (1 - S_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
 // S: share of the surface under salt, B: further flux that a solver asks for; i and C_solid of the phase that the solid
-// end belongs to. A plane front passes Q exactly. A solid point becomes liquid at C_sat and takes that much with it,
-// hence the last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru,
-// Electrochim. Acta 401 (2022) 139512.
+// end belongs to. Where phases meet, each gives of B what its pace is (solid_phases.hpp). A plane front passes Q
+// exactly. A solid point becomes liquid at C_sat and takes that much with it, hence the last factor: the front then
+// moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022) 139512.
 #ifndef PD_CORROSION_DISSOLUTION_HPP
 #define PD_CORROSION_DISSOLUTION_HPP
 
@@ -65,9 +65,10 @@ class CorrosionDissolution : public PeridigmNS::Material {
     bool hasAreas = false;           ///< `area` is of the present phases
     bool isPrepared = false;         ///< precompute() has been called: it will be whenever phases change
     const double* zeroed = nullptr;  ///< rates that are 0 wherever nothing flows
+    std::vector<int> ofOtherBlocks;  ///< owned points, whose rates the host may have written
   };
 
-  Cache& cacheOf(const Call& call, const Views& views) const;
+  Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
   PhaseGeometry geometry(const Views& views) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;

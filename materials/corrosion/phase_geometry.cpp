@@ -96,12 +96,15 @@ std::array<double, 3> PhaseGeometry::normal(int point, const int* neighbors, int
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
   const std::array<double, 3> n = normal(point, neighbors, count);
+  const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
     const Bond bond = weights_.bond(x_, point, j);
     const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
-    passed[across > 0.0] += dissolutionWeight(bond, point, j) * volume_[j] * std::abs(across);
+    const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
+    const double share = mayDiffer ? phases_->keepsUp(own, phases_->ofBlock(blockId_[j])) : 1.0;
+    passed[across > 0.0] += share * dissolutionWeight(bond, point, j) * volume_[j] * std::abs(across);
   }
   const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
   // Sides of the body beside the point cut both halves alike, and by the mean an error of the normal counts in second

@@ -2,6 +2,7 @@
 #ifndef PD_PHASE_GEOMETRY_HPP
 #define PD_PHASE_GEOMETRY_HPP
 
+#include "solid_phases.hpp"
 #include "transport_weights.hpp"
 
 namespace pd {
@@ -9,8 +10,10 @@ namespace pd {
 /// Sums over the whole neighbourhood of one point. Arrays by local id; a point is liquid where its `damage` is 1.
 class PhaseGeometry {
  public:
-  PhaseGeometry(const TransportWeights& weights, const double* x, const double* volume, const double* damage)
-      : weights_(weights), x_(x), volume_(volume), damage_(damage) {}
+  /// `phases`, `blockId`: of a solid of several phases.
+  PhaseGeometry(const TransportWeights& weights, const double* x, const double* volume, const double* damage,
+                const SolidPhases* phases = nullptr, const double* blockId = nullptr)
+      : weights_(weights), x_(x), volume_(volume), damage_(damage), phases_(phases), blockId_(blockId) {}
 
   double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
   double dissolutionWeight(int i, int j) const { return dissolutionWeight(weights_.bond(x_, i, j), i, j); }
@@ -22,7 +25,8 @@ class PhaseGeometry {
 
   /// What the dissolution weights of a solid point must be multiplied by for a plane front of the direction that the
   /// solid around it has: bonds of a grid pass up to 8 % more where a front slants. Sides of the body, where bonds are
-  /// missing, are made up for: the side that has more of them counts.
+  /// missing, are made up for: the side that has more of them counts. So are slower phases beside the point's, which
+  /// such a front leaves behind.
   double dissolutionCorrection(int point, const int* neighbors, int count) const;
 
  private:
@@ -38,6 +42,8 @@ class PhaseGeometry {
 
   const TransportWeights& weights_;
   const double *x_, *volume_, *damage_;
+  const SolidPhases* phases_;
+  const double* blockId_;
 };
 
 }  // namespace pd

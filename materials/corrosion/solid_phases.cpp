@@ -52,6 +52,11 @@ SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation
                          concentrations[p]});
     }
   }
+  double fastest = 0.0;
+  for (const Phase& phase : phases_) fastest = std::max(fastest, phase.currentDensity.at(saturation).current);
+  constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
+  for (Phase& phase : phases_)
+    if (fastest > 0.0) phase.pace = std::max(phase.currentDensity.at(saturation).current / fastest, least);
   for (const Phase& phase : phases_)
     if (!(phase.solidConcentration > saturation))
       throw std::invalid_argument(owner + ": \"Saturation Concentration\" must be below \"Solid Concentration\"");

@@ -2,6 +2,7 @@
 #ifndef PD_SOLID_PHASES_HPP
 #define PD_SOLID_PHASES_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ class SolidPhases {
     int block;  ///< number of the block of the mesh; -1: every other
     CurrentDensity currentDensity;
     double solidConcentration;  ///< mol/m3
+    /// Current density at saturation over that of the fastest phase; at least 1e-6.
+    double pace = 1.0;
   };
 
   static void declareParameters(ParameterDeclarations& declare);
@@ -26,6 +29,10 @@ class SolidPhases {
   const Phase& operator[](std::size_t phase) const { return phases_[phase]; }
   /// Phase of the points of a block, by the value of the field Block_Id.
   std::size_t ofBlock(double blockId) const;
+  /// Share of the second phase that a front through the first takes along, 0 to 1.
+  double keepsUp(std::size_t first, std::size_t second) const {
+    return std::min(1.0, phases_[second].pace / phases_[first].pace);
+  }
 
  private:
   std::vector<Phase> phases_;  ///< that of all other blocks first

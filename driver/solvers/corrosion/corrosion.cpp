@@ -164,8 +164,7 @@ void Corrosion::evaluateDamage(Model& model, double h) {
 bool Corrosion::carryOver(Simulation& simulation, double h) {
   Model& model = simulation.model;
   double *concentration = model.field("Concentration"), *demand = model.field("Dissolution_Demand");
-  const double *saturation = model.field("Saturation_Concentration"), *area = model.field("Interface_Area_Density");
-  const double* rate = model.field(rateField);
+  const double *saturation = model.field("Saturation_Concentration"), *rate = model.field(rateField);
   double* salt = model.field("Salt_Coverage");
   const auto fillLiquid = [&](double* values, double value) {
     for (const int i : lists_.liquid()) values[i] = value;
@@ -192,8 +191,11 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
     }
     fillLiquid(concentration, 0.0);
     fillLiquid(salt, 1.0);
-    model.evaluateFluxDivergence(h, rateField);  // areas of the new interface
-    for (const auto& [i, debt] : debts) demand[i] = area[i] > 0.0 ? debt / area[i] : 0.0;
+    // What a demand of 1 brings, with the new interface.
+    for (const auto& debt : debts) demand[debt.first] = 1.0;
+    model.importGhosts("Dissolution_Demand");
+    model.evaluateFluxDivergence(h, rateField);
+    for (const auto& [i, debt] : debts) demand[i] = rate[i] > 0.0 ? debt / rate[i] : 0.0;
     model.importGhosts("Dissolution_Demand");
     model.evaluateFluxDivergence(h, rateField, true);
     for (std::size_t k = 0; k < liquid.size(); ++k) {
