@@ -229,6 +229,12 @@ void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
                             cache.correction[0], cache.area[p][0]);
   }
+  // Of the points of this call; others are seen to by theirs.
+  for (const int j : phases.sources()) {
+    double total = 0.0;
+    for (const kernels::PointArrays& area : cache.area) total += area[0][j];
+    if (total > 0.0) views.area[j] = total;
+  }
   cache.hasAreas = true;
 }
 
@@ -238,7 +244,7 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
   const double bare = 1.0 - views.salt[j];
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
-    const double area = cache.area[p][0][j];  // of the points of this call; others are seen to by theirs
+    const double area = cache.area[p][0][j];
     double flux = phases_[p].pace * views.demand[j];
     if (bare > 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
@@ -253,7 +259,6 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
     dissolves = dissolves || flux != 0.0;
   }
   if (total > 0.0) {
-    views.area[j] = total;
     views.current[j] = current / total;
     views.dissolutionRate[j] = rate;
     views.slope[j] = slope;
@@ -272,10 +277,8 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
     findAcidity(cache, views);
   }
   if (!cache.hasAreas) findAreas(cache, views);
-  // Deep solid has no rate, and costs nothing; but where there are several blocks, hosts add up the rates of all in
-  // each.
-  const bool isOnlyBlock = numOwnedPoints == dataManager.getOwnedScalarPointMap()->NumMyElements();
-  if (cache.zeroed != views.rate || !isOnlyBlock) std::fill(views.rate, views.rate + views.nPoints, 0.0);
+  // Deep solid has no rate, and costs nothing.
+  if (cache.zeroed != views.rate) std::fill(views.rate, views.rate + views.nPoints, 0.0);
   cache.zeroed = views.rate;
   for (const int i : cache.ofOtherBlocks) views.rate[i] = 0.0;
   for (const std::size_t c : phases.activeChunks()) {
