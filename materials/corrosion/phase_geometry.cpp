@@ -42,13 +42,22 @@ double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int c
       moment[3 + d] += weight * r[d] * r[(d + 1) % 3];
     }
   }
-  const double largest = largestEigenvalue(moment);
-  return largest > 0.0 ? 2.0 * weights_.diffusivity() / largest : 1.0;
+  double along = largestEigenvalue(moment);
+  const Normal wall = normal(point, neighbors, count);
+  if (wall.isClear && weights_.dimension() > 1) {
+    const auto& n = wall.direction;
+    double across = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) across += n[d] * (moment[d] * n[d] + 2.0 * moment[3 + d] * n[(d + 1) % 3]);
+    const double tangential = (moment[0] + moment[1] + moment[2] - across) / (weights_.dimension() - 1);
+    constexpr double least = 0.5;  // walls of plane fronts take no more
+    along = std::max(tangential, least * along);
+  }
+  return along > 0.0 ? 2.0 * weights_.diffusivity() / along : 1.0;
 }
 
 /// Direction of the least-squares fit a + b.r to the solid's indicator (1 in solid, 0 in electrolyte) over the largest
 /// cube in the neighbourhood: sides of the body that cut it along the axes do not turn b.
-std::array<double, 3> PhaseGeometry::normal(int point, const int* neighbors, int count) const {
+PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, int count) const {
   double volume = volume_[point], solid = damage_[point] < 1.0 ? volume : 0.0, place[3] = {}, solidPlace[3] = {},
          solidSquare[3] = {}, square[6] = {};
   std::array<double, 3> scale{1.0, 1.0, 1.0};
@@ -83,7 +92,8 @@ std::array<double, 3> PhaseGeometry::normal(int point, const int* neighbors, int
   }
   std::array<double, 3> n{};
   constexpr double isUnclear = 0.05;  // between two walls, that cancel: the axis along which most solid lies
-  if (slant <= isUnclear * isUnclear * solid * solid * size / volume)
+  const bool isClear = slant > isUnclear * isUnclear * solid * solid * size / volume;
+  if (!isClear)
     n[static_cast<std::size_t>(std::max_element(solidSquare, solidSquare + 3) - solidSquare)] = 1.0;
   else
     n = solved(square, slope);
@@ -91,11 +101,11 @@ std::array<double, 3> PhaseGeometry::normal(int point, const int* neighbors, int
   for (std::size_t d = 0; d < 3; ++d) n[d] *= scale[d];
   const double length = std::hypot(n[0], n[1], n[2]);
   for (double& component : n) component /= length;
-  return n;
+  return {n, isClear};
 }
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
-  const std::array<double, 3> n = normal(point, neighbors, count);
+  const std::array<double, 3> n = normal(point, neighbors, count).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {

@@ -18,9 +18,10 @@ class PhaseGeometry {
   double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
   double dissolutionWeight(int i, int j) const { return dissolutionWeight(weights_.bond(x_, i, j), i, j); }
 
-  /// 2 D over the largest second moment of the bonds to liquid points: 1 inside the electrolyte, more at a wall, where
-  /// what is left of a neighbourhood would otherwise diffuse too slowly along it. With the mean of both ends' values on
-  /// each bond, mass is conserved, and the bonds of a straight gap together diffuse with D along it exactly.
+  /// What the diffusion weights of a liquid point must be multiplied by so that its bonds to liquid points diffuse with
+  /// D along the wall next to it: 1 inside the electrolyte, more at a wall, which cuts the neighbourhood. Between two
+  /// walls that is the direction in which they diffuse most. With the mean of both ends' values on each bond, mass is
+  /// conserved, and the bonds of a straight gap together diffuse with D along it exactly.
   double diffusionCorrection(int point, const int* neighbors, int count) const;
 
   /// What the dissolution weights of a solid point must be multiplied by for a plane front of the direction that the
@@ -37,8 +38,11 @@ class PhaseGeometry {
   double dissolutionWeight(const Bond& bond, int i, int j) const {
     return weights_.dissolution(bond, volume_[i], volume_[j]);
   }
-  /// Unit vector from the electrolyte to the solid, along the axes of the horizon.
-  std::array<double, 3> normal(int point, const int* neighbors, int count) const;
+  struct Normal {
+    std::array<double, 3> direction;  ///< unit vector from electrolyte to solid, along the axes of the horizon
+    bool isClear;                     ///< false between walls that cancel, and where there is no solid
+  };
+  Normal normal(int point, const int* neighbors, int count) const;
 
   const TransportWeights& weights_;
   const double *x_, *volume_, *damage_;
