@@ -61,6 +61,10 @@ class Ranks(Plate):
     def test_fixed_steps(self):
         self.compare(STEEL, 40.0, **{"Fixed dt": 1.0})
 
+    def test_explicit_methods(self):
+        for method in ("Euler", "RKL"):
+            self.compare(SALTED, 4.0, Method=method)
+
 
 class Restarts(Plate):
     """A run that ends early, then goes on from its checkpoint, ends as one that ran through, to the last bit."""
@@ -88,6 +92,10 @@ class Restarts(Plate):
 
     def test_fixed_steps(self):
         self.check_restart(STEEL, 40.0, **{"Fixed dt": 1.0})
+
+    def test_explicit_methods(self):
+        for method in ("Euler", "RKL"):
+            self.check_restart(SALTED, 1.0, Method=method)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,9 @@
 
 #include "../declarations.hpp"
 #include "Peridigm_Field.hpp"
+#include "explicit_step.hpp"
 #include "field_names.hpp"
+#include "implicit_step.hpp"
 #include "loose_metal.hpp"
 
 namespace pd {
@@ -18,11 +20,14 @@ namespace {
 const std::string lastTransportRate = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 const std::string rateField = fluxDivergenceField("Concentration");
 
-TransportSettings settingsFrom(const Teuchos::ParameterList& parameters) {
-  TransportSettings settings;
+std::unique_ptr<TransportStep> makeStep(const Teuchos::ParameterList& parameters, Saturation saturation) {
+  const auto method = parameters.get<std::string>("Method");
+  if (method == "Euler") return std::make_unique<ExplicitStep>(ExplicitMethod::Euler, saturation);
+  if (method == "RKL") return std::make_unique<ExplicitStep>(ExplicitMethod::Legendre, saturation);
+  ImplicitSettings settings;
   settings.tolerance = parameters.get<double>("Solver Tolerance");
   settings.maximumLinearIterations = parameters.get<int>("Maximum Linear Iterations");
-  return settings;
+  return std::make_unique<ImplicitStep>(settings, saturation);
 }
 
 Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
@@ -31,13 +36,15 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
   return declarations.complete(given, "Corrosion");
 }
 
-/// Throws RunError where a point has less than no metal, or more than the solid.
-void requireConcentrations(Model& model) {
+/// Throws RunError where a point has less than no metal, or more than the solid; electrolyte that surfaces which pause
+/// have filled may hold more.
+void requireConcentrations(Model& model, Saturation saturationRule) {
   const double* concentration = model.field("Concentration");
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   std::string message;
   for (int i = 0; i < model.nOwned() && message.empty(); ++i) {
-    const double most = std::max(solid[i], saturation[i]);
+    const double most = saturationRule == Saturation::Pause && solid[i] == 0.0 ? std::numeric_limits<double>::infinity()
+                                                                               : std::max(solid[i], saturation[i]);
     if (concentration[i] >= -1e-6 * saturation[i] && concentration[i] <= (1.0 + 1e-9) * most) continue;
     const auto point = static_cast<std::size_t>(i);
     const double* x = model.discretization().x.data() + 3 * point;
@@ -53,6 +60,24 @@ void requireConcentrations(Model& model) {
 
 void Corrosion::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
+  declare
+      .text("Method",
+            "Of a step at given phases: implicit; explicit, in sub-steps of 0.9 of the longest stable one; or "
+            "Runge-Kutta-Legendre of second order, explicit with as many stages as stability asks for. The last two "
+            "are for comparison.")
+      .defaultTo("Backward Euler")
+      .oneOf({"Backward Euler", "Euler", "RKL"})
+      .from("Meyer, Balsara & Aslam, J. Comput. Phys. 257 (2014) 594");
+  declare
+      .text(
+          "Saturation",
+          "Complementarity: salt covers the share of a surface that keeps C at saturation, in steps of any length. "
+          "Pause: a surface with C at saturation when a step (Euler: sub-step) begins does not dissolve in it, others "
+          "dissolve freely; C may then exceed saturation by what a bare surface gives in one step, so steps must be "
+          "short.")
+      .defaultTo("Complementarity")
+      .oneOf({"Complementarity", "Pause"})
+      .from("Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022) 139512, eq. 14");
   declare
       .real("Fixed dt", "s",
             "Time step; without it, steps follow the tolerance and the front. Divided where the front would move more "
@@ -73,14 +98,16 @@ void Corrosion::declareParameters(ParameterDeclarations& declare) {
   declare.real("Maximum dt", "s", "Longest step; by default an increment.").positive();
   declare
       .real("Solver Tolerance", "1",
-            "Largest residual of a step, of saturation. Mass is conserved to rounding whatever it is.")
+            "Largest residual of an implicit step, of saturation. Mass is conserved to rounding whatever it is.")
       .defaultTo(1e-9)
       .strictlyBetween(1e-14, 1.0);
-  declare.integer("Maximum Linear Iterations", "Of one linear solve.").defaultTo(5000).atLeast(1);
+  declare.integer("Maximum Linear Iterations", "Of one linear solve of an implicit step.").defaultTo(5000).atLeast(1);
 }
 
-Corrosion::Corrosion(const Teuchos::ParameterList& given) : transport_(settingsFrom(completed(given))) {
+Corrosion::Corrosion(const Teuchos::ParameterList& given) {
   const auto parameters = completed(given);
+  saturation_ = parameters.get<std::string>("Saturation") == "Pause" ? Saturation::Pause : Saturation::Complementarity;
+  transport_ = makeStep(parameters, saturation_);
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
   tolerance_ = parameters.get<double>("Relative Tolerance");
@@ -112,7 +139,7 @@ void Corrosion::initialize(Simulation& simulation) {
     throw RunError(
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
-  requireConcentrations(model);
+  requireConcentrations(model, saturation_);
   initialMetal_ = metal(simulation);
 }
 
@@ -136,7 +163,7 @@ double Corrosion::frontAdvance(Simulation& simulation) const {
   return model.comm().max(largest);
 }
 
-/// Of backward Euler: h^2/2 C'', from the change of the rate since the last step, away from the interface, where rates
+/// Of Euler's steps: h^2/2 C'', from the change of the rate since the last step, away from the interface, where rates
 /// jump as points change phase.
 double Corrosion::timeError(Simulation& simulation, double h) const {
   Model& model = simulation.model;
@@ -146,8 +173,8 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
   double square = 0.0, total = 0.0;
   for (std::size_t k = 0; k < lists_.liquid().size(); ++k) {
     const int i = lists_.liquid()[k];
-    if (transport_.isUnknown()[k] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
-    const double error = 0.5 * h * (transport_.rate()[k] - lastRate[i]) / saturation[i];
+    if (transport_->isUnknown()[k] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
+    const double error = transport_->errorFactor() * h * (transport_->rate()[k] - lastRate[i]) / saturation[i];
     square += volume[i] * error * error;
     total += volume[i];
   }
@@ -215,7 +242,7 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
 
 /// Everything as before the step.
 void Corrosion::takeBack(Model& model) {
-  transport_.takeBack(model);
+  transport_->takeBack(model);
   double *concentration = model.field("Concentration"), *damage = model.field("Damage");
   for (const Solid& solid : untouched_) {
     concentration[solid.point] = solid.concentration;
@@ -234,16 +261,16 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
   untouched_.clear();
   for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i], damage[i]});
-  if (!transport_.solve(simulation, lists_, t, h)) {
+  if (!transport_->solve(simulation, lists_, t, h)) {
     if (h < shortestTried_)
       throw RunError(
           fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
-                      transport_.trouble()));
+                      transport_->trouble()));
     return false;
   }
   advance_ = frontAdvance(simulation);
   error_ = timeError(simulation, h);
-  surface_.take(model, transport_.points());
+  surface_.take(model, transport_->points());
   const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
   if (isTooLong || !carryOver(simulation, h)) {
     bonds.restore();
@@ -258,10 +285,10 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const double* volume = model.field("Volume");
   double left = 0.0;
   double* lastRate = model.field(lastTransportRate);
-  for (std::size_t k = 0; k < transport_.points().size(); ++k) {
-    const int i = transport_.points()[k];
-    left += volume[i] * h * (transport_.isUnknown()[k] == 0 ? transport_.rate()[k] : -transport_.inflow()[k]);
-    lastRate[i] = transport_.isUnknown()[k] != 0 ? transport_.rate()[k] : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < transport_->points().size(); ++k) {
+    const int i = transport_->points()[k];
+    left += volume[i] * h * (transport_->isUnknown()[k] == 0 ? transport_->rate()[k] : -transport_->inflow()[k]);
+    lastRate[i] = transport_->isUnknown()[k] != 0 ? transport_->rate()[k] : std::numeric_limits<double>::quiet_NaN();
   }
   outflow_ += model.comm().sum(left);
   return true;
@@ -288,7 +315,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
     double* lastRate = simulation.model.field(lastTransportRate);
     std::fill(lastRate, lastRate + simulation.model.nPoints(), std::numeric_limits<double>::quiet_NaN());
   }
-  transport_.forget();
+  transport_->forget();
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.
@@ -324,12 +351,11 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
 }
 
 std::vector<std::string> Corrosion::summary() const {
-  return {
-      fmt::format("Corrosion: {} steps of {:.3g} to {:.3g} s, {} rejected; {} Newton and {} linear iterations", nSteps_,
-                  shortest_, longest_, nRejected_, transport_.nNewtonIterations, transport_.nLinearIterations),
-      fmt::format("Corrosion: metal in solid and electrolyte {:.6g} mol at the start, {:.6g} mol have left through "
-                  "prescribed points and far fields; the balance is off by {:.2g} of it",
-                  initialMetal_, outflow_, balance_)};
+  return {fmt::format("Corrosion: {} steps of {:.3g} to {:.3g} s, {} rejected; {}", nSteps_, shortest_, longest_,
+                      nRejected_, transport_->work()),
+          fmt::format("Corrosion: metal in solid and electrolyte {:.6g} mol at the start, {:.6g} mol have left through "
+                      "prescribed points and far fields; the balance is off by {:.2g} of it",
+                      initialMetal_, outflow_, balance_)};
 }
 
 std::vector<double> Corrosion::restartState() const {
@@ -344,6 +370,6 @@ void Corrosion::setRestartState(const std::vector<double>& state) {
   ceiling_ = state.at(4);
 }
 
-PD_REGISTER_SOLVER(Corrosion, "Corrosion", "Dissolution of metal and implicit transport of its ions")
+PD_REGISTER_SOLVER(Corrosion, "Corrosion", "Dissolution of metal and transport of its ions")
 
 }  // namespace pd

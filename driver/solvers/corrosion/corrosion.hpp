@@ -1,8 +1,9 @@
-// Solver of dissolution: implicit transport at given phases, then the change of phases.
+// Solver of dissolution: transport at given phases, then the change of phases.
 #ifndef PD_CORROSION_HPP
 #define PD_CORROSION_HPP
 
 #include <limits>
+#include <memory>
 
 #include "../solver.hpp"
 #include "surface_record.hpp"
@@ -40,7 +41,8 @@ class Corrosion : public Solver {
 
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
-  TransportStep transport_;
+  Saturation saturation_;
+  std::unique_ptr<TransportStep> transport_;
   SurfaceRecord surface_;
   PhaseLists lists_;
   struct Solid {

@@ -3,26 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "field_names.hpp"
 
 namespace pd {
 
-namespace {
-
-const std::string rateField = fluxDivergenceField("Concentration");
-
-constexpr int isIndefinite = -1, stillGoing = -2;
-
-}  // namespace
-
 TransportStep::Fields::Fields(Model& model)
     : nOwned(model.nOwned()),
       nPoints(model.nPoints()),
       concentration(model.field("Concentration")),
-      rate(model.field(rateField)),
+      rate(model.field(fluxDivergenceField("Concentration"))),
       salt(model.field("Salt_Coverage")),
       dissolution(model.field("Dissolution_Rate")),
       slope(model.field("Dissolution_Rate_Slope")),
@@ -30,187 +20,42 @@ TransportStep::Fields::Fields(Model& model)
       volume(model.field("Volume")),
       area(model.field("Interface_Area_Density")) {}
 
-/// Salt_Coverage of all points that are liquid here or elsewhere.
 void TransportStep::coverWithSalt(const Fields& fields, double coverage) const {
   for (const int i : ids_) fields.salt[i] = coverage;
   std::fill(fields.salt + fields.nOwned, fields.salt + fields.nPoints, coverage);
+}
+
+void TransportStep::findPaused(const Fields& fields, std::vector<double>& coverage) const {
+  constexpr double rounding = 1e-9;  // points that turn liquid have C_sat but for it
+  coverage.resize(ids_.size());
+  for (std::size_t k = 0; k < ids_.size(); ++k) {
+    const int i = ids_[k];
+    coverage[k] = fields.concentration[i] >= (1.0 - rounding) * fields.saturation[i] ? 1.0 : 0.0;
+  }
+}
+
+void TransportStep::setSalt(Model& model, const Fields& fields, const std::vector<double>& coverage) const {
+  for (std::size_t k = 0; k < ids_.size(); ++k) fields.salt[ids_[k]] = coverage[k];
+  model.importGhosts("Salt_Coverage");
 }
 
 void TransportStep::begin(Simulation& simulation, const Fields& fields, double end) {
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   const BoundaryConditions::FarField& far = simulation.conditions.farField("Concentration", end);
   const std::size_t n = ids_.size();
-  for (auto* values : {&before_, &saltBefore_, &residual_, &step_, &slope_, &rate_, &inflow_}) values->resize(n);
+  for (auto* values : {&before_, &saltBefore_, &rate_, &inflow_}) values->resize(n);
   exchange_.assign(n, 0.0);
   farValue_.assign(n, 0.0);
   isUnknown_.resize(n);
-  isFree_.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const int i = ids_[k];
     before_[k] = fields.concentration[i];
     saltBefore_[k] = fields.salt[i];
     isUnknown_[k] = isHeld[static_cast<std::size_t>(i)] == 0;
-    if (isUnknown_[k] != 0 && !far.coefficient.empty()) {
-      exchange_[k] = far.coefficient[static_cast<std::size_t>(i)];
-      farValue_[k] = far.value[static_cast<std::size_t>(i)];
-    }
-    // A guess, from fields alone, so that a restarted run makes the same.
-    isFree_[k] = isUnknown_[k] != 0 && !(fields.area[i] > 0.0 && fields.salt[i] > 0.0);
+    if (isUnknown_[k] == 0 || far.coefficient.empty()) continue;
+    exchange_[k] = far.coefficient[static_cast<std::size_t>(i)];
+    farValue_[k] = far.value[static_cast<std::size_t>(i)];
   }
-}
-
-double TransportStep::dot(Model& model, const Fields& fields, const std::vector<double>& a,
-                          const std::vector<double>& b) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += fields.volume[ids_[k]] * a[k] * b[k];
-  return model.comm().sum(sum);
-}
-
-/// residual_ = C_old + h rate - C where C is unknown; returns the largest, relative to saturation. Saturated points
-/// have none: there S takes up the difference.
-double TransportStep::residual(Model& model, const Fields& fields, double h) {
-  coverWithSalt(fields, 0.0);
-  model.importGhosts("Concentration");
-  model.evaluateFluxDivergence(h, rateField, true);
-  double largest = 0.0;
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    const int i = ids_[k];
-    inflow_[k] = exchange_[k] * (farValue_[k] - fields.concentration[i]);
-    residual_[k] = isUnknown_[k] != 0 ? before_[k] + h * (fields.rate[i] + inflow_[k]) - fields.concentration[i] : 0.0;
-    slope_[k] = fields.slope[i];
-    if (isFree_[k] != 0) largest = std::max(largest, std::abs(residual_[k]) / fields.saturation[i]);
-  }
-  return model.comm().max(largest);
-}
-
-/// From the residual with bare surfaces everywhere. Returns whether any point has changed sides.
-bool TransportStep::updateSaturated(Model& model, const Fields& fields, double tolerance) {
-  bool hasChanged = false;
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    const int i = ids_[k];
-    if (isUnknown_[k] == 0 || fields.area[i] == 0.0) continue;
-    const double excess = fields.concentration[i] - fields.saturation[i], small = tolerance * fields.saturation[i];
-    const bool isSaturated = isFree_[k] == 0 ? residual_[k] > -small : excess > small;
-    if (isSaturated && isFree_[k] != 0) fields.concentration[i] = fields.saturation[i];
-    hasChanged = hasChanged || isSaturated != (isFree_[k] == 0);
-    isFree_[k] = isSaturated ? 0 : 1;
-  }
-  return model.comm().any(hasChanged);
-}
-
-/// image = (1 - h L - h s' + h k) direction at free points, k: exchange with the far field. The flux of an electrolyte
-/// whose surfaces salt covers is linear.
-void TransportStep::applyMatrix(Model& model, const Fields& fields, double h, const std::vector<double>& direction,
-                                std::vector<double>& image) {
-  for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] = direction[k];
-  model.importGhosts("Concentration");
-  model.evaluateFluxDivergence(h, rateField, true);
-  for (std::size_t k = 0; k < ids_.size(); ++k)
-    image[k] = isFree_[k] != 0 ? (1.0 + h * (exchange_[k] - slope_[k])) * direction[k] - h * fields.rate[ids_[k]] : 0.0;
-}
-
-void TransportStep::precondition(Model& model, const std::vector<double>& r, std::vector<double>& z) {
-  if (preconditioner_.isBuilt())
-    preconditioner_.apply(model, ids_, isFree_, r, z);
-  else
-    z = r;
-}
-
-int TransportStep::conjugateGradients(Model& model, const Fields& fields, double h, double target, int mostIterations) {
-  const std::size_t n = ids_.size();
-  std::vector<double> r(n), p, z(n), image(n);
-  applyMatrix(model, fields, h, step_, image);
-  for (std::size_t k = 0; k < n; ++k) r[k] = isFree_[k] != 0 ? residual_[k] - image[k] : 0.0;
-  precondition(model, r, z);
-  p = z;
-  double square = dot(model, fields, r, z);
-  for (int iteration = 1; square != 0.0; ++iteration) {
-    applyMatrix(model, fields, h, p, image);
-    const double curvature = dot(model, fields, p, image);
-    // A rate that grows quickly with C makes a long step's matrix indefinite.
-    if (!(curvature > 0.0)) return isIndefinite;
-    const double length = square / curvature;
-    double largest = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      step_[k] += length * p[k];
-      r[k] -= length * image[k];
-      largest = std::max(largest, std::abs(r[k]) / fields.saturation[ids_[k]]);
-    }
-    ++nLinearIterations;
-    if (model.comm().max(largest) <= target) return iteration;
-    if (iteration >= mostIterations) return stillGoing;
-    precondition(model, r, z);
-    const double next = dot(model, fields, r, z);
-    for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + next / square * p[k];
-    square = next;
-  }
-  return 0;
-}
-
-void TransportStep::makePreconditioner(Model& model, double h) {
-  preconditioner_.build(model, ids_, isFree_, h);
-  ++nPreconditioners;
-  builtFor_ = h;
-  leastIterations_ = std::numeric_limits<int>::max();
-  excess_ = 0;
-}
-
-/// step_ from residual_. The preconditioner is made where plain iterations are slow, and again where the iterations
-/// that an old one has cost are worth a new one.
-bool TransportStep::solveLinear(Model& model, const Fields& fields, double h, double target) {
-  constexpr int patience = 15;  // iterations that a preconditioner costs, about
-  std::vector<double> present(ids_.size());
-  for (std::size_t k = 0; k < ids_.size(); ++k) present[k] = fields.concentration[ids_[k]];
-  coverWithSalt(fields, 1.0);
-  std::fill(step_.begin(), step_.end(), 0.0);
-  if (preconditioner_.isBuilt() && (h != builtFor_ || excess_ > patience)) makePreconditioner(model, h);
-  const int most = !preconditioner_.isBuilt()                            ? patience
-                   : leastIterations_ == std::numeric_limits<int>::max() ? settings_.maximumLinearIterations
-                                                                         : leastIterations_ + 2 * patience;
-  int taken = conjugateGradients(model, fields, h, target, most);
-  if (taken == stillGoing && most < settings_.maximumLinearIterations) {
-    makePreconditioner(model, h);
-    taken = conjugateGradients(model, fields, h, target, settings_.maximumLinearIterations);
-  }
-  if (taken == isIndefinite) {
-    // A rate that grows so quickly with C mostly ends at saturation: without its slope, the iterations get there.
-    std::fill(slope_.begin(), slope_.end(), 0.0);
-    std::fill(step_.begin(), step_.end(), 0.0);
-    taken = conjugateGradients(model, fields, h, target, settings_.maximumLinearIterations);
-  }
-  if (taken >= 0 && preconditioner_.isBuilt()) {
-    leastIterations_ = std::min(leastIterations_, taken);
-    excess_ += taken - leastIterations_;
-  }
-  for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] = present[k];
-  if (taken < 0) trouble_ = fmt::format("the linear system of a step of {:.3g} s is not solved", h);
-  return taken >= 0;
-}
-
-bool TransportStep::iterate(Model& model, const Fields& fields, double h) {
-  // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
-  constexpr double loosest = 1e-2, tightest = 1e-4;
-  double before = 0.0;
-  for (int iteration = 0; iteration < settings_.maximumNewtonIterations; ++iteration) {
-    double largest = residual(model, fields, h);
-    // What rounding leaves of terms that cancel.
-    const double roundOff = preconditioner_.isBuilt()
-                                ? 8.0 * std::numeric_limits<double>::epsilon() * preconditioner_.largestDiagonal()
-                                : 0.0;
-    const double tolerance = std::max(settings_.tolerance, roundOff);
-    if (updateSaturated(model, fields, tolerance))
-      largest = residual(model, fields, h);
-    else if (largest <= tolerance)
-      return true;
-    if (!std::isfinite(largest)) return false;
-    const double ratio = before > 0.0 ? largest / before : 1.0;
-    const double share = std::clamp(0.9 * ratio * ratio, tightest, loosest);
-    before = largest;
-    if (!solveLinear(model, fields, h, std::max(0.1 * tolerance, share * largest))) return false;
-    for (std::size_t k = 0; k < ids_.size(); ++k) fields.concentration[ids_[k]] += step_[k];
-    ++nNewtonIterations;
-  }
-  return false;
 }
 
 void TransportStep::takeBack(Model& model) const {
@@ -224,27 +69,6 @@ void TransportStep::takeBack(Model& model) const {
   model.importGhosts("Concentration");
 }
 
-/// The salt that the step needs, and the step by rates.
-void TransportStep::finish(Model& model, const Fields& fields, double h) {
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    const int i = ids_[k];
-    if (isUnknown_[k] != 0 && isFree_[k] == 0 && fields.dissolution[i] > 0.0)
-      fields.salt[i] = std::clamp(residual_[k] / (h * fields.dissolution[i]), 0.0, 1.0);
-  }
-  model.importGhosts("Salt_Coverage");
-  model.evaluateFluxDivergence(h, rateField, true);
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    const int i = ids_[k];
-    inflow_[k] = exchange_[k] * (farValue_[k] - fields.concentration[i]);
-    rate_[k] = fields.rate[i] + inflow_[k];
-    fields.concentration[i] = isUnknown_[k] != 0 ? before_[k] + h * rate_[k] : before_[k];
-  }
-  for (std::size_t k = 0; k < solidBefore_.size(); ++k) {
-    const int i = solidIds_[k];
-    fields.concentration[i] = solidBefore_[k] + h * fields.rate[i];
-  }
-}
-
 bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, double t, double h) {
   Model& model = simulation.model;
   const Fields fields(model);
@@ -253,16 +77,17 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   solidBefore_.clear();
   solidIds_ = lists.dissolving();
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
-  model.evaluateFluxDivergence(h, rateField);  // takes up the phases
   begin(simulation, fields, t + h);
-  for (std::size_t k = 0; k < ids_.size(); ++k)
-    if (isUnknown_[k] != 0 && isFree_[k] == 0) fields.concentration[ids_[k]] = fields.saturation[ids_[k]];
-  if (!iterate(model, fields, h)) {
+  model.evaluateFluxDivergence(h, fluxDivergenceField("Concentration"));  // takes up the phases
+  if (!advance(model, fields, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
     takeBack(model);
     return false;
   }
-  finish(model, fields, h);
+  // A surface all under salt has no current; the material leaves that of before.
+  double* current = model.field("Current_Density");
+  for (const int i : ids_)
+    if (fields.salt[i] >= 1.0) current[i] = 0.0;
   return true;
 }
 
