@@ -1,5 +1,5 @@
 #!/bin/bash
-# Mesh, the three runs and the pictures of this scene, into results/pencil.
+# Mesh, the three runs, the study of methods and the pictures of this scene, into results/pencil.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -15,3 +15,4 @@ run() { # name, D, C_solid, C_sat, z, i, final time
 run copper 1297e-12 141000 5000 2 1e6 1000
 run finite 860e-12 142900 4600 2.19 5.1e3 3000
 "$here/plot.py" "$results"
+"$here/study.py" "$pdrun" "$here/pencil.yaml" "$results"
