@@ -84,15 +84,14 @@ void ExplicitStep::findBound(Model& model, double h) {
   nOfBound_ = ids_.size();
 }
 
-bool ExplicitStep::findSalt(const Fields& fields, double h, const StabilizedStage& stage,
-                            const std::vector<double>& start) {
+bool ExplicitStep::findSalt(const Fields& fields, double h, const StabilizedStage& stage) {
   bool isAny = false;
   coverage_.assign(ids_.size(), 0.0);
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     const int i = ids_[k];
     if (isUnknown_[k] == 0 || fields.area[i] == 0.0 || !(fields.dissolution[i] > 0.0)) continue;
     const double rate = fields.rate[i] + exchange_[k] * (farValue_[k] - fields.concentration[i]);
-    const double result = start[k] + stage.mu * change_.liquid[k] + stage.nu * older_.liquid[k] +
+    const double result = start_[k] + stage.mu * change_.liquid[k] + stage.nu * older_.liquid[k] +
                           h * (stage.muTilde * rate + stage.gammaTilde * first_.liquid[k]);
     const double excess = result - fields.saturation[i];
     coverage_[k] = std::clamp(excess / (h * stage.muTilde * fields.dissolution[i]), 0.0, 1.0);
@@ -101,8 +100,7 @@ bool ExplicitStep::findSalt(const Fields& fields, double h, const StabilizedStag
   return isAny;
 }
 
-void ExplicitStep::evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage,
-                            const std::vector<double>& start) {
+void ExplicitStep::evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage) {
   const auto rates = [&] {
     model.evaluateFluxDivergence(h, rateField, true);
     ++nEvaluations_;
@@ -111,7 +109,7 @@ void ExplicitStep::evaluate(Model& model, const Fields& fields, double h, const 
   if (!pauses()) {
     coverWithSalt(fields, 0.0);
     rates();
-    if (model.comm().any(findSalt(fields, h, stage, start))) {
+    if (model.comm().any(findSalt(fields, h, stage))) {
       setSalt(model, fields, coverage_);
       rates();
     }
@@ -136,7 +134,7 @@ void ExplicitStep::takeSubStep(Model& model, const Fields& fields, double h) {
   }
   for (std::size_t j = 0; j < scheme_.stages.size(); ++j) {
     const StabilizedStage& stage = scheme_.stages[j];
-    evaluate(model, fields, h, stage, start_);
+    evaluate(model, fields, h, stage);
     if (j == 0) first_ = now_;  // before, it is 0, as its factor is in the first stage
     change_.advance(stage, h, now_, first_, older_);
     for (std::size_t k = 0; k < ids_.size(); ++k)
@@ -158,17 +156,17 @@ void ExplicitStep::useScheme(int nStages) {
 bool ExplicitStep::advance(Model& model, const Fields& fields, double h) {
   constexpr double margin = 0.9;  // of the longest stable step, in which no point takes more from another than it has
   findBound(model, h);
-  int nSubSteps = 1;
+  long long nSubSteps = 1;
   if (method_ == ExplicitMethod::Euler) {
-    nSubSteps = std::max(1, static_cast<int>(std::ceil(h * bound_ / margin)));
+    nSubSteps = std::max(1LL, std::llround(std::ceil(h * bound_ / margin)));
     useScheme(1);
-    errorFactor_ = 0.5 / nSubSteps;
+    errorFactor_ = 0.5 / static_cast<double>(nSubSteps);
   } else {
     // Gershgorin: no eigenvalue exceeds twice the bound.
     useScheme(requiredStages(StabilizedFamily::Legendre, 2.0 * bound_ * h / margin));
   }
   total_.resize(ids_.size(), solidIds_.size());
-  for (int n = 0; n < nSubSteps; ++n) takeSubStep(model, fields, h / nSubSteps);
+  for (long long n = 0; n < nSubSteps; ++n) takeSubStep(model, fields, h / static_cast<double>(nSubSteps));
   bool isFinite = true;
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     rate_[k] = total_.liquid[k] / h;

@@ -38,18 +38,17 @@ class ExplicitStep : public TransportStep {
   /// Largest sum of the weights of a point's bonds with liquid, and exchange beyond the mesh, 1/s.
   void findBound(Model& model, double h);
   void takeSubStep(Model& model, const Fields& fields, double h);
-  /// rate_ of the stage from the values in the fields. `start`: C of the sub-step's beginning at the points ids_.
-  void evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage,
-                const std::vector<double>& start);
+  /// Rates of the stage from the values in the fields, into now_.
+  void evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage);
   /// S by what the stage would come to with bare surfaces; whether there is any.
-  bool findSalt(const Fields& fields, double h, const StabilizedStage& stage, const std::vector<double>& start);
+  bool findSalt(const Fields& fields, double h, const StabilizedStage& stage);
   void useScheme(int nStages);
 
   ExplicitMethod method_;
   StabilizedScheme scheme_;
   Change total_, change_, older_, now_, first_;
-  std::vector<double> start_, coverage_;
-  std::size_t nOfBound_ = 0;  ///< points that the bound is of
+  std::vector<double> start_, coverage_;  ///< of the points ids_: C when the sub-step begins; S of the stage
+  std::size_t nOfBound_ = 0;              ///< points that the bound is of
   double bound_ = 0.0, errorFactor_ = 0.5;
   int mostStages_ = 0;
   long long nSubSteps_ = 0, nEvaluations_ = 0;
