@@ -169,6 +169,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     made.diffusionCorrection.zero(views.nPoints, 1);
     made.area.resize(phases_.count());
     made.lostFlux.resize(phases_.count());
+    made.correction.resize(phases_.count());
     for (std::size_t p = 0; p < phases_.count(); ++p) made.lostFlux[p].zero(views.nPoints, 1);
     if (phases_.count() > 1) made.isOfPhase.resize(phases_.count());
     for (std::size_t p = 0; p < made.isOfPhase.size(); ++p) {
@@ -220,14 +221,13 @@ void CorrosionDissolution::findAcidity(const Cache& cache, const Views& views) c
 
 void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
-  cache.correction.copy(views.dissolutionCorrection, views.nPoints);
   for (std::size_t p = 0; p < phases_.count(); ++p) {
-    if (phases_.count() > 1)
-      for (int i = 0; i < views.nPoints; ++i)
-        cache.correction[0][i] = cache.isOfPhase[p][0][i] * views.dissolutionCorrection[i];
+    cache.correction[p].copy(views.dissolutionCorrection, views.nPoints);
+    for (int i = 0; i < views.nPoints && !cache.isOfPhase.empty(); ++i)
+      cache.correction[p][0][i] *= cache.isOfPhase[p][0][i];
     cache.area[p].zero(views.nPoints, 1);
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
-                            cache.correction[0], cache.area[p][0]);
+                            cache.correction[p][0], cache.area[p][0]);
   }
   // Of the points of this call; others are seen to by theirs.
   for (const int j : phases.sources()) {
@@ -301,17 +301,9 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
       dissolves = dissolve(cache, views, j) || dissolves;
   }
   if (!dissolves) return;
-  if (phases_.count() == 1) {
+  for (std::size_t p = 0; p < phases_.count(); ++p)
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(),
-                            views.dissolutionCorrection, cache.lostFlux[0][0], views.rate);
-    return;
-  }
-  for (std::size_t p = 0; p < phases_.count(); ++p) {
-    for (int i = 0; i < views.nPoints; ++i)
-      cache.correction[0][i] = cache.isOfPhase[p][0][i] * views.dissolutionCorrection[i];
-    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(),
-                            cache.correction[0], cache.lostFlux[p][0], views.rate);
-  }
+                            cache.correction[p][0], cache.lostFlux[p][0], views.rate);
 }
 
 /// Of liquid points; the loss of solid ones follows from it.

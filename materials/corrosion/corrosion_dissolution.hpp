@@ -57,8 +57,8 @@ class CorrosionDissolution : public PeridigmNS::Material {
     kernels::ChunkedNeighborhood neighborhood;
     kernels::BondConstants diffusion, dissolution;  ///< d V_j; c V_j
     kernels::PhaseBonds phases;
-    kernels::PointArrays concentration, diffusionCorrection, correction;
-    std::vector<kernels::PointArrays> isOfPhase, area,
+    kernels::PointArrays concentration, diffusionCorrection;
+    std::vector<kernels::PointArrays> isOfPhase, correction, area,
         lostFlux;                    ///< by solid phase; the first empty where there is one
     std::vector<int> liquid;         ///< owned points, where pH is kept
     std::vector<char> isListed;      ///< by local id: in `liquid`

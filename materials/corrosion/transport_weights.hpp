@@ -33,7 +33,6 @@ class TransportWeights {
   /// Throws std::invalid_argument, naming the remedy, where the bonds of this point, if it has as many as one inside
   /// such a grid, do not diffuse with D along each axis to 5 %: the mesh is no such grid.
   void checkGrid(const double* x, const double* volume, int point, const int* neighbors, int count) const;
-  bool isBall() const { return shape_.isBall(); }
 
   /// Per volume of the neighbour, 1/(m3 s).
   double diffusion(const Bond& bond, double volume, double neighborVolume) const {
