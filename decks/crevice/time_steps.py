@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The trench with fixed time steps from 0.5 to 500 s, in a crevice of a quarter of the length, or in the whole one.
 
-The short crevice is 3.2 mm long, its gap 20 to 10 um wide; all else is as in crevice.yaml. Attack runs to its mouth within
-1.2 hours and carves a trench of 19 um in 6. Steps in which the front would move more than twice `Front Limit` (here two
-spacings) are divided; a step of 500 s takes 0.8 spacings of metal under saturated electrolyte.
+The short crevice is 3.2 mm long, its gap 20 to 10 um wide; all else is as in crevice.yaml. Attack runs to its mouth
+within 1.2 hours and carves a trench of 19 um in 6. Steps in which the front would move more than twice `Front Limit`
+(here two spacings) are divided; a step of 500 s takes 0.8 spacings of metal under saturated electrolyte.
 
 Sample runs:
   time_steps.py build/pdrun                              half a minute
@@ -25,8 +25,7 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 from gap_averaged import HOUR, Crevice  # noqa: E402
 
-DX, DY = 25e-6, 1e-6
-LAYER = 100e-6  # of electrolyte before the mouth where C = 0 is held
+DY = 1e-6
 STEPS = (0.5, 5.0, 50.0, 500.0)
 
 
@@ -35,13 +34,19 @@ class Case:
     crevice: Crevice
     metal: float  # m, above the mouth's half gap
     hours: int
+    dx: float = 25e-6
+
+    @property
+    def horizon(self):
+        """Along x, m; of the electrolyte before the mouth, where C = 0 is held, as well."""
+        return 4.0 * self.dx
 
     def make_mesh(self, path):
         half = 0.5 * self.crevice.mouthGap
-        subprocess.run([sys.executable, HERE.parents[1] / "meshes" / "pdmesh", "grid", "box", "--size",
-                        repr(self.crevice.length + LAYER), repr(half + self.metal), "--spacing", repr(DX), repr(DY),
-                        "--origin", repr(-LAYER), "0", "--remove", f"x < 0 and y > {half!r}", "-o", path, "--quiet"],
-                       check=True)
+        subprocess.run([sys.executable, HERE.parents[1] / "meshes" / "pdmesh", "grid", "box", "--quiet", "-o", path,
+                        "--size", repr(self.crevice.length + self.horizon), repr(half + self.metal),
+                        "--spacing", repr(self.dx), repr(DY), "--origin", f"{-self.horizon:.9f}", "0",
+                        "--remove", f"x < 0 and y > {half!r}"], check=True)
 
     def settings(self):
         """What differs from crevice.yaml."""
@@ -50,6 +55,8 @@ class Case:
         sets = "Boundary Conditions/{} Node Set/Expression"
         return {sets.format("Metal"): f"x > 0 && y > {wall}",
                 sets.format("Start"): f"x > {c.length - c.ignition!r} && y < {wall}",
+                "Blocks/Body/Horizon": self.horizon,
+                "Materials/Alloy 625/Horizon Axes": f"[{self.horizon!r}, {4.0 * DY!r}]",
                 "Solver/Final Time": self.hours * HOUR, "Solver/Corrosion/Load Steps": self.hours}
 
 
@@ -72,7 +79,9 @@ def run(pdrun, case, folder, step=None):
     settings = {**case.settings(), "Output/Output Filename": "run"}
     if step is not None:
         settings["Solver/Corrosion/Fixed dt"] = float(step)
-    command = [pdrun, "crevice.yaml"] + [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+    command = [pdrun, "crevice.yaml"]
+    for key, value in settings.items():
+        command += ["--set", f"{key}={value}"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     text = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
@@ -81,10 +90,11 @@ def run(pdrun, case, folder, step=None):
         order = sorted(file["steps"])
         first, last = (np.array(file["steps"][key]["Damage"]) for key in (order[0], order[-1]))
     x = np.loadtxt(folder / "crevice.txt", usecols=0)
-    column = np.floor((x + LAYER) / DX).astype(int)
+    column = np.floor((x + case.horizon) / case.dx).astype(int)
     depth = np.bincount(column, np.where(first < 1.0, last, 0.0)) * DY
     deepest = int(np.argmax(depth))
-    return Trench(depth[deepest], (deepest + 0.5) * DX - LAYER, depth.sum() * DX, int(count), float(longest), seconds)
+    place = (deepest + 0.5) * case.dx - case.horizon
+    return Trench(depth[deepest], place, depth.sum() * case.dx, int(count), float(longest), seconds)
 
 
 def prepare(case, folder):

@@ -36,9 +36,11 @@ std::size_t kindOf(const kernels::HorizonShape& shape, const std::array<double, 
 void TransportWeights::declareParameters(ParameterDeclarations& declare) {
   declare.real("Diffusivity", "m2/s", "Of metal ions in the electrolyte.").positive().required();
   declare
-      .real("Dissolution Range", "m",
-            "How far apart solid and liquid points may be that exchange metal; by default 0.375 horizons. Where salt "
-            "covers the surface, the electrolyte is saturated as far as that. With Horizon Axes, along the longest.")
+      .real(
+          "Dissolution Range", "m",
+          "How far apart solid and liquid points may be that exchange metal; by default 0.375 horizons, 0.6 are better "
+          "for points far from a grid. Where salt covers the surface, the electrolyte is saturated as far as that. "
+          "With Horizon Axes, along the longest.")
       .positive();
   declare
       .reals("Horizon Axes", "m",

@@ -10,7 +10,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(here, "../support"), os.path.join(here, "../../decks/crevice")]
 from gap_averaged import HOUR  # noqa: E402
 from scene import SceneTest, pdrun_path  # noqa: E402
-from time_steps import DX, SHORT, STEPS, prepare, run  # noqa: E402
+from time_steps import SHORT, STEPS, prepare, run  # noqa: E402
 from trench import carve  # noqa: E402
 
 
@@ -24,7 +24,7 @@ class TimeSteps(SceneTest):
         self.assertGreater(reference.depth, 15e-6)
         self.assertLess(reference.place, 0.4 * SHORT.crevice.length)
         for step, trench in found.items():
-            self.assertLessEqual(abs(trench.place - reference.place), 1.01 * DX, step)
+            self.assertLessEqual(abs(trench.place - reference.place), 1.01 * SHORT.dx, step)
             self.assertAlmostEqual(trench.depth / reference.depth, 1.0, delta=0.03, msg=step)
             self.assertAlmostEqual(trench.lost / reference.lost, 1.0, delta=0.03, msg=step)
             if step is not None:
@@ -34,7 +34,7 @@ class TimeSteps(SceneTest):
         exact = carve(SHORT.crevice, hours=SHORT.hours, length=SHORT.crevice.length, start=1)
         depth, place = exact.deepest()[:2]
         self.assertAlmostEqual(reference.depth / depth, 1.0, delta=0.1)
-        self.assertLessEqual(abs(reference.place - place), 1.01 * DX)
+        self.assertLessEqual(abs(reference.place - place), 1.01 * SHORT.dx)
 
 
 if __name__ == "__main__":

@@ -94,8 +94,8 @@ class Boundaries(PhasesTest):
         return np.polyfit(times, tips, 1)[0] / front_speed(STEEL), lost
 
     def test_speed_hardly_depends_on_direction_and_thickness(self):
-        for width, degrees, least, most in ((1, 0, 0.97, 1.03), (1, 45, 0.95, 1.06), (1, 20, 0.7, 0.9),
-                                            (3, 0, 0.85, 1.0), (3, 20, 0.85, 1.0), (3, 45, 0.85, 1.0)):
+        for width, degrees, least, most in ((1, 0, 0.97, 1.03), (1, 45, 0.95, 1.06), (1, 20, 0.85, 1.0),
+                                            (3, 0, 0.9, 1.01), (3, 20, 0.9, 1.01), (3, 45, 0.9, 1.01)):
             speed, lost = self.attack(width, degrees)
             self.assertGreater(speed, least, (width, degrees))
             self.assertLess(speed, most, (width, degrees))
@@ -150,7 +150,7 @@ class Polycrystal(PhasesTest):
         self.assertGreater(there.sum(), 200)
         speed, start = np.polyfit(arrival[inside][there], path[there], 1)
         # As along a single one of three points.
-        self.assertAlmostEqual(speed / front_speed(STEEL), 0.9, delta=0.06)
+        self.assertAlmostEqual(speed / front_speed(STEEL), 0.94, delta=0.06)
         rest = path[there] - start - speed * arrival[inside][there]
         # Boundaries 3 um thick that meet at a small angle are one for some way.
         self.assertLess(rest.std(), 2.5e-6)
