@@ -174,7 +174,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   mistakes.report();
 
   const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(points.size());
-  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing),
+  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing, points.x),
                      partitionPoints(searched.x, comm.mpi()), comm.rank(), d);
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(points, horizon, d);

@@ -41,7 +41,7 @@ std::array<std::size_t, 3> axesByExtent(const std::vector<double>& x) {
 
 }  // namespace
 
-std::vector<int> lineOrder(const std::vector<double>& x, double spacing) {
+std::vector<int> lineOrder(const std::vector<double>& x, double spacing, const std::vector<double>& body) {
   if (x.empty()) return {};
   struct Item {
     std::uint64_t line;
@@ -49,7 +49,7 @@ std::vector<int> lineOrder(const std::vector<double>& x, double spacing) {
     int point;
   };
   const std::size_t n = x.size() / 3;
-  const auto [along, slow, middle] = axesByExtent(x);
+  const auto [along, slow, middle] = axesByExtent(body);
   const double width = 0.75 * spacing;
   // Lines that follow each other are neighbours in the shortest direction: the planes that a neighbourhood reaches
   // over are then as small as can be, and stay in the cache.

@@ -19,6 +19,7 @@ namespace Field = PeridigmNS::PeridigmField;
 namespace {
 
 constexpr double faraday = 96485.33212;  ///< C/mol, CODATA 2018 (exact since 2019 to these digits)
+constexpr int checkStride = 8;           ///< a mesh that is no grid is none nearly everywhere
 constexpr const char* owner = "material Corrosion Dissolution";
 
 Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
@@ -143,7 +144,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
     views.solid[i] = views.concentration[i] > saturation_ ? phases_[phase].solidConcentration : 0.0;
     views.saturation[i] = saturation_;
     if (views.ph != nullptr) views.ph[i] = std::numeric_limits<double>::quiet_NaN();
-    weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
+    if (p % checkStride == 0) weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
   }
 }
 
@@ -170,7 +171,8 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     made.area.resize(phases_.count());
     made.lostFlux.resize(phases_.count());
     made.correction.resize(phases_.count());
-    for (std::size_t p = 0; p < phases_.count(); ++p) made.lostFlux[p].zero(views.nPoints, 1);
+    for (auto* arrays : {&made.area, &made.lostFlux, &made.correction})
+      for (kernels::PointArrays& ofPhase : *arrays) ofPhase.zero(views.nPoints, 1);
     if (phases_.count() > 1) made.isOfPhase.resize(phases_.count());
     for (std::size_t p = 0; p < made.isOfPhase.size(); ++p) {
       made.isOfPhase[p].zero(views.nPoints, 1);
@@ -222,10 +224,10 @@ void CorrosionDissolution::findAcidity(const Cache& cache, const Views& views) c
 void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
   for (std::size_t p = 0; p < phases_.count(); ++p) {
-    cache.correction[p].copy(views.dissolutionCorrection, views.nPoints);
-    for (int i = 0; i < views.nPoints && !cache.isOfPhase.empty(); ++i)
-      cache.correction[p][0][i] *= cache.isOfPhase[p][0][i];
-    cache.area[p].zero(views.nPoints, 1);
+    for (const int i : phases.sinks())
+      cache.correction[p][0][i] =
+          views.dissolutionCorrection[i] * (cache.isOfPhase.empty() ? 1.0 : cache.isOfPhase[p][0][i]);
+    for (const int j : phases.sources()) cache.area[p][0][j] = 0.0;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
                             cache.correction[p][0], cache.area[p][0]);
   }
@@ -325,6 +327,7 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
       const int i = cache.neighborhood.pointIds(chunk)[lane];
       if (!cache.phases.isLiquid(i)) continue;
+      const int own = row(i);
       double sum = 0.0;
       for (int k = 0; k < chunk.nNeighbors; ++k) {
         if (((bits[k] >> lane) & 1) == 0) continue;
@@ -332,9 +335,9 @@ void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoint
         const double w = 0.5 * (views.diffusionCorrection[i] + views.diffusionCorrection[j]) * views.volume[i] *
                          weights[isUniform ? k : k * kernels::lanes + lane];
         sum += w;
-        jacobian.addValue(row(i), row(j), w);
+        jacobian.addValue(own, row(j), w);
       }
-      jacobian.addValue(row(i), row(i), (1.0 - views.salt[i]) * views.slope[i] * views.volume[i] - sum);
+      jacobian.addValue(own, own, (1.0 - views.salt[i]) * views.slope[i] * views.volume[i] - sum);
     }
   }
 }

@@ -88,7 +88,8 @@ TransportWeights::Bond TransportWeights::bond(const double* x, int point, int ne
 
 double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {
   const double factor = shape_.volumeFactor();
-  const double spacing = 0.5 * (family_.spacing(factor * volume) + family_.spacing(factor * neighborVolume));
+  double spacing = family_.spacing(factor * volume);
+  if (neighborVolume != volume) spacing = 0.5 * (spacing + family_.spacing(factor * neighborVolume));
   const double value = kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
   constexpr double roundOff = 1e-4;  // of points that lie where the share ends, but for rounded coordinates
   return value > roundOff ? value : 0.0;

@@ -96,7 +96,6 @@ void PhaseBonds::refreshChunk(const ChunkedNeighborhood& neighborhood, std::size
 }
 
 void PhaseBonds::collect(const ChunkedNeighborhood& neighborhood) {
-  const auto& chunks = neighborhood.chunks();
   liquidChunks_.clear();
   solidChunks_.clear();
   wetChunks_.clear();
@@ -115,23 +114,32 @@ void PhaseBonds::collect(const ChunkedNeighborhood& neighborhood) {
     while (i < n && isLiquid(i)) ++i;
     liquidRanges_.emplace_back(first, i);
   }
-  sources_.clear();
-  std::vector<char> isSource(isLiquid_.size(), 0);
-  for (const std::size_t c : solidChunks_) {
-    const unsigned char* bits = fromSolid_.of(chunks[c]);
+  sources_ = ends(neighborhood, fromLiquid_, wetChunks_, fromSolid_, solidChunks_);
+  sinks_ = ends(neighborhood, fromSolid_, solidChunks_, fromLiquid_, wetChunks_);
+}
+
+std::vector<int> PhaseBonds::ends(const ChunkedNeighborhood& neighborhood, const AliveBonds& fromOwn,
+                                  const std::vector<std::size_t>& ownChunks, const AliveBonds& fromOther,
+                                  const std::vector<std::size_t>& otherChunks) const {
+  const auto& chunks = neighborhood.chunks();
+  std::vector<char> isEnd(isLiquid_.size(), 0);
+  for (const std::size_t c : otherChunks) {
+    const unsigned char* bits = fromOther.of(chunks[c]);
     for (int k = 0; k < chunks[c].nNeighbors; ++k)
-      for (int lane = 0; lane < chunks[c].nLanes; ++lane)
+      for (int lane = 0; lane < chunks[c].nLanes && bits[k] != 0; ++lane)
         if (((bits[k] >> lane) & 1u) != 0)
-          isSource[static_cast<std::size_t>(neighborhood.neighbor(chunks[c], k, lane))] = 1;
+          isEnd[static_cast<std::size_t>(neighborhood.neighbor(chunks[c], k, lane))] = 1;
   }
-  for (const std::size_t c : wetChunks_) {
+  for (const std::size_t c : ownChunks) {
     unsigned char any = 0;
-    for (int k = 0; k < chunks[c].nNeighbors; ++k) any = static_cast<unsigned char>(any | fromLiquid_.of(chunks[c])[k]);
+    for (int k = 0; k < chunks[c].nNeighbors; ++k) any = static_cast<unsigned char>(any | fromOwn.of(chunks[c])[k]);
     for (int lane = 0; lane < chunks[c].nLanes; ++lane)
-      if (((any >> lane) & 1u) != 0) isSource[static_cast<std::size_t>(neighborhood.pointIds(chunks[c])[lane])] = 1;
+      if (((any >> lane) & 1u) != 0) isEnd[static_cast<std::size_t>(neighborhood.pointIds(chunks[c])[lane])] = 1;
   }
-  for (std::size_t i = 0; i < isSource.size(); ++i)
-    if (isSource[i] != 0) sources_.push_back(static_cast<int>(i));
+  std::vector<int> result;
+  for (std::size_t i = 0; i < isEnd.size(); ++i)
+    if (isEnd[i] != 0) result.push_back(static_cast<int>(i));
+  return result;
 }
 
 void addWeightedSum(const ChunkedNeighborhood& neighborhood, const BondConstants& weights, const AliveBonds& bonds,

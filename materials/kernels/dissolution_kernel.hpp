@@ -42,11 +42,18 @@ class PhaseBonds {
   const std::vector<std::size_t>& wetChunks() const { return wetChunks_; }
   /// Liquid points with a bond to a solid one: the owned ones, and those near owned solid points.
   const std::vector<int>& sources() const { return sources_; }
+  /// Solid points with a bond to a liquid one: the owned ones, and those near owned liquid points.
+  const std::vector<int>& sinks() const { return sinks_; }
 
  private:
   void markChunksOf(int point, std::vector<char>& isMarked) const;
   void refreshChunk(const ChunkedNeighborhood& neighborhood, std::size_t c);
   void collect(const ChunkedNeighborhood& neighborhood);
+  /// Points at either end of the bonds in `fromOwn`, bonds of owned points of the one phase to points of the other, and
+  /// in `fromOther`, the reverse: those of the one phase, in order.
+  std::vector<int> ends(const ChunkedNeighborhood& neighborhood, const AliveBonds& fromOwn,
+                        const std::vector<std::size_t>& ownChunks, const AliveBonds& fromOther,
+                        const std::vector<std::size_t>& otherChunks) const;
 
   const int* list_ = nullptr;
   std::vector<std::size_t> starts_;             ///< of the list of each owned point
@@ -61,7 +68,7 @@ class PhaseBonds {
   std::vector<Kinds> kinds_;  ///< of bonds that a chunk has
   std::vector<std::size_t> liquidChunks_, solidChunks_, wetChunks_, changedChunks_, activeChunks_;
   std::vector<std::pair<int, int>> liquidRanges_;
-  std::vector<int> sources_;
+  std::vector<int> sources_, sinks_;
 };
 
 /// sum_i += scale_i sum_j w_ij v_j over the bonds whose bits are set, in the chunks `only`. `scale`, `values` null: 1.

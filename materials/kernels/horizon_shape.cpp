@@ -33,16 +33,4 @@ HorizonShape::HorizonShape(const std::vector<double>& halfAxes, const std::vecto
   if (!degrees.empty()) turn(0, 1, degrees.back());
 }
 
-std::array<double, 3> HorizonShape::along(const double* vector) const {
-  std::array<double, 3> result{};
-  for (std::size_t k = 0; k < 3; ++k)
-    result[k] = axes_[k][0] * vector[0] + axes_[k][1] * vector[1] + axes_[k][2] * vector[2];
-  return result;
-}
-
-double HorizonShape::length(const std::array<double, 3>& mapped) const {
-  if (isBox_) return std::max({std::abs(mapped[0]), std::abs(mapped[1]), std::abs(mapped[2])});
-  return std::sqrt(mapped[0] * mapped[0] + mapped[1] * mapped[1] + mapped[2] * mapped[2]);
-}
-
 }  // namespace pd::kernels

@@ -2,7 +2,9 @@
 #ifndef PD_HORIZON_SHAPE_HPP
 #define PD_HORIZON_SHAPE_HPP
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace pd::kernels {
@@ -26,13 +28,21 @@ class HorizonShape {
   const std::array<std::size_t, 3>& longestFirst() const { return order_; }
 
   /// Components of `vector` along the axes of the shape, m.
-  std::array<double, 3> along(const double* vector) const;
+  std::array<double, 3> along(const double* vector) const {
+    std::array<double, 3> result{};
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = axes_[k][0] * vector[0] + axes_[k][1] * vector[1] + axes_[k][2] * vector[2];
+    return result;
+  }
   /// Those in the mapped space.
   std::array<double, 3> mapped(const std::array<double, 3>& along) const {
     return {along[0] * scale_[0], along[1] * scale_[1], along[2] * scale_[2]};
   }
   /// The distance that the horizon limits: in mapped space, Euclidean or largest component.
-  double length(const std::array<double, 3>& mapped) const;
+  double length(const std::array<double, 3>& mapped) const {
+    if (isBox_) return std::max({std::abs(mapped[0]), std::abs(mapped[1]), std::abs(mapped[2])});
+    return std::sqrt(mapped[0] * mapped[0] + mapped[1] * mapped[1] + mapped[2] * mapped[2]);
+  }
   /// Mapped volume of a unit of volume.
   double volumeFactor() const { return scale_[0] * scale_[1] * scale_[2]; }
 

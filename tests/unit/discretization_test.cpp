@@ -169,7 +169,7 @@ TEST(Ordering, FollowsTheLinesOfAShuffledLattice) {
     const int cell = n * 77 % 180;  // 77 and 180 have no common factor: every cell once
     x.insert(x.end(), {0.1 * (cell % 5), 0.1 * (cell / 5 % 12), 0.1 * (cell / 60)});
   }
-  const std::vector<int> order = pd::lineOrder(x, 0.1);
+  const std::vector<int> order = pd::lineOrder(x, 0.1, x);
   for (int n = 0; n < 180; ++n) {
     const double* at = &x[3 * order[n]];
     EXPECT_DOUBLE_EQ(at[1], 0.1 * (n % 12));
@@ -181,15 +181,26 @@ TEST(Ordering, FollowsTheLinesOfAShuffledLattice) {
 TEST(Ordering, ToleratesASpacingThatIsSomewhatOff) {
   std::vector<double> x;
   for (int n = 0; n < 100; ++n) x.insert(x.end(), {1.0 * (n % 20), 1.0 * (n / 20), 0.0});
-  const std::vector<int> exact = pd::lineOrder(x, 1.0);
-  EXPECT_EQ(pd::lineOrder(x, 0.01), exact);
-  EXPECT_EQ(pd::lineOrder(x, 1.3), exact);
+  const std::vector<int> exact = pd::lineOrder(x, 1.0, x);
+  EXPECT_EQ(pd::lineOrder(x, 0.01, x), exact);
+  EXPECT_EQ(pd::lineOrder(x, 1.3, x), exact);
+}
+
+TEST(Ordering, FollowsTheLongestSideOfTheBodyWhereAMapStretchesAnother) {
+  // 6 along x, spaced by 25, and 10 along y, spaced by 1: under the map that makes cells square, y is the longer side.
+  std::vector<double> body, mapped;
+  for (int n = 0; n < 60; ++n) {
+    body.insert(body.end(), {25.0 * (n % 6), 1.0 * (n / 6), 0.0});
+    mapped.insert(mapped.end(), {25.0 * (n % 6), 25.0 * (n / 6), 0.0});
+  }
+  const std::vector<int> order = pd::lineOrder(mapped, 25.0, body);
+  for (int n = 0; n < 60; ++n) EXPECT_EQ(order[n], n);
 }
 
 TEST(Ordering, IsAPermutationOfAnyMesh) {
   std::vector<double> x;
   for (int n = 0; n < 500; ++n) x.insert(x.end(), {std::sin(7.0 * n), std::cos(11.0 * n), std::sin(3.0 * n * n)});
-  std::vector<int> order = pd::lineOrder(x, 0.1);
+  std::vector<int> order = pd::lineOrder(x, 0.1, x);
   std::sort(order.begin(), order.end());
   for (int n = 0; n < 500; ++n) EXPECT_EQ(order[n], n);
 }

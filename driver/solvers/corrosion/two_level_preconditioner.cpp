@@ -21,16 +21,15 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
  public:
   Collector(TwoLevelPreconditioner& owner, Model& model, double h) : owner_(owner), h_(h) {
     const Discretization& d = model.discretization();
-    localId_.assign(static_cast<std::size_t>(d.nGlobal), -1);
-    for (int i = 0; i < d.nPoints; ++i)
-      localId_[static_cast<std::size_t>(d.globalIds[static_cast<std::size_t>(i)])] = i;
-    x_ = model.field("Model_Coordinates");
+    const double* x = model.field("Model_Coordinates");
     free_ = model.field("Transport_Unknown");
     cubeOfGhost_.assign(static_cast<std::size_t>(d.nPoints - d.nOwned), Key{});
     nOwned_ = d.nOwned;
     for (int i = d.nOwned; i < d.nPoints; ++i)
-      cubeOfGhost_[static_cast<std::size_t>(i - d.nOwned)] = owner.keyOf(x_ + 3 * i);
+      cubeOfGhost_[static_cast<std::size_t>(i - d.nOwned)] = owner.keyOf(x + 3 * i);
     couplings_.resize(owner.cubeAt_.size());
+    position_.resize(owner.cubeAt_.size());
+    lastRow_.resize(owner.cubeAt_.size(), -1);
     keys_.resize(owner.cubeAt_.size());
     for (const auto& [key, number] : owner.cubeAt_) keys_[static_cast<std::size_t>(number)] = key;
     const double* volume = model.field("Volume");
@@ -38,7 +37,7 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
   }
 
   void addValue(int row, int column, double value) override {
-    add(localId_[static_cast<std::size_t>(row)], localId_[static_cast<std::size_t>(column)], -h_ * value);
+    add(owner_.localId_[static_cast<std::size_t>(row)], owner_.localId_[static_cast<std::size_t>(column)], -h_ * value);
   }
   void addValues(int n, const int* ids, const double* const* values) override {
     for (int a = 0; a < n; ++a)
@@ -77,22 +76,30 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
       owner_.lines_[static_cast<std::size_t>(slot * (lineBand + 1) + back)] += value;
       owner_.usedBand_ = std::max(owner_.usedBand_, back);
     }
-    auto& row = couplings_[static_cast<std::size_t>(cube)];
-    for (auto& [number, sum] : row)
-      if (number == static_cast<std::size_t>(other)) {
-        sum += value;
-        return;
-      }
-    row.emplace_back(static_cast<std::size_t>(other), value);
+    couplings_[static_cast<std::size_t>(cube)]
+              [positionOf(i, static_cast<std::size_t>(cube), static_cast<std::size_t>(other))]
+                  .second += value;
+  }
+
+  /// Where the row of `cube` keeps `other`: looked for once in each row of points.
+  std::size_t positionOf(int i, std::size_t cube, std::size_t other) {
+    if (lastRow_[other] == i) return position_[other];
+    auto& row = couplings_[cube];
+    std::size_t at = 0;
+    while (at < row.size() && row[at].first != other) ++at;
+    if (at == row.size()) row.emplace_back(other, 0.0);
+    lastRow_[other] = i;
+    return position_[other] = at;
   }
 
   TwoLevelPreconditioner& owner_;
   const double h_;
-  const double *x_, *free_;
+  const double* free_;
   int nOwned_;
-  std::vector<int> localId_;
   std::vector<Key> cubeOfGhost_, keys_;
-  std::vector<std::vector<std::pair<std::size_t, double>>> couplings_;
+  std::vector<std::vector<std::pair<std::size_t, double>>> couplings_;  ///< by cube: other cubes, and sums
+  std::vector<std::size_t> position_;                                   ///< by other cube, of the row lastRow_
+  std::vector<int> lastRow_;
   Entries betweenRanks_;
 };
 
@@ -102,11 +109,15 @@ TwoLevelPreconditioner::Key TwoLevelPreconditioner::keyOf(const double* x) const
   return key;
 }
 
-/// Edge of cubes, and the axis along which the nearest neighbours lie.
+/// What does not change in a run: edge of cubes, the axis along which the nearest neighbours lie, arrays of all points.
 void TwoLevelPreconditioner::measure(Model& model) {
   const Discretization& d = model.discretization();
   const Communicator& comm = model.comm();
   const double* x = model.field("Model_Coordinates");
+  localId_.assign(static_cast<std::size_t>(d.nGlobal), -1);
+  for (int i = 0; i < d.nPoints; ++i) localId_[static_cast<std::size_t>(d.globalIds[static_cast<std::size_t>(i)])] = i;
+  cubeOf_.assign(static_cast<std::size_t>(d.nOwned), -1);
+  slotOf_ = cubeOf_;
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, nearest[3] = {1e300, 1e300, 1e300};
   for (int i = 0; i < d.nOwned; ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -132,11 +143,8 @@ void TwoLevelPreconditioner::measure(Model& model) {
 
 void TwoLevelPreconditioner::gatherPoints(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree) {
   const double* x = model.field("Model_Coordinates");
-  if (edge_ == 0.0) measure(model);
-  const auto n = static_cast<std::size_t>(model.nOwned());
   cubeAt_.clear();
-  cubeOf_.assign(n, -1);
-  slotOf_.assign(n, -1);
+  for (const int i : points_) cubeOf_[static_cast<std::size_t>(i)] = slotOf_[static_cast<std::size_t>(i)] = -1;
   struct Place {
     long long first, second;
     double along;
@@ -260,8 +268,9 @@ void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const Entries&
 
 void TwoLevelPreconditioner::build(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree,
                                    double h) {
+  if (edge_ == 0.0) measure(model);
   double* unknown = model.field("Transport_Unknown");
-  std::fill(unknown, unknown + model.nPoints(), 0.0);
+  for (const int i : points_) unknown[i] = 0.0;
   for (std::size_t k = 0; k < ids.size(); ++k) unknown[ids[k]] = isFree[k] != 0 ? 1.0 : 0.0;
   model.importGhosts("Transport_Unknown");
   gatherPoints(model, ids, isFree);

@@ -48,6 +48,7 @@ class TwoLevelPreconditioner {
   std::size_t axis_ = 0;              ///< of lines
   std::vector<int> points_, lineOf_;  ///< by slot: local ids line by line, in order along it; number of the line
   std::vector<int> slotOf_, cubeOf_;  ///< by owned local id: slot, cube; -1: in none
+  std::vector<int> localId_;          ///< by global id, for owned points and ghosts
   std::map<Key, int> cubeAt_;
   std::vector<int> coarseOf_;  ///< by cube: its unknown in the coarse matrix
   /// L D L^T of each line: [slot (lineBand + 1) + k]: 1/D, then L of the k-th slot before.
