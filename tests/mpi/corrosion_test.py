@@ -65,19 +65,29 @@ class Ranks(Plate):
         for method in ("Euler", "RKL"):
             self.compare(SALTED, 4.0, Method=method)
 
+    def test_eight_ranks(self):
+        expected, found = (self.solve(self.deck(STEEL, 10.0, 4, name), ranks=ranks)
+                           for name, ranks in (("one", 1), ("eight", 8)))
+        self.check(found, STEEL)
+        self.assert_same(found, expected, "8 ranks")
+
 
 class Restarts(Plate):
     """A run that ends early, then goes on from its checkpoint, ends as one that ran through, to the last bit."""
 
-    def check_restart(self, metal, time, ranks=1, **solver):
-        whole = self.deck(metal, time, 8, "whole", **solver)
-        expected = self.solve(whole, ranks=ranks)
+    def restart(self, metal, time, ranks, later_ranks, **solver):
+        """Of one run: the whole on `ranks`, and half of it, then the rest on `later_ranks`."""
+        expected = self.solve(self.deck(metal, time, 8, "whole", **solver), ranks=ranks)
         half = self.deck(metal, time / 2, 4, "half", **solver)
         half["Output"]["Checkpoint Frequency"] = 4
         self.solve(half, ranks=ranks)
-        found = self.solve(self.deck(metal, time, 8, "half", **solver), ranks=ranks,
+        found = self.solve(self.deck(metal, time, 8, "half", **solver), ranks=later_ranks,
                            arguments=["--restart", "half.checkpoint.h5"])
         self.assertEqual(found.steps()[-1], 8)
+        return found, expected
+
+    def check_restart(self, metal, time, ranks=1, **solver):
+        found, expected = self.restart(metal, time, ranks, ranks, **solver)
         for label in FIELDS:
             np.testing.assert_array_equal(found.field(label, 8), expected.field(label, 8), label)
 
@@ -89,6 +99,16 @@ class Restarts(Plate):
 
     def test_on_two_ranks(self):
         self.check_restart(SALTED, 2.0, ranks=2)
+
+    def test_on_another_number_of_ranks(self):
+        for ranks, later_ranks in ((1, 2), (4, 1), (2, 3)):
+            found, expected = self.restart(SALTED, 2.0, ranks, later_ranks)
+            a, b = found.field("Damage", 8), expected.field("Damage", 8)
+            np.testing.assert_array_equal(a == 1.0, b == 1.0, f"{ranks}, then {later_ranks} ranks")
+            # Seen: 2e-10, and nothing where Damage counts bonds.
+            np.testing.assert_allclose(a, b, rtol=0.0, atol=1e-8)
+            np.testing.assert_allclose(found.field("Concentration", 8), expected.field("Concentration", 8), rtol=0.0,
+                                       atol=1e-8 * STEEL["Solid Concentration"])
 
     def test_fixed_steps(self):
         self.check_restart(STEEL, 40.0, **{"Fixed dt": 1.0})
