@@ -10,7 +10,7 @@ import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(here, "../support"), os.path.join(here, "../../decks/pencil")]
-from corrosion_scene import HORIZON, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
+from corrosion_scene import HORIZON, SPACING, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
 from moving_front import depths  # noqa: E402
 
 TIME, EXPLICIT = 60.0, ("Euler", "RKL")
@@ -145,6 +145,21 @@ class PausingSurfaces(MethodTest):
         for depth in robust + paused:
             self.assertAlmostEqual(depth / robust[0], 1.0, delta=0.02, msg=f"{robust} {paused}")
             self.assertAlmostEqual(depth / reference, 1.0, delta=0.02, msg=f"{robust} {paused} {reference}")
+
+    def test_same_depth_in_a_plane(self):
+        """The same, of points that wander by a tenth of a spacing: salt comes at 11 s, in one row before the next."""
+        width, time = 6e-6, 30.0
+        reference = depths(np.array([time]), self.METAL["Diffusivity"], self.METAL["Solid Concentration"],
+                           self.METAL["Saturation Concentration"], front_speed(self.METAL))[0]
+        for jitter in (0.0, 0.1):
+            self.make_lattice([60e-6, width], [-7e-6, 0.0])
+            wander = jitter * SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, (len(self.x), 2))
+            self.write_mesh(self.x + np.column_stack([wander, np.zeros(len(self.x))]), self.volume)
+            for method in ("Backward Euler", "Euler"):
+                result = self.corrode(2, self.METAL, "x > 0", "x < 0", time, 1, Saturation="Pause", Method=method,
+                                      **{"Fixed dt": self.STEP})
+                depth = result.history()["Dissolved"][-1] / width
+                self.assertAlmostEqual(depth / reference, 1.0, delta=0.03, msg=f"{jitter}, {method}")
 
     def test_current_of_a_surface_under_salt_is_none(self):
         self.make_lattice([27e-6], [-7e-6])

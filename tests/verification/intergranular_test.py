@@ -116,24 +116,31 @@ class Boundaries(PhasesTest):
             self.assertAlmostEqual(lost / expected, 1.0, delta=0.15)
 
 
-class Polycrystal(PhasesTest):
-    SIZE = 60e-6
+class PolycrystalTest(PhasesTest):
+    """Grains of a hundredth of the current; boundaries 3 um thick, grain and sample `size` large (m)."""
 
-    def setUp(self):
-        super().setUp()
-
+    def make(self, grain, *size):
         def pdmesh(*arguments):
             subprocess.run([sys.executable, PDMESH, *map(str, arguments)], cwd=self.folder, check=True,
                            capture_output=True)
 
-        pdmesh("grid", "box", "--spacing", SPACING, "--size", self.SIZE + 7e-6, self.SIZE, "--origin", "-0.000007", 0,
-               "-o", "plain.txt")
-        pdmesh("grains", "plain.txt", "--size", 20e-6, "--width", 3e-6, "--where", "x > 0", "--seed", 3, "--seeds",
+        origin = ["-0.000007", *[0] * (len(size) - 1)]
+        pdmesh("grid", "box", "--spacing", SPACING, "--size", size[0] + 7e-6, *size[1:], "--origin", *origin, "-o",
+               "plain.txt")
+        pdmesh("grains", "plain.txt", "--size", grain, "--width", 3e-6, "--where", "x > 0", "--seed", 3, "--seeds",
                "seeds.txt", "-o", "mesh.txt")
         table = np.loadtxt(self.path("mesh.txt"), comments="#")
         self.x, self.block, self.volume = table[:, :3], table[:, 3], table[0, 4]
         self.metal = {**STEEL, "Current Density": repr(0.01 * float(STEEL["Current Density"]))}
         self.phases = [(2, STEEL["Current Density"], STEEL["Solid Concentration"])]
+
+
+class Polycrystal(PolycrystalTest):
+    SIZE = 60e-6
+
+    def setUp(self):
+        super().setUp()
+        self.make(20e-6, self.SIZE, self.SIZE)
 
     def test_attack_follows_the_shortest_paths(self):
         time, steps = 50e-6 / front_speed(STEEL), 100
@@ -171,6 +178,31 @@ class Polycrystal(PhasesTest):
             np.testing.assert_array_equal(two == 1.0, one == 1.0)
             # What rounding leaves of residuals at 1e-12 or a little above.
             np.testing.assert_allclose(two, one, rtol=1e-6, atol=1e-6)
+
+
+class PolycrystalInSpace(PolycrystalTest):
+    def test_boundaries_dissolve_and_grains_stay(self):
+        self.make(10e-6, 16e-6, 14e-6, 14e-6)
+        results = []
+        for ranks in (1, 2):
+            deck = self.phases_deck(3, self.metal, self.phases, 60.0, 3)
+            deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
+            result = self.solve(deck, ranks=ranks)
+            self.check(result, self.metal)
+            results.append((result.field("Damage"), result.field("Concentration")))
+        damage, x = results[0][0], self.x[:, 0]
+        boundary, grain = (self.block == 2) & (x > 0), (self.block == 1) & (x > 0)
+        self.assertGreater(boundary.sum(), 800)
+        self.assertGreater(grain.sum(), 800)
+        reach = front_speed(STEEL) * 60.0
+        # Ways lead inwards at a slant: all is gone up to 0.6 of the reach, nothing beyond it.
+        self.assertTrue(np.all(damage[boundary & (x < 0.6 * reach)] >= 1.0))
+        self.assertFalse(np.any(damage[boundary & (x > reach + SPACING)] >= 1.0))
+        # Grains lose 0.1 um of each of their faces.
+        self.assertFalse(np.any(damage[grain] >= 1.0))
+        self.assertGreater(np.max(damage[grain]), 0.01)
+        np.testing.assert_array_equal(results[1][0] >= 1.0, damage >= 1.0)
+        np.testing.assert_allclose(results[1][1], results[0][1], rtol=1e-6, atol=1e-6)
 
 
 if __name__ == "__main__":
