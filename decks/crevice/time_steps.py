@@ -74,6 +74,16 @@ class Trench:
     seconds: float  # of processor time
 
 
+def depths(case, folder):
+    """m, of the columns from the end of the electrolyte before the mouth on, at the end of the run called `run`."""
+    with h5py.File(folder / "run.h5", "r") as file:
+        order = sorted(file["steps"])
+        first, last = (np.array(file["steps"][key]["Damage"]) for key in (order[0], order[-1]))
+    x = np.loadtxt(folder / "crevice.txt", usecols=0)
+    column = np.floor((x + case.horizon) / case.dx).astype(int)
+    return np.bincount(column, np.where(first < 1.0, last, 0.0)) * DY
+
+
 def run(pdrun, case, folder, step=None):
     """The trench at the end, with fixed steps or adaptive ones; the mesh is in `folder`."""
     settings = {**case.settings(), "Output/Output Filename": "run"}
@@ -86,12 +96,7 @@ def run(pdrun, case, folder, step=None):
     text = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     count, longest = re.search(r"Corrosion: (\d+) steps of \S+ to (\S+) s", text).groups()
-    with h5py.File(folder / "run.h5", "r") as file:
-        order = sorted(file["steps"])
-        first, last = (np.array(file["steps"][key]["Damage"]) for key in (order[0], order[-1]))
-    x = np.loadtxt(folder / "crevice.txt", usecols=0)
-    column = np.floor((x + case.horizon) / case.dx).astype(int)
-    depth = np.bincount(column, np.where(first < 1.0, last, 0.0)) * DY
+    depth = depths(case, folder)
     deepest = int(np.argmax(depth))
     place = (deepest + 0.5) * case.dx - case.horizon
     return Trench(depth[deepest], place, depth.sum() * case.dx, int(count), float(longest), seconds)

@@ -3,6 +3,7 @@
 
   benchmark.py BUILD_FOLDER            everything, some minutes on an idle machine; into BUILD_FOLDER/benchmark.json
   PERIDIGM_EXECUTABLE=... benchmark.py BUILD_FOLDER    the same, with that Peridigm on the block beside pdrun
+  benchmark.py BUILD_FOLDER --whole-crevice    72 h of the crevice at steps of 5 s too, ten minutes more
   benchmark.py BUILD_FOLDER --quick    tiny bodies and few steps, to see that all of it runs: the figures mean nothing
 """
 import argparse
@@ -18,12 +19,13 @@ import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(SOURCE / "decks" / "crevice")]
 
 import block  # noqa: E402
 import scenes  # noqa: E402
+import time_steps  # noqa: E402
 
-SOURCE = Path(__file__).resolve().parents[2]
 SCENE = SOURCE / "decks" / "hydrogen_plate"
 
 
@@ -37,8 +39,8 @@ def machine():
 
 
 class Benchmark:
-    def __init__(self, build, is_quick, folder):
-        self.build, self.is_quick, self.folder = build, is_quick, folder
+    def __init__(self, build, folder, is_quick, is_crevice_whole):
+        self.build, self.folder, self.is_quick, self.is_crevice_whole = build, folder, is_quick, is_crevice_whole
         self.pdrun = str(build / "pdrun")
         self.machine = machine() + (", --quick: tiny bodies" if is_quick else "")
         self.results = []
@@ -129,6 +131,30 @@ class Benchmark:
     def _difference(field, reference):
         return np.linalg.norm(field - reference) / np.linalg.norm(reference)
 
+    def crevice(self):
+        """The crevice by adaptive steps, and by those of its source: 5 s, for a tenth of its 72 h or for all of them."""
+        folder = self.folder / "crevice"
+        folder.mkdir()
+        case = time_steps.SHORT if self.is_quick else time_steps.WHOLE
+        time_steps.prepare(case, folder)
+
+        def run(step=None, share=1.0):
+            settings = case.settings()
+            settings["Solver/Final Time"] *= share
+            if step is not None:
+                settings["Solver/Corrosion/Fixed dt"] = step
+            report = scenes.run(self.pdrun, "crevice.yaml", folder, overrides=settings)
+            return report["seconds"], max(time_steps.depths(case, folder))
+
+        seconds, adaptive = run()
+        self.add("crevice_adaptive_s", seconds, "s")
+        if not self.is_crevice_whole:
+            self.add("crevice_fixed_step_first_tenth_s", run(5.0, 0.1)[0], "s")
+            return
+        seconds, fixed = run(5.0)
+        self.add("crevice_fixed_step_s", seconds, "s")
+        self.add("crevice_adaptive_depth_difference", abs(adaptive / fixed - 1.0), "1")
+
     def mechanics(self):
         """Whole runs of bodies that move and break: bonds over the time of a force and of a test for breakage."""
         plane, solid = ((60, 30, 1), (12, 12, 12)) if self.is_quick else ((155, 77, 1), (46, 46, 46))
@@ -195,15 +221,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="where pdrun and kernels_benchmark were built")
     parser.add_argument("--quick", action="store_true", help="tiny bodies; the figures mean nothing")
+    parser.add_argument("--whole-crevice", action="store_true", help="crevice_fixed_step_s, ten minutes more")
     parser.add_argument("-o", "--output", type=Path, help="default: benchmark.json in the build folder")
     options = parser.parse_args()
     build = options.build.resolve()
     output = options.output or build / "benchmark.json"
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
-        benchmark = Benchmark(build, options.quick, Path(folder))
-        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.mechanics, benchmark.speedup,
-                     benchmark.million_points, benchmark.kernels):
+        benchmark = Benchmark(build, Path(folder), options.quick, options.whole_crevice)
+        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.crevice, benchmark.mechanics,
+                     benchmark.speedup, benchmark.million_points, benchmark.kernels):
             try:
                 part()
             except (RuntimeError, OSError, subprocess.CalledProcessError) as error:
