@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The two finite-volume models of the crevice: plot_reference.py [FOLDER]; five minutes.
+"""The two finite-volume models of the crevice: plot_reference.py [FOLDER]; ten minutes.
 
 reference.png: depth, concentration and active site in time, averaged over the gap; trench.png: the same in two dimensions;
-gap.png, diffusivity.png, saturation.png, factor.png: other values of one parameter; ignition.png: the rate factor that a
-width of the starting region needs (all these averaged over the gap).
+gap.png, diffusivity.png, saturation.png, factor.png: other values of one parameter, in two dimensions; ignition.png: the
+rate factor that a width of the starting region needs (averaged over the gap).
 """
 import sys
 from dataclasses import replace
@@ -17,16 +17,15 @@ from gap_averaged import HOUR, Crevice, least_factor, simulate  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from trench import carve  # noqa: E402
 
-# Width of the region that starts the attack: the scene's, and one that lets it live over a wider range.
-WIDTHS = (500e-6, 1000e-6)
+# Widths of the region that starts the attack: the scene's, and one that lets it live over a wider range.
+WIDTH, WIDER = 500e-6, 1000e-6
 
 
 def of_gap(value):
     return {"mouthGap": value * 1e-6, "endGap": 0.2 * value * 1e-6}
 
 
-# Name: axis label, title of the legend, values, what of the crevice they set. A C_sat above 6 mol/L gives trenches that
-# are deeper than wide, which an average over the gap has nothing to say about.
+# Name: axis label, title of the legend, values, what of the crevice they set.
 PARAMETERS = {
     "gap": ("gap at the mouth (µm), a fifth of it at the end", "gap (µm)", (20, 30, 40, 45, 50, 60, 80, 100), of_gap),
     "diffusivity": ("D (µm²/s)", "D (µm²/s)", (360, 430, 500, 570, 640, 720, 900, 1080, 1440),
@@ -38,37 +37,43 @@ PARAMETERS = {
 }
 
 
-def sweep(name, width):
-    """Per value that lives on: value, time (h) and place (mm) from which the active site drifts by less than 1 % of the
-    length in 10 h, its place at 72 h (mm), the trench's depth (um); and the results by value."""
-    _, _, values, change = PARAMETERS[name]
-    rows, results = [], {}
-    for value in values:
-        result = simulate(replace(Crevice(ignition=width), **change(value)))
-        if result.is_alive():
-            stopTime, stopPlace = result.stop()
-            rows.append((value, stopTime / HOUR, stopPlace * 1e3, result.site[-1] * 1e3, result.trench[0] * 1e6))
-            results[value] = result
-    return np.array(rows).reshape(-1, 5), results
+def trench_of(crevice, length=4e-3):
+    """The trench at every hour in two dimensions, from when the active site is well within `length` of the mouth; None
+    where the attack dies."""
+    averaged = simulate(crevice)
+    if not averaged.is_alive():
+        return None
+    hours = np.arange(1, 72)
+    start = int(hours[np.argmax(averaged.site_at(hours * HOUR) < 0.85 * length)])
+    return carve(crevice, columns=240, longest=600.0, length=length, start=start)
 
 
 def draw(name):
-    label, title, values, _ = PARAMETERS[name]
+    label, title, values, change = PARAMETERS[name]
+    print(f"{name}:")
+    trenches = {value: trench_of(replace(Crevice(ignition=WIDER), **change(value))) for value in values}
+    rows, lives = [], []
+    for value, trench in trenches.items():
+        if trench is None:
+            continue
+        stopTime, stopPlace = trench.stop()
+        rows.append((value, stopTime / HOUR, stopPlace * 1e3, trench.site[-1] * 1e3, trench.deepest()[0] * 1e6))
+        lives.append(simulate(replace(Crevice(ignition=WIDTH), **change(value))).is_alive())
+        print("  {:6g}: slow from {:.1f} h, {:.3f} mm on; at 72 h {:.3f} mm, {:.1f} um deep".format(*rows[-1]),
+              "" if lives[-1] else f"(dies if started over {WIDTH * 1e6:g} um)")
+    rows, lives = np.array(rows), np.array(lives)
     figure, (profile, place, depth) = figures.plt.subplots(1, 3, figsize=(14, 4.0), constrained_layout=True)
-    for width, line in zip(WIDTHS, ("o-", "x--")):
-        rows, results = sweep(name, width)
-        start = f"start of {width * 1e6:g} µm"
-        print(f"{name}, {start}:")
-        for row in rows:
-            print("  {:6g}: slow from {:.1f} h, {:.3f} mm on; at 72 h {:.3f} mm, {:.1f} um deep".format(*row))
-        place.plot(rows[:, 0], rows[:, 2], "C1" + line, label=f"where it slows down, {start}", markersize=5)
-        place.plot(rows[:, 0], rows[:, 3], "C0" + line, label=f"at 72 h, {start}", markersize=5)
-        depth.plot(rows[:, 0], rows[:, 4], "C2" + line, label=start, markersize=5)
-    shown = list(results)[:: max(1, len(results) // 5)]
+    shown = rows[:: max(1, len(rows) // 5), 0]
     for k, value in enumerate(shown):
-        result = results[value]
-        profile.plot(result.x * 1e3, result.depth[-1] * 1e6, color=figures.plt.cm.viridis(k / len(shown)),
-                     label=f"{value:g}")
+        profile.plot(trenches[value].x * 1e3, trenches[value].depth[-1] * 1e6,
+                     color=figures.plt.cm.viridis(k / len(shown)), label=f"{value:g}")
+    for axis, column, colour, what in ((place, 2, "C1", "where it slows down, "), (place, 3, "C0", "at 72 h, "),
+                                       (depth, 4, "C2", "")):
+        axis.plot(rows[:, 0], rows[:, column], colour + "-", linewidth=0.9)
+        for of, marker, width in ((lives, "o", WIDTH), (~lives, "x", WIDER)):
+            if np.any(of):
+                axis.plot(rows[of, 0], rows[of, column], colour + marker, markersize=5,
+                          label=f"{what}lives if started over {width * 1e6:g} µm")
     profile.set_xlim(0, 4)
     profile.set_xlabel("x from the mouth (mm)")
     profile.set_ylabel("depth at 72 h (µm)")
