@@ -13,6 +13,7 @@
 #include "field_names.hpp"
 #include "influence.hpp"
 #include "plugins.hpp"
+#include "run_notes.hpp"
 
 namespace pd {
 
@@ -256,6 +257,18 @@ void Model::initialize() {
   for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
     if (isSummedOverBlocks(spec.label) && spec.label != "Force_Density" && hasField(spec.label))
       evaluateFluxDivergence(0.0, spec.label);
+}
+
+std::vector<std::string> Model::notes() const {
+  std::string own;
+  for (Block& block : *blocks_)
+    if (const auto* notes = dynamic_cast<const RunNotes*>(block.getMaterialModel().get()))
+      for (const std::string& line : notes->runNotes()) own += line + "\n";
+  std::istringstream lines(comm_.gather(own));
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    if (std::find(found.begin(), found.end(), line) == found.end()) found.push_back(line);
+  return found;
 }
 
 Teuchos::RCP<FieldVector> Model::vector(const std::string& label, bool atN) const {

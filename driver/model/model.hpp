@@ -33,6 +33,9 @@ class Model {
   /// restart overwrites the fields afterwards: plug-ins keep their state in fields alone. Collective.
   void initialize();
 
+  /// What materials have to say about the run (RunNotes), each line once. Call after initialize(). Collective.
+  std::vector<std::string> notes() const;
+
   const Communicator& comm() const { return comm_; }
   const Discretization& discretization() const { return discretization_; }
   Discretization& discretization() { return discretization_; }

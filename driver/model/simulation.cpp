@@ -224,6 +224,8 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
 
   conditions.applyInitial();
   model.initialize();
+  const std::vector<std::string> notes = model.notes();
+  for (const std::string& note : notes) output.log(note);
   std::optional<Checkpoint> restart;
   if (options.restartFile.empty()) {
     conditions.applyPrescribed(stages.front().startTime);
@@ -244,7 +246,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
 
   Run(Simulation{model, conditions, output}, stages, comm).execute(restart ? &*restart : nullptr);
 
-  std::vector<std::string> summary;
+  std::vector<std::string> summary = notes;
   for (const Stage& stage : stages)
     for (const std::string& line : stage.solver->summary()) summary.push_back(line);
   output.report(model, summary, errorNorms.evaluate(stages.back().endTime));

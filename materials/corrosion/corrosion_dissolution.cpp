@@ -28,6 +28,15 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
   return declarations.complete(params, owner);
 }
 
+/// The stochastic rule of the damage model Dissolution has these fields, and no other has both.
+bool breaksBondsAtRandom(DataManager& dataManager) {
+  FieldManager& fields = FieldManager::self();
+  const auto has = [&](const char* label, Field::Step step) {
+    return fields.hasField(label) && dataManager.hasData(fields.getFieldId(label), step);
+  };
+  return has("Loose", Field::STEP_NONE) && has("Bond_Damage", Field::STEP_NP1);
+}
+
 }  // namespace
 
 void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
@@ -98,6 +107,11 @@ std::vector<int> CorrosionDissolution::FieldIds() const {
   return ids;
 }
 
+std::vector<std::string> CorrosionDissolution::runNotes() const {
+  if (weights_.trialOutcome().empty()) return {};
+  return {Name() + ": " + weights_.trialOutcome()};
+}
+
 struct CorrosionDissolution::Views {
   int nPoints;
   const double *x, *volume, *concentration, *damage, *salt, *demand, *blockId = nullptr;
@@ -134,7 +148,11 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
                                       const int* neighborhoodList, DataManager& dataManager) {
   const Views views(*this, dataManager);
   caches_.clear();
-  if (numOwnedPoints > 0) weights_.fitToGrid(views.volume[ownedIDs[0]]);
+  if (numOwnedPoints > 0) {
+    const double volume = views.volume[ownedIDs[0]];
+    weights_.fitToGrid(volume);
+    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(volume, breaksBondsAtRandom(dataManager));
+  }
   std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
   std::fill(views.dissolutionCorrection, views.dissolutionCorrection + views.nPoints, 1.0);
   const int* list = neighborhoodList;
@@ -206,7 +224,7 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
       const int* list = phases.listOf(i);
       if (phases.isLiquid(i))
         views.diffusionCorrection[i] = bonds.diffusionCorrection(i, list + 1, *list);
-      else
+      else if (!weights_.isCalibratedByTrial())
         views.dissolutionCorrection[i] = bonds.dissolutionCorrection(i, list + 1, *list);
       views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
       if (views.ph == nullptr || !phases.isLiquid(i) || cache.isListed[static_cast<std::size_t>(i)] != 0) continue;

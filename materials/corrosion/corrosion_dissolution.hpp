@@ -8,8 +8,9 @@
 //   Q_j = (1 - S_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
 // S: share of the surface under salt, B: further flux that a solver asks for; i and C_solid of the phase that the solid
 // end belongs to. Where phases meet, each gives of B what its pace is (solid_phases.hpp). A plane front passes Q
-// exactly. A solid point becomes liquid at C_sat and takes that much with it, hence the last factor: the front then
-// moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022) 139512.
+// exactly (a trial calibration has c of its own and b = 1). A solid point becomes liquid at C_sat and takes that much
+// with it, hence the last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri &
+// Bobaru, Electrochim. Acta 401 (2022) 139512.
 #ifndef PD_CORROSION_DISSOLUTION_HPP
 #define PD_CORROSION_DISSOLUTION_HPP
 
@@ -18,11 +19,12 @@
 #include "dissolution_kernel.hpp"
 #include "phase_geometry.hpp"
 #include "point_arrays.hpp"
+#include "run_notes.hpp"
 #include "solid_phases.hpp"
 
 namespace pd {
 
-class CorrosionDissolution : public PeridigmNS::Material {
+class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
  public:
   static void declareParameters(ParameterDeclarations& declare);
   explicit CorrosionDissolution(const Teuchos::ParameterList& params);
@@ -31,6 +33,7 @@ class CorrosionDissolution : public PeridigmNS::Material {
   double Density() const override;
   double BulkModulus() const override { return 0.0; }
   double ShearModulus() const override { return 0.0; }
+  std::vector<std::string> runNotes() const override;
   std::vector<int> FieldIds() const override;
   std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override {
     return {diffusionCorrectionId_, dissolutionCorrectionId_};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
+
+#include "trial_calibration.hpp"
 
 namespace pd {
 
@@ -31,16 +34,32 @@ std::size_t kindOf(const kernels::HorizonShape& shape, const std::array<double, 
   return 0;
 }
 
+std::string placeOf(const double* x, int point) {
+  char text[80];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", x[3 * point], x[3 * point + 1], x[3 * point + 2]);
+  return text;
+}
+
 }  // namespace
 
 void TransportWeights::declareParameters(ParameterDeclarations& declare) {
   declare.real("Diffusivity", "m2/s", "Of metal ions in the electrolyte.").positive().required();
   declare
+      .text(
+          "Interface Kernel",
+          "What a bond between solid and electrolyte dissolves: c/|xi| within the Dissolution Range, by the direction "
+          "of the front such that a plane one passes i/(z F) exactly (Flux Exact); or k/|xi|^2 within the horizon, k "
+          "such that a plane front along the grid moves at i/(z F C_solid) in a trial simulation on a grid of this "
+          "kind, which runs as the material is initialized (Trial Calibration; grids of one spacing).")
+      .oneOf({"Flux Exact", "Trial Calibration"})
+      .defaultTo("Flux Exact")
+      .from("Jafarzadeh et al., Electrochim. Acta 401 (2022) 139512, section 2.2.3");
+  declare
       .real(
           "Dissolution Range", "m",
           "How far apart solid and liquid points may be that exchange metal; by default 0.375 horizons, 0.6 are better "
           "for points far from a grid. Where salt covers the surface, the electrolyte is saturated as far as that. "
-          "With Horizon Axes, along the longest.")
+          "With Horizon Axes, along the longest. Not with a Trial Calibration, whose range is the horizon.")
       .positive();
   declare
       .reals("Horizon Axes", "m",
@@ -67,7 +86,18 @@ TransportWeights::TransportWeights(const Teuchos::ParameterList& params, const s
       throw std::invalid_argument(owner + ": \"Horizon Axes\" takes " + std::to_string(dimension()) +
                                   " half axes here (see \"Plane Strain\" and \"One Dimensional\")");
   }
-  range_ = params.isParameter("Dissolution Range") ? params.get<double>("Dissolution Range") : 0.375 * family_.horizon;
+  isByTrial_ = params.get<std::string>("Interface Kernel") == "Trial Calibration";
+  if (isByTrial_ && params.isParameter("Dissolution Range"))
+    throw std::invalid_argument(owner +
+                                ": \"Dissolution Range\" is of the interface kernel Flux Exact; with Trial Calibration "
+                                "bonds dissolve over the whole horizon: leave it out");
+  if (isByTrial_ && family_.volumeCorrection == kernels::VolumeCorrection::EveryNeighbor)
+    throw std::invalid_argument(owner +
+                                ": a Trial Calibration needs neighbourhoods that end at the horizon: another \"Volume "
+                                "Correction\" than Every Neighbor, or the interface kernel Flux Exact");
+  range_ = params.isParameter("Dissolution Range") ? params.get<double>("Dissolution Range")
+           : isByTrial_                            ? family_.horizon
+                                                   : 0.375 * family_.horizon;
   if (range_ > family_.horizon)
     throw std::invalid_argument(owner + ": \"Dissolution Range\" must not exceed the horizon");
   diffusionFactor_.fill(kernels::microDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare,
@@ -124,7 +154,7 @@ void TransportWeights::fitToGrid(double volume) {
   forGrid(volume, [&](const Bond& b) {
     ++nNeighbors_;
     const double far = share(b.length, family_.horizon, volume, volume) * volume / (b.length * b.length);
-    const double near = share(b.length, range_, volume, volume) * volume / b.length;
+    const double near = share(b.length, range_, volume, volume) * volume * byLength(b.length);
     for (std::size_t d = 0; d < 3; ++d) {
       second[b.kind][d] += far * b.along[d] * b.along[d];
       first[b.kind][d] += 0.5 * near * std::abs(b.along[d]);
@@ -145,8 +175,41 @@ void TransportWeights::fitToGrid(double volume) {
   }
 }
 
+/// Over bonds of several kinds, the constant of a front that stays plane, which is that of fitToGrid, is multiplied by
+/// what the trial finds besides.
+void TransportWeights::calibrateByTrial(double volume, bool breaksBondsAtRandom) {
+  const double spacing = family_.spacing(shape_.volumeFactor() * volume);
+  // Lest what volumes are rounded to makes a case of its own.
+  constexpr double digits = 1e6;
+  const TrialCase trial{dimension(), std::round(digits * family_.horizon / spacing) / digits, shape_.isBox(),
+                        family_.volumeCorrection, breaksBondsAtRandom};
+  TrialResult result;
+  try {
+    result = trialCalibration(trial);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(owner_ + ": " + error.what());
+  }
+  if (shape_.isBall())
+    dissolutionFactor_.fill(result.dissolvability * spacing / volume);
+  else
+    for (double& factor : dissolutionFactor_) factor *= result.dissolvability * result.firstMoment;
+  gridVolume_ = volume;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      ": k = %.6g (spacings, cells), %.5f of what a front that stays plane takes; measured over %.0f spacings",
+      result.dissolvability, result.dissolvability * result.firstMoment, result.spacings);
+  trialOutcome_ = "trial calibration, " + trial.description() + text;
+}
+
 void TransportWeights::checkGrid(const double* x, const double* volume, int point, const int* neighbors,
                                  int count) const {
+  constexpr double rounding = 1e-5;
+  for (int k = 0; k < count && isByTrial_; ++k)
+    if (std::abs(volume[neighbors[k]] / gridVolume_ - 1.0) > rounding)
+      throw std::invalid_argument(owner_ + ": a Trial Calibration is of one grid, but volumes of points near " +
+                                  placeOf(x, point) + " differ, " + std::to_string(volume[neighbors[k]] / gridVolume_) +
+                                  " of the first; use the interface kernel Flux Exact on such meshes");
   if (shape_.isBall() || count < nNeighbors_) return;
   double moment[3] = {};
   for (int k = 0; k < count; ++k) {
@@ -157,8 +220,7 @@ void TransportWeights::checkGrid(const double* x, const double* volume, int poin
   for (int d = 0; d < dimension(); ++d)
     if (std::abs(moment[d] / diffusivity_ - 1.0) > 0.05)
       throw std::invalid_argument(
-          owner_ + ": bonds near (" + std::to_string(x[3 * point]) + ", " + std::to_string(x[3 * point + 1]) + ", " +
-          std::to_string(x[3 * point + 2]) + ") diffuse " + std::to_string(moment[d] / diffusivity_) +
+          owner_ + ": bonds near " + placeOf(x, point) + " diffuse " + std::to_string(moment[d] / diffusivity_) +
           " D along axis " + std::to_string(d + 1) +
           " of the horizon; \"Horizon Axes\" are for points on a grid along these axes, with spacings of their ratio");
 }

@@ -30,8 +30,13 @@ class TransportWeights {
   /// should. A bond counts for the longest axis that it has a component of: on a grid of 25:1, bonds that lean by one
   /// spacing carry next to nothing across, and those along the short axis alone make up for it.
   void fitToGrid(double volume);
+  /// Of Interface Kernel: Trial Calibration, after fitToGrid. Throws std::invalid_argument.
+  void calibrateByTrial(double volume, bool breaksBondsAtRandom);
+  bool isCalibratedByTrial() const { return isByTrial_; }
+  const std::string& trialOutcome() const { return trialOutcome_; }  ///< in words; empty before and without a trial
   /// Throws std::invalid_argument, naming the remedy, where the bonds of this point, if it has as many as one inside
-  /// such a grid, do not diffuse with D along each axis to 5 %: the mesh is no such grid.
+  /// such a grid, do not diffuse with D along each axis to 5 %: the mesh is no such grid. Nor may it have cells of
+  /// several sizes with a trial.
   void checkGrid(const double* x, const double* volume, int point, const int* neighbors, int count) const;
 
   /// Per volume of the neighbour, 1/(m3 s).
@@ -41,7 +46,7 @@ class TransportWeights {
   }
   /// Flux through a plane front over this bond, 1/m4 a unit of flux.
   double dissolution(const Bond& bond, double volume, double neighborVolume) const {
-    return dissolutionFactor_[bond.kind] * share(bond.length, range_, volume, neighborVolume) / bond.length;
+    return dissolutionFactor_[bond.kind] * share(bond.length, range_, volume, neighborVolume) * byLength(bond.length);
   }
 
   double diffusivity() const { return diffusivity_; }
@@ -50,15 +55,20 @@ class TransportWeights {
 
  private:
   double share(double length, double range, double volume, double neighborVolume) const;
+  /// The interface kernel but for its constant.
+  double byLength(double length) const { return 1.0 / (isByTrial_ ? length * length : length); }
   template <class Visit>
   void forGrid(double volume, Visit visit) const;
 
   BondFamily family_;  ///< in the space where the horizon is a ball
   kernels::HorizonShape shape_;
   std::string owner_;
-  double diffusivity_, range_;
+  double diffusivity_, range_;  ///< range of bonds that dissolve
+  bool isByTrial_;              ///< what dissolves over a bond is k/|xi|^2, k by a trial, not c/|xi|
+  std::string trialOutcome_;
   std::array<double, 3> diffusionFactor_{}, dissolutionFactor_{};  ///< by kind of bond
   int nNeighbors_ = 0;                                             ///< of a point inside the grid
+  double gridVolume_ = 0.0;                                        ///< of the points of a trial's grid
 };
 
 }  // namespace pd
