@@ -1,5 +1,6 @@
 #!/bin/bash
-# Meshes, runs of both metals in 1D, 2D and 3D, one with random bonds, and pictures of this scene, into results/uniform.
+# Meshes, runs of both metals in 1D, 2D and 3D, some with random bonds, the comparison of interface kernels and pictures
+# of this scene, into results/uniform.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -7,6 +8,7 @@ mesh() { "$pdmesh" grid box --spacing 1e-6 -o "$here/$1.txt" --quiet "${@:2}"; }
 mesh bar --size 67e-6 --origin -0.000007
 mesh strip --size 67e-6 20e-6 --origin -0.000007 0
 mesh block --size 67e-6 10e-6 10e-6 --origin -0.000007 0 0
+mesh plate --size 76e-6 76e-6 --origin -0.000038 -0.000038
 cd "$results"
 copper=(Diffusivity=1297e-12 "Solid Concentration=141000" "Saturation Concentration=5000" "Charge Number=2"
         "Current Density=1450")
@@ -23,3 +25,4 @@ for seed in 1 2 3; do
 done
 "$pdplot" strip --field Concentration --step 0,10,20,30 -o strip.png
 "$here/plot.py" "$results"
+"$here/kernels.py" "$pdrun" "$here/strip.yaml" "$results"
