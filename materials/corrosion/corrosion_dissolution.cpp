@@ -266,7 +266,7 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
     const double area = cache.area[p][0][j];
     double flux = phases_[p].pace * views.demand[j];
-    if (bare > 0.0) {
+    if (bare != 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
       flux += bare * perCurrent * i.current;
       current += area * bare * i.current;
@@ -314,7 +314,7 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
                                    cache.diffusionCorrection[0], cache.concentration[0], views.rate);
   bool dissolves = false;
   for (const int j : phases.sources()) {
-    const bool isIdle = views.salt[j] >= 1.0 && views.demand[j] == 0.0;
+    const bool isIdle = views.salt[j] == 1.0 && views.demand[j] == 0.0;
     if (isIdle)
       for (kernels::PointArrays& lost : cache.lostFlux) lost[0][j] = 0.0;
     else

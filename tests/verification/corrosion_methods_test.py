@@ -88,7 +88,7 @@ class Methods(MethodTest):
     def test_far_field(self):
         self.make_lattice([60e-6], [-7e-6])
         lost = {}
-        for method in ("Backward Euler", *EXPLICIT):
+        for method in ("Backward Euler", "SDIRK2", *EXPLICIT):
             deck = corrosion_deck(1, METAL, "x > 0", None, 20.0, 2, Method=method)
             deck["Boundary Conditions"].update({
                 "Mouth Node Set": {"Expression": "x < -3.0e-6"},
@@ -97,12 +97,14 @@ class Methods(MethodTest):
             result = self.solve(deck)
             self.check(result, METAL)
             lost[method] = self.amount(result, 0) - self.amount(result)
-        for method in EXPLICIT:
+        for method in ("SDIRK2", *EXPLICIT):
             self.assertAlmostEqual(lost[method] / lost["Backward Euler"], 1.0, delta=5e-3, msg=str(lost))
 
     def test_unknown_choices_are_refused(self):
         self.make_lattice([12e-6])
-        for key, known in (("Method", ("Backward Euler", "Euler", "RKL")), ("Saturation", ("Complementarity", "Pause"))):
+        for key, known in (("Method", ("Backward Euler", "SDIRK2", "Euler", "RKL")),
+                           ("Nonlinear Solver", ("Newton Krylov", "Polak Ribiere")),
+                           ("Saturation", ("Complementarity", "Pause"))):
             result = self.run_deck(corrosion_deck(1, METAL, "x > 0", None, 1.0, 1, **{key: "Sometimes"}))
             self.assertEqual(result.code, 2, result.text)
             self.assertRegex(result.text, r"deck\.yaml:\d+:\d+")
@@ -141,7 +143,7 @@ class PausingSurfaces(MethodTest):
         robust = [self.depth(self.METAL, **solver) for solver in ({"Fixed dt": 100.0 * self.STEP}, {})]
         self.is_paused = True
         paused = [self.depth(self.METAL, Saturation="Pause", Method=method, **{"Fixed dt": self.STEP})
-                  for method in ("Backward Euler", *EXPLICIT)]
+                  for method in ("Backward Euler", "SDIRK2", *EXPLICIT)]
         for depth in robust + paused:
             self.assertAlmostEqual(depth / robust[0], 1.0, delta=0.02, msg=f"{robust} {paused}")
             self.assertAlmostEqual(depth / reference, 1.0, delta=0.02, msg=f"{robust} {paused} {reference}")

@@ -8,10 +8,9 @@
 
 #include "../declarations.hpp"
 #include "Peridigm_Field.hpp"
-#include "explicit_step.hpp"
 #include "field_names.hpp"
-#include "implicit_step.hpp"
 #include "loose_metal.hpp"
+#include "transport_methods.hpp"
 
 namespace pd {
 
@@ -20,31 +19,20 @@ namespace {
 const std::string lastTransportRate = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 const std::string rateField = fluxDivergenceField("Concentration");
 
-std::unique_ptr<TransportStep> makeStep(const Teuchos::ParameterList& parameters, Saturation saturation) {
-  const auto method = parameters.get<std::string>("Method");
-  if (method == "Euler") return std::make_unique<ExplicitStep>(ExplicitMethod::Euler, saturation);
-  if (method == "RKL") return std::make_unique<ExplicitStep>(ExplicitMethod::Legendre, saturation);
-  ImplicitSettings settings;
-  settings.tolerance = parameters.get<double>("Solver Tolerance");
-  settings.maximumLinearIterations = parameters.get<int>("Maximum Linear Iterations");
-  return std::make_unique<ImplicitStep>(settings, saturation);
-}
-
 Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
   ParameterDeclarations declarations;
   Corrosion::declareParameters(declarations);
   return declarations.complete(given, "Corrosion");
 }
 
-/// Throws RunError where a point has less than no metal, or more than the solid; electrolyte that surfaces which pause
-/// have filled may hold more.
-void requireConcentrations(Model& model, Saturation saturationRule) {
+/// Throws RunError where a point has less than no metal, or more than the solid or, electrolyte, `fullest` times
+/// saturation.
+void requireConcentrations(Model& model, double fullest) {
   const double* concentration = model.field("Concentration");
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   std::string message;
   for (int i = 0; i < model.nOwned() && message.empty(); ++i) {
-    const double most = saturationRule == Saturation::Pause && solid[i] == 0.0 ? std::numeric_limits<double>::infinity()
-                                                                               : std::max(solid[i], saturation[i]);
+    const double most = solid[i] == 0.0 ? fullest * saturation[i] : std::max(solid[i], saturation[i]);
     if (concentration[i] >= -1e-6 * saturation[i] && concentration[i] <= (1.0 + 1e-9) * most) continue;
     const auto point = static_cast<std::size_t>(i);
     const double* x = model.discretization().x.data() + 3 * point;
@@ -60,29 +48,11 @@ void requireConcentrations(Model& model, Saturation saturationRule) {
 
 void Corrosion::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
-  declare
-      .text("Method",
-            "Of a step at given phases: implicit; explicit, in sub-steps of 0.9 of the longest stable one; or "
-            "Runge-Kutta-Legendre of second order, explicit with as many stages as stability asks for. The last two "
-            "are for comparison.")
-      .defaultTo("Backward Euler")
-      .oneOf({"Backward Euler", "Euler", "RKL"})
-      .from("Meyer, Balsara & Aslam, J. Comput. Phys. 257 (2014) 594");
-  declare
-      .text(
-          "Saturation",
-          "Complementarity: salt covers the share of a surface that keeps C at saturation, in steps of any length. "
-          "Pause: a surface with C at saturation when a step (Euler: sub-step) begins does not dissolve in it, others "
-          "dissolve freely; C may then exceed saturation by what a bare surface gives in one step, so steps must be "
-          "short.")
-      .defaultTo("Complementarity")
-      .oneOf({"Complementarity", "Pause"})
-      .from("Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022) 139512, eq. 14");
+  declareTransportMethods(declare);
   declare
       .real("Fixed dt", "s",
             "Time step; without it, steps follow the tolerance and the front. Divided where the front would move more "
-            "than "
-            "twice Front Limit.")
+            "than twice Front Limit.")
       .positive();
   declare
       .real("Relative Tolerance", "1", "Error of one step, root of its mean square in the electrolyte, of saturation.")
@@ -96,18 +66,11 @@ void Corrosion::declareParameters(ParameterDeclarations& declare) {
       .defaultTo(0.5)
       .positive();
   declare.real("Maximum dt", "s", "Longest step; by default an increment.").positive();
-  declare
-      .real("Solver Tolerance", "1",
-            "Largest residual of an implicit step, of saturation. Mass is conserved to rounding whatever it is.")
-      .defaultTo(1e-9)
-      .strictlyBetween(1e-14, 1.0);
-  declare.integer("Maximum Linear Iterations", "Of one linear solve of an implicit step.").defaultTo(5000).atLeast(1);
 }
 
 Corrosion::Corrosion(const Teuchos::ParameterList& given) {
   const auto parameters = completed(given);
-  saturation_ = parameters.get<std::string>("Saturation") == "Pause" ? Saturation::Pause : Saturation::Complementarity;
-  transport_ = makeStep(parameters, saturation_);
+  transport_ = makeTransportStep(parameters);
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
   tolerance_ = parameters.get<double>("Relative Tolerance");
@@ -139,7 +102,7 @@ void Corrosion::initialize(Simulation& simulation) {
     throw RunError(
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
-  requireConcentrations(model, saturation_);
+  requireConcentrations(model, transport_->fullest());
   initialMetal_ = metal(simulation);
 }
 
@@ -163,8 +126,7 @@ double Corrosion::frontAdvance(Simulation& simulation) const {
   return model.comm().max(largest);
 }
 
-/// Of Euler's steps: h^2/2 C'', from the change of the rate since the last step, away from the interface, where rates
-/// jump as points change phase.
+/// Away from the interface, where rates jump as points change phase.
 double Corrosion::timeError(Simulation& simulation, double h) const {
   Model& model = simulation.model;
   if (nSteps_ == 0) return 0.0;
@@ -174,7 +136,7 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
   for (std::size_t k = 0; k < lists_.liquid().size(); ++k) {
     const int i = lists_.liquid()[k];
     if (transport_->isUnknown()[k] == 0 || area[i] > 0.0 || std::isnan(lastRate[i])) continue;
-    const double error = transport_->errorFactor() * h * (transport_->rate()[k] - lastRate[i]) / saturation[i];
+    const double error = transport_->error(k, lastRate[i], h) / saturation[i];
     square += volume[i] * error * error;
     total += volume[i];
   }
@@ -255,7 +217,6 @@ void Corrosion::takeBack(Model& model) {
 
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
-  simulation.conditions.applyPrescribedValue("Concentration", t + h);
   const double *concentration = model.field("Concentration"), *damage = model.field("Damage");
   BondsBeforeStep bonds(model);
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
@@ -271,7 +232,8 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   advance_ = frontAdvance(simulation);
   error_ = timeError(simulation, h);
   surface_.take(model, transport_->points());
-  const bool isTooLong = advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > 4.0 * tolerance_);
+  const bool isTooLong =
+      advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > std::exp2(transport_->order() + 1) * tolerance_);
   if (isTooLong || !carryOver(simulation, h)) {
     bonds.restore();
     takeBack(model);
@@ -288,7 +250,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   for (std::size_t k = 0; k < transport_->points().size(); ++k) {
     const int i = transport_->points()[k];
     left += volume[i] * h * (transport_->isUnknown()[k] == 0 ? transport_->rate()[k] : -transport_->inflow()[k]);
-    lastRate[i] = transport_->isUnknown()[k] != 0 ? transport_->rate()[k] : std::numeric_limits<double>::quiet_NaN();
+    lastRate[i] = transport_->isUnknown()[k] != 0 ? transport_->endRate()[k] : std::numeric_limits<double>::quiet_NaN();
   }
   outflow_ += model.comm().sum(left);
   return true;
@@ -296,7 +258,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
 
 double Corrosion::nextStep(double h) const {
   const double byFront = advance_ > 0.0 ? frontLimit_ / advance_ : 2.0;
-  const double byError = error_ > 0.0 ? 0.9 * std::sqrt(tolerance_ / error_) : 2.0;
+  const double byError = error_ > 0.0 ? 0.9 * std::pow(tolerance_ / error_, 1.0 / (transport_->order() + 1)) : 2.0;
   const double next = h * std::clamp(std::min(byFront, byError), 0.2, 2.0);
   // Of a ladder of steps, lest they carry what rounding leaves, different on every number of ranks, from step to step.
   constexpr double rungsPerOctave = 4.0;

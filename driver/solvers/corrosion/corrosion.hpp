@@ -41,7 +41,6 @@ class Corrosion : public Solver {
 
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
-  Saturation saturation_;
   std::unique_ptr<TransportStep> transport_;
   SurfaceRecord surface_;
   PhaseLists lists_;

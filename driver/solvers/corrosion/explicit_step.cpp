@@ -107,10 +107,10 @@ void ExplicitStep::evaluate(Model& model, const Fields& fields, double h, const 
   };
   model.importGhosts("Concentration");
   if (!pauses()) {
-    coverWithSalt(fields, 0.0);
+    fields.coverWithSalt(ids_, 0.0);
     rates();
     if (model.comm().any(findSalt(fields, h, stage))) {
-      setSalt(model, fields, coverage_);
+      fields.setSalt(model, ids_, coverage_);
       rates();
     }
   } else {
@@ -130,7 +130,7 @@ void ExplicitStep::takeSubStep(Model& model, const Fields& fields, double h) {
   for (std::size_t k = 0; k < ids_.size(); ++k) start_[k] = fields.concentration[ids_[k]];
   if (pauses()) {
     findPaused(fields, coverage_);
-    setSalt(model, fields, coverage_);
+    fields.setSalt(model, ids_, coverage_);
   }
   for (std::size_t j = 0; j < scheme_.stages.size(); ++j) {
     const StabilizedStage& stage = scheme_.stages[j];
@@ -153,8 +153,9 @@ void ExplicitStep::useScheme(int nStages) {
     scheme_.stages = {{1.0, 0.0, 1.0, 0.0, 1.0}};
 }
 
-bool ExplicitStep::advance(Model& model, const Fields& fields, double h) {
+bool ExplicitStep::advance(Simulation& simulation, const Fields& fields, double, double h) {
   constexpr double margin = 0.9;  // of the longest stable step, in which no point takes more from another than it has
+  Model& model = simulation.model;
   findBound(model, h);
   long long nSubSteps = 1;
   if (method_ == ExplicitMethod::Euler) {

@@ -19,11 +19,14 @@ class ExplicitStep : public TransportStep {
   ExplicitStep(ExplicitMethod method, Saturation saturation) : TransportStep(saturation), method_(method) {}
 
   void forget() override { nOfBound_ = 0; }
-  double errorFactor() const override { return errorFactor_; }
+  /// x h^2 C'', from the change of the rate since the last step.
+  double error(std::size_t k, double lastRate, double h) const override {
+    return errorFactor_ * h * (rate_[k] - lastRate);
+  }
   std::string work() const override;
 
  protected:
-  bool advance(Model& model, const Fields& fields, double h) override;
+  bool advance(Simulation& simulation, const Fields& fields, double t, double h) override;
 
  private:
   /// By point: of liquid points, prescribed ones included; of dissolving ones; and what comes from beyond the mesh.

@@ -1,57 +1,59 @@
-// Backward Euler of dissolution and transport.
+// Implicit steps of dissolution and transport: backward Euler's, and one of second order.
 #ifndef PD_IMPLICIT_STEP_HPP
 #define PD_IMPLICIT_STEP_HPP
 
+#include <memory>
+
+#include "stage_equation.hpp"
 #include "transport_step.hpp"
-#include "two_level_preconditioner.hpp"
 
 namespace pd {
 
-struct ImplicitSettings {
-  int maximumNewtonIterations = 50;
-  int maximumLinearIterations = 5000;
-  double tolerance = 1e-9;  ///< residual relative to the saturation concentration, at every point
+enum class ImplicitMethod {
+  BackwardEuler,
+  Sdirk2  ///< R. Alexander, SIAM J. Numer. Anal. 14 (1977) 1006: L-stable, the last stage is the result
 };
 
-/// C - C_old = h (L C + (1 - S) s(C) + k (C_far - C)), and, unless the surface pauses (then S is given),
-///   0 <= S, C <= C_sat, S = 0 where C < C_sat.
-/// Saturation is thus a complementarity condition, solved with the transport by Newton's method on an active set
-/// (Hintermueller, Ito & Kunisch, SIAM J. Optim. 13 (2002) 865), each linear system by conjugate gradients without a
-/// matrix, with a preconditioner of two levels where they are stiff.
+/// Of SDIRK2, with g = 1 - 1/sqrt(2),
+///   C_1 = C_0 + g h f(C_1)   and   C_2 = C_0 + h ((1 - g) f(C_1) + g f(C_2)).
+/// No method of its order keeps C between 0 and C_sat in steps of any length (C. Bolley & M. Crouzeix, RAIRO Anal.
+/// Numer. 12 (1978) 237). The second stage starts beyond C_sat where the first has reached it: there it may take metal
+/// back, no more than the first has given. A step that leaves C below 0, or above C_sat by more than
+/// `largestOvershoot`, is replaced by one of backward Euler.
 class ImplicitStep : public TransportStep {
  public:
-  ImplicitStep(const ImplicitSettings& settings, Saturation saturation)
-      : TransportStep(saturation), settings_(settings) {}
+  ImplicitStep(ImplicitMethod method, std::unique_ptr<StageSolver> solver, Saturation saturation)
+      : TransportStep(saturation), method_(method), solver_(std::move(solver)) {}
 
-  void forget() override { preconditioner_.discard(); }
-  double errorFactor() const override { return 0.5; }
+  void forget() override { solver_->forget(); }
+  int order() const override { return order_; }
+  double error(std::size_t k, double lastRate, double h) const override;
+  const std::vector<double>& endRate() const override { return order_ == 2 ? second_.liquid : rate_; }
+  double fullest() const override;
   std::string work() const override;
 
  protected:
-  bool advance(Model& model, const Fields& fields, double h) override;
+  bool advance(Simulation& simulation, const Fields& fields, double t, double h) override;
 
  private:
-  void guessSaturated(const Fields& fields);
-  bool iterate(Model& model, const Fields& fields, double h);
-  void finish(Model& model, const Fields& fields, double h);
-  double dot(Model& model, const Fields& fields, const std::vector<double>& a, const std::vector<double>& b) const;
-  double residual(Model& model, const Fields& fields, double h);
-  bool updateSaturated(Model& model, const Fields& fields, double tolerance);
-  bool solveLinear(Model& model, const Fields& fields, double h, double target);
-  void makePreconditioner(Model& model, double h);
-  /// Conjugate gradients from step_ on; the iterations taken, negative where it failed.
-  int conjugateGradients(Model& model, const Fields& fields, double h, double target, int mostIterations);
-  void precondition(Model& model, const std::vector<double>& r, std::vector<double>& z);
-  void applyMatrix(Model& model, const Fields& fields, double h, const std::vector<double>& direction,
-                   std::vector<double>& image);
+  /// Rates of a stage, by point of ids_ and solidIds_.
+  struct Rates {
+    std::vector<double> liquid, inflow, solid;
+    std::vector<double> dissolution;  ///< what the surface gives
+  };
 
-  ImplicitSettings settings_;
-  std::vector<char> isFree_;  ///< not free: prescribed, or C is C_sat and S the unknown
-  std::vector<double> residual_, step_, slope_, paused_;
-  TwoLevelPreconditioner preconditioner_;
-  double builtFor_ = 0.0;                 ///< step of the preconditioner
-  int leastIterations_ = 0, excess_ = 0;  ///< with it: fewest of a solve; all beyond that
-  long long nNewtonIterations_ = 0, nLinearIterations_ = 0;
+  bool takeEulerStep(Model& model, const Fields& fields, double h);
+  bool takeTwoStages(Simulation& simulation, const Fields& fields, double t, double h);
+  void finishStage(StageEquation& equation, Rates& rates) const;
+  bool isWithinBounds(Model& model, const Fields& fields) const;
+  StageEquation equation(Model& model, const Fields& fields);
+
+  ImplicitMethod method_;
+  std::unique_ptr<StageSolver> solver_;
+  std::vector<double> paused_;
+  Rates first_, second_;
+  int order_ = 1;
+  long long nEvaluations_ = 0, nReplaced_ = 0;
 };
 
 }  // namespace pd

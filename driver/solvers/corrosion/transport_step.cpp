@@ -8,7 +8,7 @@
 
 namespace pd {
 
-TransportStep::Fields::Fields(Model& model)
+TransportFields::TransportFields(Model& model)
     : nOwned(model.nOwned()),
       nPoints(model.nPoints()),
       concentration(model.field("Concentration")),
@@ -20,9 +20,14 @@ TransportStep::Fields::Fields(Model& model)
       volume(model.field("Volume")),
       area(model.field("Interface_Area_Density")) {}
 
-void TransportStep::coverWithSalt(const Fields& fields, double coverage) const {
-  for (const int i : ids_) fields.salt[i] = coverage;
-  std::fill(fields.salt + fields.nOwned, fields.salt + fields.nPoints, coverage);
+void TransportFields::coverWithSalt(const std::vector<int>& ids, double coverage) const {
+  for (const int i : ids) salt[i] = coverage;
+  std::fill(salt + nOwned, salt + nPoints, coverage);
+}
+
+void TransportFields::setSalt(Model& model, const std::vector<int>& ids, const std::vector<double>& coverage) const {
+  for (std::size_t k = 0; k < ids.size(); ++k) salt[ids[k]] = coverage[k];
+  model.importGhosts("Salt_Coverage");
 }
 
 void TransportStep::findPaused(const Fields& fields, std::vector<double>& coverage) const {
@@ -34,27 +39,28 @@ void TransportStep::findPaused(const Fields& fields, std::vector<double>& covera
   }
 }
 
-void TransportStep::setSalt(Model& model, const Fields& fields, const std::vector<double>& coverage) const {
-  for (std::size_t k = 0; k < ids_.size(); ++k) fields.salt[ids_[k]] = coverage[k];
-  model.importGhosts("Salt_Coverage");
-}
-
 void TransportStep::begin(Simulation& simulation, const Fields& fields, double end) {
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
-  const BoundaryConditions::FarField& far = simulation.conditions.farField("Concentration", end);
   const std::size_t n = ids_.size();
   for (auto* values : {&before_, &saltBefore_, &rate_, &inflow_}) values->resize(n);
-  exchange_.assign(n, 0.0);
-  farValue_.assign(n, 0.0);
   isUnknown_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) isUnknown_[k] = isHeld[static_cast<std::size_t>(ids_[k])] == 0;
+  setBoundary(simulation, end);
   for (std::size_t k = 0; k < n; ++k) {
-    const int i = ids_[k];
-    before_[k] = fields.concentration[i];
-    saltBefore_[k] = fields.salt[i];
-    isUnknown_[k] = isHeld[static_cast<std::size_t>(i)] == 0;
-    if (isUnknown_[k] == 0 || far.coefficient.empty()) continue;
-    exchange_[k] = far.coefficient[static_cast<std::size_t>(i)];
-    farValue_[k] = far.value[static_cast<std::size_t>(i)];
+    before_[k] = fields.concentration[ids_[k]];
+    saltBefore_[k] = fields.salt[ids_[k]];
+  }
+}
+
+void TransportStep::setBoundary(Simulation& simulation, double time) {
+  simulation.conditions.applyPrescribedValue("Concentration", time);
+  const BoundaryConditions::FarField& far = simulation.conditions.farField("Concentration", time);
+  exchange_.assign(ids_.size(), 0.0);
+  farValue_.assign(ids_.size(), 0.0);
+  for (std::size_t k = 0; k < ids_.size() && !far.coefficient.empty(); ++k) {
+    if (isUnknown_[k] == 0) continue;
+    exchange_[k] = far.coefficient[static_cast<std::size_t>(ids_[k])];
+    farValue_[k] = far.value[static_cast<std::size_t>(ids_[k])];
   }
 }
 
@@ -79,7 +85,7 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   begin(simulation, fields, t + h);
   model.evaluateFluxDivergence(h, fluxDivergenceField("Concentration"));  // takes up the phases
-  if (!advance(model, fields, h)) {
+  if (!advance(simulation, fields, t, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
     takeBack(model);
     return false;

@@ -2,6 +2,7 @@
 #ifndef PD_TRANSPORT_STEP_HPP
 #define PD_TRANSPORT_STEP_HPP
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,17 @@ namespace pd {
 enum class Saturation {
   Complementarity,  ///< salt covers the share of the surface that keeps C at C_sat
   Pause             ///< a surface with C >= C_sat at the beginning of a step does not dissolve in it, others freely
+};
+
+/// Point fields that steps work on.
+struct TransportFields {
+  int nOwned, nPoints;
+  double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area;
+  explicit TransportFields(Model& model);
+  /// Salt_Coverage of the owned points `ids`, and the same of all points of other ranks.
+  void coverWithSalt(const std::vector<int>& ids, double coverage) const;
+  /// Salt_Coverage of the owned points `ids`; imports that of others.
+  void setSalt(Model& model, const std::vector<int>& ids, const std::vector<double>& coverage) const;
 };
 
 /// Of the concentration C of liquid points,
@@ -33,8 +45,14 @@ class TransportStep {
   void takeBack(Model& model) const;
   /// What is kept from step to step for speed alone. Without it, a run goes on exactly as after a restart.
   virtual void forget() = 0;
-  /// x of the leading error x h^2 C'' of the last step.
-  virtual double errorFactor() const = 0;
+  /// Of the last step: order of what `error` estimates is one more.
+  virtual int order() const { return 1; }
+  /// Estimate of the error of the last step at the k-th point, mol/m3, with the rate at the end of the step before.
+  virtual double error(std::size_t k, double lastRate, double h) const = 0;
+  /// Rates at the end of the last step, as `error` of the next one asks for.
+  virtual const std::vector<double>& endRate() const { return rate_; }
+  /// C of electrolyte at most, of saturation.
+  virtual double fullest() const { return pauses() ? std::numeric_limits<double>::infinity() : 1.0; }
   virtual std::string work() const = 0;  ///< of all steps, in words
 
   // Of the last step.
@@ -45,23 +63,18 @@ class TransportStep {
   const std::string& trouble() const { return trouble_; }
 
  protected:
-  struct Fields {
-    int nOwned, nPoints;
-    double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area;
-    explicit Fields(Model& model);
-  };
+  using Fields = TransportFields;
 
   explicit TransportStep(Saturation saturation) : saturation_(saturation) {}
-  /// From the state before, in the fields, to that after; rate_ and inflow_ of the step.
-  virtual bool advance(Model& model, const Fields& fields, double h) = 0;
+  /// From the state before, in the fields, to that after; rate_ and inflow_ of the step. Prescribed concentrations and
+  /// far fields are those of t + h.
+  virtual bool advance(Simulation& simulation, const Fields& fields, double t, double h) = 0;
 
+  /// Prescribed concentrations and far fields of a time.
+  void setBoundary(Simulation& simulation, double time);
   bool pauses() const { return saturation_ == Saturation::Pause; }
-  /// Salt_Coverage of all points that are liquid here or elsewhere.
-  void coverWithSalt(const Fields& fields, double coverage) const;
   /// By point of ids_: 1 where C has reached saturation, else 0.
   void findPaused(const Fields& fields, std::vector<double>& coverage) const;
-  /// Salt_Coverage by point of ids_; ghosts too.
-  void setSalt(Model& model, const Fields& fields, const std::vector<double>& coverage) const;
 
   std::vector<int> ids_, solidIds_;  ///< lists.liquid(), lists.dissolving()
   std::vector<char> isUnknown_;

@@ -1,0 +1,152 @@
+#include "newton_krylov.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pd {
+
+namespace {
+
+constexpr int isIndefinite = -1, stillGoing = -2, maximumIterations = 50;
+
+}  // namespace
+
+/// image = (1 - h L - h s' + h k) direction at free points, k: exchange with the far field. The flux of an electrolyte
+/// whose surfaces salt covers is linear.
+void NewtonKrylov::applyMatrix(StageEquation& equation, const std::vector<double>& direction,
+                               std::vector<double>& image) {
+  const TransportFields& fields = equation.fields();
+  const std::vector<int>& ids = equation.ids();
+  const double h = equation.h();
+  for (std::size_t k = 0; k < ids.size(); ++k) fields.concentration[ids[k]] = direction[k];
+  equation.model().importGhosts("Concentration");
+  equation.findRates();
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const double diagonal = 1.0 + h * (equation.exchange(k) - slope_[k]);
+    image[k] = equation.isFree()[k] != 0 ? diagonal * direction[k] - h * fields.rate[ids[k]] : 0.0;
+  }
+}
+
+void NewtonKrylov::precondition(const StageEquation& equation, const std::vector<double>& r, std::vector<double>& z) {
+  if (preconditioner_.isBuilt())
+    preconditioner_.apply(equation.model(), equation.ids(), equation.isFree(), r, z);
+  else
+    z = r;
+}
+
+int NewtonKrylov::conjugateGradients(StageEquation& equation, double target, int mostIterations) {
+  const std::vector<int>& ids = equation.ids();
+  const std::size_t n = ids.size();
+  std::vector<double> r(n), p, z(n), image(n);
+  applyMatrix(equation, step_, image);
+  for (std::size_t k = 0; k < n; ++k) r[k] = equation.isFree()[k] != 0 ? equation.residual()[k] - image[k] : 0.0;
+  precondition(equation, r, z);
+  p = z;
+  double square = equation.dot(r, z);
+  for (int iteration = 1; square != 0.0; ++iteration) {
+    applyMatrix(equation, p, image);
+    const double curvature = equation.dot(p, image);
+    // A rate that grows quickly with C makes a long step's matrix indefinite.
+    if (!(curvature > 0.0)) return isIndefinite;
+    const double length = square / curvature;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      step_[k] += length * p[k];
+      r[k] -= length * image[k];
+      largest = std::max(largest, std::abs(r[k]) / equation.fields().saturation[ids[k]]);
+    }
+    ++nLinearIterations_;
+    if (equation.model().comm().max(largest) <= target) return iteration;
+    if (iteration >= mostIterations) return stillGoing;
+    precondition(equation, r, z);
+    const double next = equation.dot(r, z);
+    for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + next / square * p[k];
+    square = next;
+  }
+  return 0;
+}
+
+void NewtonKrylov::makePreconditioner(const StageEquation& equation) {
+  preconditioner_.build(equation.model(), equation.ids(), equation.isFree(), equation.h());
+  builtFor_ = equation.h();
+  leastIterations_ = std::numeric_limits<int>::max();
+  excess_ = 0;
+  ++nPreconditioners_;
+}
+
+/// step_ from the residual. The preconditioner is made where plain iterations are slow, and again where the iterations
+/// that an old one has cost are worth a new one.
+bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
+  constexpr int patience = 15;  // iterations that a preconditioner costs, about
+  const std::vector<int>& ids = equation.ids();
+  double* concentration = equation.fields().concentration;
+  std::vector<double> present(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    present[k] = concentration[ids[k]];
+    slope_[k] = equation.slope(k);
+  }
+  equation.fields().coverWithSalt(ids, 1.0);
+  std::fill(step_.begin(), step_.end(), 0.0);
+  if (preconditioner_.isBuilt() && (equation.h() != builtFor_ || excess_ > patience)) makePreconditioner(equation);
+  const int most = !preconditioner_.isBuilt()                            ? patience
+                   : leastIterations_ == std::numeric_limits<int>::max() ? maximumLinearIterations_
+                                                                         : leastIterations_ + 2 * patience;
+  int taken = conjugateGradients(equation, target, most);
+  if (taken == stillGoing && most < maximumLinearIterations_) {
+    makePreconditioner(equation);
+    taken = conjugateGradients(equation, target, maximumLinearIterations_);
+  }
+  if (taken == isIndefinite) {
+    // A rate that grows so quickly with C mostly ends at saturation: without its slope, the iterations get there.
+    std::fill(slope_.begin(), slope_.end(), 0.0);
+    std::fill(step_.begin(), step_.end(), 0.0);
+    taken = conjugateGradients(equation, target, maximumLinearIterations_);
+  }
+  if (taken >= 0 && preconditioner_.isBuilt()) {
+    leastIterations_ = std::min(leastIterations_, taken);
+    excess_ += taken - leastIterations_;
+  }
+  for (std::size_t k = 0; k < ids.size(); ++k) concentration[ids[k]] = present[k];
+  if (taken < 0) trouble_ = fmt::format("the linear system of a stage of {:.3g} s is not solved", equation.h());
+  return taken >= 0;
+}
+
+bool NewtonKrylov::solve(StageEquation& equation) {
+  // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+  constexpr double loosest = 1e-2, tightest = 1e-4;
+  trouble_.clear();
+  step_.resize(equation.ids().size());
+  slope_.resize(equation.ids().size());
+  double before = 0.0;
+  for (int iteration = 0; iteration < maximumIterations; ++iteration) {
+    double largest = equation.evaluate();
+    // What rounding leaves of terms that cancel.
+    const double roundOff = preconditioner_.isBuilt()
+                                ? 8.0 * std::numeric_limits<double>::epsilon() * preconditioner_.largestDiagonal()
+                                : 0.0;
+    const double tolerance = std::max(tolerance_, roundOff);
+    const bool isReleased = equation.release(tolerance), isHeld = equation.hold(tolerance);
+    if (isReleased || isHeld)
+      largest = equation.evaluate();
+    else if (largest <= tolerance)
+      return true;
+    if (!std::isfinite(largest)) return false;
+    const double ratio = before > 0.0 ? largest / before : 1.0;
+    const double share = std::clamp(0.9 * ratio * ratio, tightest, loosest);
+    before = largest;
+    if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
+    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += step_[k];
+    ++nIterations_;
+  }
+  return false;
+}
+
+std::string NewtonKrylov::work() const {
+  return fmt::format("{} Newton and {} linear iterations with {} preconditioners", nIterations_, nLinearIterations_,
+                     nPreconditioners_);
+}
+
+}  // namespace pd
