@@ -213,8 +213,8 @@ void CorrosionDissolution::precompute(const double, const int numOwnedPoints, co
 /// Corrections of owned points.
 void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const {
   cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
+  cache.zeroed = nullptr;  // a host may have filled in rates, those of a checkpoint for one
   if (!cache.phases.refresh(cache.neighborhood, views.damage)) return;
-  cache.zeroed = nullptr;
   const kernels::PhaseBonds& phases = cache.phases;
   const PhaseGeometry bonds = geometry(views);
   for (const std::size_t c : phases.changedChunks()) {

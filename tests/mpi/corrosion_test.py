@@ -107,6 +107,10 @@ class Restarts(Plate):
     def test_on_two_ranks(self):
         self.check_restart(SALTED, 2.0, ranks=2)
 
+    def test_before_any_point_has_turned_liquid(self):
+        # Rates read at ghosts are not to be added to those of their owners.
+        self.check_restart(STEEL, 4.0, ranks=2)
+
     def test_on_another_number_of_ranks(self):
         for ranks, later_ranks in ((1, 2), (4, 1), (2, 3)):
             found, expected = self.restart(SALTED, 2.0, ranks, later_ranks)
