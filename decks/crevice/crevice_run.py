@@ -8,7 +8,7 @@ import numpy as np  # noqa: E402
 from gap_averaged import HOUR, Crevice  # noqa: E402
 from pdplot_lib.results import Results  # noqa: E402
 
-DX, DY = 25e-6, 1e-6
+DY = 1e-6
 CREVICE = Crevice()
 
 
@@ -29,10 +29,11 @@ class Run:
     def __init__(self, name):
         self.results = Results(name)
         corner = self.results.x.min(axis=0)
-        self.column = np.rint((self.results.x[:, 0] - corner[0]) / DX).astype(int)
+        self.dx = np.min(np.diff(np.unique(np.rint(self.results.x[:, 0] * 1e9)))) * 1e-9
+        self.column = np.rint((self.results.x[:, 0] - corner[0]) / self.dx).astype(int)
         self.row = np.rint((self.results.x[:, 1] - corner[1]) / DY).astype(int)
         self.shape = self.column.max() + 1, self.row.max() + 1
-        self.x = corner[0] + DX * np.arange(self.shape[0])
+        self.x = corner[0] + self.dx * np.arange(self.shape[0])
         self.y = corner[1] + DY * np.arange(self.shape[1])
         self.isCrevice = self.x > 0.0
         self.isMetal = self.field("Damage", 0) < 1.0

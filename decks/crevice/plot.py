@@ -7,7 +7,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 
 import numpy as np  # noqa: E402
-from crevice_run import CREVICE, DX, DY, Run, saturated_from  # noqa: E402
+from crevice_run import CREVICE, DY, Run, saturated_from  # noqa: E402
 from gap_averaged import HOUR, simulate  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from trench import carve  # noqa: E402
@@ -50,7 +50,7 @@ def draw_crevice(run, reference):
     greys = type(figures.plt.cm.viridis)(greys)
     figure, axes = figures.plt.subplots(len(hours), 2, figsize=(12, 1.75 * len(hours)), constrained_layout=True,
                                         sharex="col")
-    edges = [np.append(at - 0.5 * step, at[-1] + 0.5 * step) * unit for at, step, unit in ((run.x, DX, 1e3),
+    edges = [np.append(at - 0.5 * step, at[-1] + 0.5 * step) * unit for at, step, unit in ((run.x, run.dx, 1e3),
                                                                                            (run.y, DY, 1e6))]
     for hour, row in zip(hours, axes):
         k = run.at(hour)

@@ -142,7 +142,7 @@ class Benchmark:
             settings = case.settings()
             settings["Solver/Final Time"] *= share
             if step is not None:
-                settings["Solver/Corrosion/Fixed dt"] = step
+                settings.update(time_steps.fixed(step))
             report = scenes.run(self.pdrun, "crevice.yaml", folder, overrides=settings)
             return report["seconds"], max(time_steps.depths(case, folder))
 
