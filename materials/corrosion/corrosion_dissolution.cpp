@@ -149,9 +149,8 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
   const Views views(*this, dataManager);
   caches_.clear();
   if (numOwnedPoints > 0) {
-    const double volume = views.volume[ownedIDs[0]];
-    weights_.fitToGrid(volume);
-    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(volume, breaksBondsAtRandom(dataManager));
+    weights_.fitToGrid(views.volume[ownedIDs[0]]);
+    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom(dataManager));
   }
   std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
   std::fill(views.dissolutionCorrection, views.dissolutionCorrection + views.nPoints, 1.0);

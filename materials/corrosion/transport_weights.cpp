@@ -117,9 +117,8 @@ TransportWeights::Bond TransportWeights::bond(const double* x, int point, int ne
 }
 
 double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {
-  const double factor = shape_.volumeFactor();
-  double spacing = family_.spacing(factor * volume);
-  if (neighborVolume != volume) spacing = 0.5 * (spacing + family_.spacing(factor * neighborVolume));
+  double spacing = spacingOf(volume);
+  if (neighborVolume != volume) spacing = 0.5 * (spacing + spacingOf(neighborVolume));
   const double value = kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
   constexpr double roundOff = 1e-4;  // of points that lie where the share ends, but for rounded coordinates
   return value > roundOff ? value : 0.0;
@@ -128,7 +127,7 @@ double TransportWeights::share(double length, double range, double volume, doubl
 /// Calls visit(bond) for the bonds of a point inside the grid.
 template <class Visit>
 void TransportWeights::forGrid(double volume, Visit visit) const {
-  const double spacing = family_.spacing(shape_.volumeFactor() * volume);
+  const double spacing = spacingOf(volume);
   const int reach = static_cast<int>(family_.horizon / spacing) + 2;
   int n[3];
   const auto range = [&](int axis) { return axis < dimension() ? reach : 0; };
@@ -147,6 +146,8 @@ void TransportWeights::forGrid(double volume, Visit visit) const {
 }
 
 void TransportWeights::fitToGrid(double volume) {
+  gridVolume_ = volume;
+  gridSpacing_ = family_.spacing(shape_.volumeFactor() * volume);
   if (shape_.isBall()) return;
   // By kind of bond and axis: second moments, and first moments of one side.
   double second[3][3] = {}, first[3][3] = {};
@@ -177,11 +178,10 @@ void TransportWeights::fitToGrid(double volume) {
 
 /// Over bonds of several kinds, the constant of a front that stays plane, which is that of fitToGrid, is multiplied by
 /// what the trial finds besides.
-void TransportWeights::calibrateByTrial(double volume, bool breaksBondsAtRandom) {
-  const double spacing = family_.spacing(shape_.volumeFactor() * volume);
+void TransportWeights::calibrateByTrial(bool breaksBondsAtRandom) {
   // Lest what volumes are rounded to makes a case of its own.
   constexpr double digits = 1e6;
-  const TrialCase trial{dimension(), std::round(digits * family_.horizon / spacing) / digits, shape_.isBox(),
+  const TrialCase trial{dimension(), std::round(digits * family_.horizon / gridSpacing_) / digits, shape_.isBox(),
                         family_.volumeCorrection, breaksBondsAtRandom};
   TrialResult result;
   try {
@@ -190,10 +190,9 @@ void TransportWeights::calibrateByTrial(double volume, bool breaksBondsAtRandom)
     throw std::invalid_argument(owner_ + ": " + error.what());
   }
   if (shape_.isBall())
-    dissolutionFactor_.fill(result.dissolvability * spacing / volume);
+    dissolutionFactor_.fill(result.dissolvability * gridSpacing_ / gridVolume_);
   else
     for (double& factor : dissolutionFactor_) factor *= result.dissolvability * result.firstMoment;
-  gridVolume_ = volume;
   char text[200];
   std::snprintf(
       text, sizeof text,

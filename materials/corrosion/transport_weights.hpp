@@ -31,7 +31,7 @@ class TransportWeights {
   /// spacing carry next to nothing across, and those along the short axis alone make up for it.
   void fitToGrid(double volume);
   /// Of Interface Kernel: Trial Calibration, after fitToGrid. Throws std::invalid_argument.
-  void calibrateByTrial(double volume, bool breaksBondsAtRandom);
+  void calibrateByTrial(bool breaksBondsAtRandom);
   bool isCalibratedByTrial() const { return isByTrial_; }
   const std::string& trialOutcome() const { return trialOutcome_; }  ///< in words; empty before and without a trial
   /// Throws std::invalid_argument, naming the remedy, where the bonds of this point, if it has as many as one inside
@@ -54,6 +54,10 @@ class TransportWeights {
   int dimension() const { return family_.dimension(); }
 
  private:
+  /// In mapped space, of a point's cell.
+  double spacingOf(double volume) const {
+    return volume == gridVolume_ ? gridSpacing_ : family_.spacing(shape_.volumeFactor() * volume);
+  }
   double share(double length, double range, double volume, double neighborVolume) const;
   /// The interface kernel but for its constant.
   double byLength(double length) const { return 1.0 / (isByTrial_ ? length * length : length); }
@@ -68,7 +72,7 @@ class TransportWeights {
   std::string trialOutcome_;
   std::array<double, 3> diffusionFactor_{}, dissolutionFactor_{};  ///< by kind of bond
   int nNeighbors_ = 0;                                             ///< of a point inside the grid
-  double gridVolume_ = 0.0;                                        ///< of the points of a trial's grid
+  double gridVolume_ = 0.0, gridSpacing_ = 0.0;                    ///< of the grid that this was fitted to
 };
 
 }  // namespace pd

@@ -109,7 +109,7 @@ TEST(TrialCalibrationTest, BondsPassTheFluxOfAPlaneFront) {
       const double volume = 0.5 * ratio;
       EXPECT_TRUE(weights.trialOutcome().empty());
       weights.fitToGrid(volume);
-      weights.calibrateByTrial(volume, breaksBonds);
+      weights.calibrateByTrial(breaksBonds);
       EXPECT_NE(weights.trialOutcome().find("2D, ball of 4 spacings"), std::string::npos) << weights.trialOutcome();
       const TrialResult& trial = trialCalibration({2, 4.0, false, VolumeCorrection::RampBeyondHorizon, breaksBonds});
       double passed[2] = {};
@@ -140,12 +140,14 @@ TEST(TrialCalibrationTest, RefusesWhatDoesNotGoWithIt) {
   EXPECT_THROW(trialWeights(list), std::invalid_argument);
 
   TransportWeights weights = trialWeights(trialList(1.0, false));
-  weights.calibrateByTrial(0.5, false);
+  weights.fitToGrid(0.5);
+  weights.calibrateByTrial(false);
   const double x[6] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}, alike[2] = {0.5, 0.5}, uneven[2] = {0.5, 0.6};
   const int neighbor = 1;
   EXPECT_NO_THROW(weights.checkGrid(x, alike, 0, &neighbor, 1));
   EXPECT_THROW(weights.checkGrid(x, uneven, 0, &neighbor, 1), std::invalid_argument);
-  EXPECT_THROW(weights.calibrateByTrial(1e4, false), std::invalid_argument);  // the horizon is 0.03 spacings
+  weights.fitToGrid(1e4);
+  EXPECT_THROW(weights.calibrateByTrial(false), std::invalid_argument);  // the horizon is 0.03 spacings
 }
 
 }  // namespace
