@@ -19,6 +19,13 @@ def pdrun_path():
     return path
 
 
+def mpirun(ranks):
+    """What a command on so many ranks begins with."""
+    if ranks == 1:
+        return []
+    return ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)]
+
+
 def lattice(lengths, spacing, origin=None):
     """Centres of the cells of a box, x fastest: [n, 3]. `lengths`: 1 to 3 of them; the other coordinates are 0."""
     axes = []
@@ -116,10 +123,7 @@ class SceneTest(unittest.TestCase):
         with open(self.path(name + ".yaml"), "w") as file:
             file.write(yaml(deck) + "\n")
         command = [pdrun_path(), name + ".yaml", "--quiet", *arguments]
-        if ranks > 1:
-            command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np", str(ranks),
-                       *command]
-        return command
+        return [*mpirun(ranks), *command]
 
     def run_deck(self, deck, timeout=280, **options):
         """Writes the deck and runs it, with the options of prepare(); does not ask how it ended."""

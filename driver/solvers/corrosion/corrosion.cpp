@@ -26,14 +26,15 @@ Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
 }
 
 /// Throws RunError where a point has less than no metal, or more than the solid or, electrolyte, `fullest` times
-/// saturation.
-void requireConcentrations(Model& model, double fullest) {
+/// saturation, by more than the share `slack` of saturation.
+void requireConcentrations(Model& model, double fullest, double slack) {
   const double* concentration = model.field("Concentration");
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   std::string message;
   for (int i = 0; i < model.nOwned() && message.empty(); ++i) {
     const double most = solid[i] == 0.0 ? fullest * saturation[i] : std::max(solid[i], saturation[i]);
-    if (concentration[i] >= -1e-6 * saturation[i] && concentration[i] <= (1.0 + 1e-9) * most) continue;
+    const double beyond = slack * saturation[i];
+    if (concentration[i] >= -beyond && concentration[i] <= most + beyond) continue;
     const auto point = static_cast<std::size_t>(i);
     const double* x = model.discretization().x.data() + 3 * point;
     message = fmt::format(
@@ -74,6 +75,8 @@ Corrosion::Corrosion(const Teuchos::ParameterList& given) {
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
   tolerance_ = parameters.get<double>("Relative Tolerance");
+  // A run that goes on from a checkpoint starts with what the tolerance of its steps has left.
+  slack_ = std::max(1e-6, 10.0 * parameters.get<double>("Solver Tolerance"));
   frontLimit_ = parameters.get<double>("Front Limit");
   largestStep_ = parameters.isParameter("Maximum dt") ? parameters.get<double>("Maximum dt")
                                                       : std::numeric_limits<double>::infinity();
@@ -102,7 +105,7 @@ void Corrosion::initialize(Simulation& simulation) {
     throw RunError(
         "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
         "changes its phase (\"Dissolution\")");
-  requireConcentrations(model, transport_->fullest());
+  requireConcentrations(model, transport_->fullest(), slack_);
   initialMetal_ = metal(simulation);
 }
 

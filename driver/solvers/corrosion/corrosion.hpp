@@ -40,7 +40,7 @@ class Corrosion : public Solver {
   double nextStep(double h) const;
 
   int nIncrements_;
-  double fixedStep_ = 0.0, tolerance_, frontLimit_, largestStep_;
+  double fixedStep_ = 0.0, tolerance_, slack_, frontLimit_, largestStep_;
   std::unique_ptr<TransportStep> transport_;
   SurfaceRecord surface_;
   PhaseLists lists_;
