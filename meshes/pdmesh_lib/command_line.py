@@ -47,9 +47,17 @@ def main(arguments=None):
     return 0
 
 
+class _Parser(argparse.ArgumentParser):
+    """Takes -5e-05 for a number; argparse by itself takes it for an option."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+
 def _parser():
-    parser = argparse.ArgumentParser(prog="pdmesh", description="Meshes for pdrun.", epilog=_EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = _Parser(prog="pdmesh", description="Meshes for pdrun.", epilog=_EPILOG,
+                     formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, metavar="convert | grid | grains | info | export")
     _add_convert(commands)
     _add_grid(commands)

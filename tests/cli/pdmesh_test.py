@@ -193,6 +193,10 @@ class Lattices(PdmeshCase):
         self.check(plane, 1.0, [1.5, 2.0, 5.0])
         self.check(self.grid("box", "--size", 1, 2, 3, "--spacing", 0.3), 6.0, [3.0, 6.0, 9.0])
 
+    def test_negative_numbers_with_an_exponent(self):
+        small = self.grid("box", "--size", 2e-4, 1e-4, "--spacing", 1e-5, "--origin", -5e-05, -1e-05)
+        np.testing.assert_allclose(small.x.min(axis=0)[:2], [-4.5e-5, -5e-6])
+
     def test_round_shapes(self):
         disc = self.grid("disc", "--radius", 1, "--spacing", 0.02, "--origin", 1, 2, "--fit-volume")
         self.check(disc, np.pi, [np.pi, 2 * np.pi])
