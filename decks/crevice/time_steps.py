@@ -22,11 +22,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 
-import h5py  # noqa: E402
 import numpy as np  # noqa: E402
+from crevice_run import DY, Run  # noqa: E402
 from gap_averaged import HOUR, Crevice  # noqa: E402
 
-DY = 1e-6
 STEPS = (0.5, 5.0, 50.0, 500.0)
 
 
@@ -75,14 +74,9 @@ class Trench:
     seconds: float  # of processor time
 
 
-def depths(case, folder):
-    """m, of the columns from the end of the electrolyte before the mouth on, at the end of the run called `run`."""
-    with h5py.File(folder / "run.h5", "r") as file:
-        order = sorted(file["steps"])
-        first, last = (np.array(file["steps"][key]["Damage"]) for key in (order[0], order[-1]))
-    x = np.loadtxt(folder / "crevice.txt", usecols=0)
-    column = np.floor((x + case.horizon) / case.dx).astype(int)
-    return np.bincount(column, np.where(first < 1.0, last, 0.0)) * DY
+def depths(folder):
+    """m, of the columns from the mouth on, at the end of the run called `run`."""
+    return Run(folder / "run").depth(-1)
 
 
 def fixed(step):
@@ -102,9 +96,9 @@ def run(pdrun, case, folder, step=None):
     text = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     count, longest = re.search(r"Corrosion: (\d+) steps of \S+ to (\S+) s", text).groups()
-    depth = depths(case, folder)
+    depth = depths(folder)
     deepest = int(np.argmax(depth))
-    place = (deepest + 0.5) * case.dx - case.horizon
+    place = (deepest + 0.5) * case.dx
     return Trench(depth[deepest], place, depth.sum() * case.dx, int(count), float(longest), seconds)
 
 

@@ -144,7 +144,7 @@ class Benchmark:
             if step is not None:
                 settings.update(time_steps.fixed(step))
             report = scenes.run(self.pdrun, "crevice.yaml", folder, overrides=settings)
-            return report["seconds"], max(time_steps.depths(case, folder))
+            return report["seconds"], max(time_steps.depths(folder))
 
         seconds, adaptive = run()
         self.add("crevice_adaptive_s", seconds, "s")
