@@ -213,7 +213,9 @@ void CorrosionDissolution::precompute(const double, const int numOwnedPoints, co
 void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const {
   cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
   cache.zeroed = nullptr;  // a host may have filled in rates, those of a checkpoint for one
-  if (!cache.phases.refresh(cache.neighborhood, views.damage)) return;
+  const bool isChanged = cache.phases.refresh(cache.neighborhood, views.damage);
+  if (!weights_.isCalibratedByTrial()) findDissolutionCorrections(cache, views);
+  if (!isChanged) return;
   const kernels::PhaseBonds& phases = cache.phases;
   const PhaseGeometry bonds = geometry(views);
   for (const std::size_t c : phases.changedChunks()) {
@@ -221,14 +223,25 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
       const int i = cache.neighborhood.pointIds(chunk)[lane];
       const int* list = phases.listOf(i);
-      if (phases.isLiquid(i))
-        views.diffusionCorrection[i] = bonds.diffusionCorrection(i, list + 1, *list);
-      else if (!weights_.isCalibratedByTrial())
-        views.dissolutionCorrection[i] = bonds.dissolutionCorrection(i, list + 1, *list);
+      if (phases.isLiquid(i)) views.diffusionCorrection[i] = bonds.diffusionCorrection(i, list + 1, *list);
       views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
       if (views.ph == nullptr || !phases.isLiquid(i) || cache.isListed[static_cast<std::size_t>(i)] != 0) continue;
       cache.isListed[static_cast<std::size_t>(i)] = 1;
       cache.liquid.push_back(i);
+    }
+  }
+}
+
+/// Of owned points of the surface, as their metal goes.
+void CorrosionDissolution::findDissolutionCorrections(const Cache& cache, const Views& views) const {
+  const PhaseGeometry bonds = geometry(views);
+  for (const std::size_t c : cache.phases.solidChunks()) {
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    const int* points = cache.neighborhood.pointIds(chunk);
+    for (int lane = 0; lane < chunk.nLanes; ++lane) {
+      const int* list = cache.phases.listOf(points[lane]);
+      if (!cache.phases.isLiquid(points[lane]))
+        views.dissolutionCorrection[points[lane]] = bonds.dissolutionCorrection(points[lane], list + 1, *list);
     }
   }
 }

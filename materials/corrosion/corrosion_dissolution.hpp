@@ -74,6 +74,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
   PhaseGeometry geometry(const Views& views) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
+  void findDissolutionCorrections(const Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
   void findAcidity(const Cache& cache, const Views& views) const;
   /// Of a liquid point near the surface: Q of each phase into cache.lostFlux, and what it gains itself.

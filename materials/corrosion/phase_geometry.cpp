@@ -29,12 +29,18 @@ std::array<double, 3> solved(const double (&m)[6], const double (&b)[3]) {
 
 }  // namespace
 
+void PhaseGeometry::findBonds(int point, const int* neighbors, int count) const {
+  bonds_.clear();
+  for (int k = 0; k < count; ++k) bonds_.push_back(weights_.bond(x_, point, neighbors[k]));
+}
+
 double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int count) const {
+  findBonds(point, neighbors, count);
   double moment[6] = {};
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
     if (damage_[j] < 1.0) continue;
-    const Bond bond = weights_.bond(x_, point, j);
+    const Bond& bond = bonds_[static_cast<std::size_t>(k)];
     const double weight = diffusionWeight(bond, point, j) * volume_[j];
     const auto& r = bond.along;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -43,7 +49,7 @@ double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int c
     }
   }
   double along = largestEigenvalue(moment);
-  const Normal wall = normal(point, neighbors, count);
+  const Normal wall = normal(point, neighbors);
   if (wall.isClear && weights_.dimension() > 1) {
     const auto& n = wall.direction;
     double across = 0.0;
@@ -55,66 +61,68 @@ double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int c
   return along > 0.0 ? 2.0 * weights_.diffusivity() / along : 1.0;
 }
 
-/// Direction of the least-squares fit a + b.r to the solid's indicator (1 in solid, 0 in electrolyte) over the largest
-/// cube in the neighbourhood: sides of the body that cut it along the axes do not turn b.
-PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, int count) const {
-  double volume = volume_[point], solid = damage_[point] < 1.0 ? volume : 0.0, place[3] = {}, solidPlace[3] = {},
+/// Direction of the least-squares fit a + b.r to what there is of metal (1 - damage: 0 in electrolyte), over a window
+/// that is a box along the axes, as are the weights' factors: sides of the body that cut it along them do not turn b.
+/// What points have lost makes a front smooth that is a staircase of phases.
+PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors) const {
+  double total = volume_[point], solid = total * (1.0 - damage_[point]), place[3] = {}, solidPlace[3] = {},
          solidSquare[3] = {}, square[6] = {};
-  std::array<double, 3> scale{1.0, 1.0, 1.0};
-  const double halfEdge = (weights_.dimension() == 3 ? 0.6 : 0.76) * weights_.horizon();
-  for (int k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < bonds_.size(); ++k) {
     const int j = neighbors[k];
-    const Bond bond = weights_.bond(x_, point, j);
+    const Bond& bond = bonds_[k];
+    const double weight = volume_[j] * weights_.window(bond);
+    if (weight == 0.0) continue;
     const auto& r = bond.mapped;
-    if (std::max({std::abs(r[0]), std::abs(r[1]), std::abs(r[2])}) > halfEdge) continue;
-    const bool isSolid = damage_[j] < 1.0;
-    volume += volume_[j];
-    if (isSolid) solid += volume_[j];
+    const double metal = weight * (1.0 - damage_[j]);
+    total += weight;
+    solid += metal;
     for (std::size_t d = 0; d < 3; ++d) {
-      place[d] += volume_[j] * r[d];
-      square[d] += volume_[j] * r[d] * r[d];
-      square[3 + d] += volume_[j] * r[d] * r[(d + 1) % 3];
-      if (isSolid) solidPlace[d] += volume_[j] * r[d];
-      if (isSolid) solidSquare[d] += volume_[j] * r[d] * r[d];
-      if (bond.along[d] != 0.0) scale[d] = r[d] / bond.along[d];
+      place[d] += weight * r[d];
+      square[d] += weight * r[d] * r[d];
+      square[3 + d] += weight * r[d] * r[(d + 1) % 3];
+      solidPlace[d] += metal * r[d];
+      solidSquare[d] += metal * r[d] * r[d];
     }
   }
   double size = 0.0, slope[3], slant = 0.0;
   for (std::size_t d = 0; d < 3; ++d) {
-    square[d] -= place[d] * place[d] / volume;
-    square[3 + d] -= place[d] * place[(d + 1) % 3] / volume;
+    square[d] -= place[d] * place[d] / total;
+    square[3 + d] -= place[d] * place[(d + 1) % 3] / total;
     size = std::max(size, square[d]);
   }
   for (std::size_t d = 0; d < 3; ++d) {
-    slope[d] = solidPlace[d] - solid * place[d] / volume;
+    slope[d] = solidPlace[d] - solid * place[d] / total;
     slant += slope[d] * slope[d];
     square[d] += 1e-6 * size;  // directions in which there is nothing
   }
   std::array<double, 3> n{};
   constexpr double isUnclear = 0.05;  // between two walls, that cancel: the axis along which most solid lies
-  const bool isClear = slant > isUnclear * isUnclear * solid * solid * size / volume;
+  const bool isClear = slant > isUnclear * isUnclear * solid * solid * size / total;
   if (!isClear)
     n[static_cast<std::size_t>(std::max_element(solidSquare, solidSquare + 3) - solidSquare)] = 1.0;
   else
     n = solved(square, slope);
   // A normal maps with the inverse of the map of lengths.
-  for (std::size_t d = 0; d < 3; ++d) n[d] *= scale[d];
+  for (std::size_t d = 0; d < 3; ++d) n[d] *= weights_.stretch(d);
   const double length = std::hypot(n[0], n[1], n[2]);
   for (double& component : n) component /= length;
   return {n, isClear};
 }
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
-  const std::array<double, 3> n = normal(point, neighbors, count).direction;
+  findBonds(point, neighbors, count);
+  const std::array<double, 3> n = normal(point, neighbors).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
-    const Bond bond = weights_.bond(x_, point, j);
+    const Bond& bond = bonds_[static_cast<std::size_t>(k)];
+    const double weight = dissolutionWeight(bond, point, j);
+    if (weight == 0.0) continue;
     const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
     const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
     const double share = mayDiffer ? phases_->keepsUp(own, phases_->ofBlock(blockId_[j])) : 1.0;
-    passed[across > 0.0] += share * dissolutionWeight(bond, point, j) * volume_[j] * std::abs(across);
+    passed[across > 0.0] += share * weight * volume_[j] * std::abs(across);
   }
   const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
   // Sides of the body beside the point cut both halves alike, and by the mean an error of the normal counts in second

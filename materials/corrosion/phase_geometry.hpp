@@ -2,6 +2,8 @@
 #ifndef PD_PHASE_GEOMETRY_HPP
 #define PD_PHASE_GEOMETRY_HPP
 
+#include <vector>
+
 #include "solid_phases.hpp"
 #include "transport_weights.hpp"
 
@@ -42,12 +44,14 @@ class PhaseGeometry {
     std::array<double, 3> direction;  ///< unit vector from electrolyte to solid, along the axes of the horizon
     bool isClear;                     ///< false between walls that cancel, and where there is no solid
   };
-  Normal normal(int point, const int* neighbors, int count) const;
+  void findBonds(int point, const int* neighbors, int count) const;
+  Normal normal(int point, const int* neighbors) const;  ///< after findBonds
 
   const TransportWeights& weights_;
   const double *x_, *volume_, *damage_;
   const SolidPhases* phases_;
   const double* blockId_;
+  mutable std::vector<Bond> bonds_;  ///< of the point at work
 };
 
 }  // namespace pd

@@ -26,14 +26,6 @@ kernels::HorizonShape shapeFrom(const Teuchos::ParameterList& params, const std:
   }
 }
 
-/// The longest axis along which a vector in mapped space has a component.
-std::size_t kindOf(const kernels::HorizonShape& shape, const std::array<double, 3>& mapped) {
-  constexpr double none = 1e-3;
-  for (const std::size_t axis : shape.longestFirst())
-    if (std::abs(mapped[axis]) > none * shape.radius()) return axis;
-  return 0;
-}
-
 std::string placeOf(const double* x, int point) {
   char text[80];
   std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", x[3 * point], x[3 * point + 1], x[3 * point + 2]);
@@ -100,25 +92,28 @@ TransportWeights::TransportWeights(const Teuchos::ParameterList& params, const s
                                                    : 0.375 * family_.horizon;
   if (range_ > family_.horizon)
     throw std::invalid_argument(owner + ": \"Dissolution Range\" must not exceed the horizon");
+  setWindow();
   diffusionFactor_.fill(kernels::microDiffusivity(family_.section, kernels::DiffusionKernel::InverseSquare,
                                                   diffusivity_, family_.horizon));
   dissolutionFactor_.fill(kernels::interfaceFluxConstant(family_.section, range_));
 }
 
-TransportWeights::Bond TransportWeights::bond(const double* x, int point, int neighbor) const {
-  const ReferenceBond reference(x, point, neighbor);
-  Bond bond{reference.xi, reference.xi, reference.length, 0};
-  if (shape_.isBall()) return bond;
-  bond.along = shape_.along(reference.xi.data());
-  bond.mapped = shape_.mapped(bond.along);
-  bond.length = shape_.length(bond.mapped);
-  bond.kind = kindOf(shape_, bond.mapped);
-  return bond;
+void TransportWeights::setWindow() {
+  constexpr double corner = 1.12, deviation = 0.375;  // horizons; neighbourhoods end half a spacing behind the horizon
+  constexpr double longest = 2.0;                     // the ratio of edges
+  double norm = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    window_[d] = d < static_cast<std::size_t>(dimension()) ? std::min(stretch(d), longest) : 1.0;
+    if (d < static_cast<std::size_t>(dimension())) norm += window_[d] * window_[d];
+  }
+  for (double& edge : window_) edge *= corner * family_.horizon / std::sqrt(norm);
+  windowSharpness_ = 0.5 / std::pow(deviation * family_.horizon, 2);
 }
 
 double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {
   double spacing = spacingOf(volume);
   if (neighborVolume != volume) spacing = 0.5 * (spacing + spacingOf(neighborVolume));
+  if (length > range + spacing && family_.volumeCorrection != kernels::VolumeCorrection::EveryNeighbor) return 0.0;
   const double value = kernels::volumeShare(family_.volumeCorrection, length, range, spacing);
   constexpr double roundOff = 1e-4;  // of points that lie where the share ends, but for rounded coordinates
   return value > roundOff ? value : 0.0;
@@ -140,7 +135,7 @@ void TransportWeights::forGrid(double volume, Visit visit) const {
           bond.along[d] = bond.mapped[d] * shape_.halfAxis(d) / shape_.radius();
         }
         bond.length = shape_.length(bond.mapped);
-        bond.kind = kindOf(shape_, bond.mapped);
+        bond.kind = kindOf(bond.mapped);
         if (bond.length > 0.0 && share(bond.length, family_.horizon, volume, volume) > 0.0) visit(bond);
       }
 }

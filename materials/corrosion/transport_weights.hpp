@@ -4,6 +4,7 @@
 #define PD_TRANSPORT_WEIGHTS_HPP
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "bond_family.hpp"
@@ -23,7 +24,16 @@ class TransportWeights {
     double length;
     std::size_t kind;  ///< the longest axis of the horizon along which the bond has a component
   };
-  Bond bond(const double* x, int point, int neighbor) const;
+  Bond bond(const double* x, int point, int neighbor) const {
+    const ReferenceBond reference(x, point, neighbor);
+    Bond bond{reference.xi, reference.xi, reference.length, 0};
+    if (shape_.isBall()) return bond;
+    bond.along = shape_.along(reference.xi.data());
+    bond.mapped = shape_.mapped(bond.along);
+    bond.length = shape_.length(bond.mapped);
+    bond.kind = kindOf(bond.mapped);
+    return bond;
+  }
 
   /// Constants of horizons that are no balls, for a point of this volume in a grid along the axes of the horizon whose
   /// spacings have their ratio: such that diffusion along each axis is D, and a front across each axis passes what it
@@ -49,11 +59,32 @@ class TransportWeights {
     return dissolutionFactor_[bond.kind] * share(bond.length, range_, volume, neighborVolume) * byLength(bond.length);
   }
 
+  /// What a neighbour counts where the direction of a front is looked for: by a Gaussian of its distance, which leaves
+  /// no direction out, in a box that fits into the neighbourhood. Where cells are long, fronts climb many rows from one
+  /// column to the next, and the box is narrow and as high as it can be.
+  double window(const Bond& bond) const {
+    double distance2 = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (std::abs(bond.mapped[d]) > window_[d]) return 0.0;
+      distance2 += bond.along[d] * bond.along[d];
+    }
+    return std::exp(-distance2 * windowSharpness_);
+  }
+  /// Of mapped space along an axis of the horizon.
+  double stretch(std::size_t axis) const { return shape_.isBall() ? 1.0 : shape_.radius() / shape_.halfAxis(axis); }
+
   double diffusivity() const { return diffusivity_; }
   double horizon() const { return family_.horizon; }  ///< radius in mapped space, m
   int dimension() const { return family_.dimension(); }
 
  private:
+  /// The longest axis along which a vector in mapped space has a component.
+  std::size_t kindOf(const std::array<double, 3>& mapped) const {
+    constexpr double none = 1e-3;
+    for (const std::size_t axis : shape_.longestFirst())
+      if (std::abs(mapped[axis]) > none * shape_.radius()) return axis;
+    return 0;
+  }
   /// In mapped space, of a point's cell.
   double spacingOf(double volume) const {
     return volume == gridVolume_ ? gridSpacing_ : family_.spacing(shape_.volumeFactor() * volume);
@@ -61,14 +92,17 @@ class TransportWeights {
   double share(double length, double range, double volume, double neighborVolume) const;
   /// The interface kernel but for its constant.
   double byLength(double length) const { return 1.0 / (isByTrial_ ? length * length : length); }
+  void setWindow();
   template <class Visit>
   void forGrid(double volume, Visit visit) const;
 
   BondFamily family_;  ///< in the space where the horizon is a ball
   kernels::HorizonShape shape_;
   std::string owner_;
-  double diffusivity_, range_;  ///< range of bonds that dissolve
-  bool isByTrial_;              ///< what dissolves over a bond is k/|xi|^2, k by a trial, not c/|xi|
+  double diffusivity_, range_;      ///< range of bonds that dissolve
+  std::array<double, 3> window_{};  ///< half edges, mapped
+  double windowSharpness_;          ///< 1/(2 sigma^2)
+  bool isByTrial_;                  ///< what dissolves over a bond is k/|xi|^2, k by a trial, not c/|xi|
   std::string trialOutcome_;
   std::array<double, 3> diffusionFactor_{}, dissolutionFactor_{};  ///< by kind of bond
   int nNeighbors_ = 0;                                             ///< of a point inside the grid
