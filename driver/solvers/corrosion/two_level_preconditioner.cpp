@@ -28,8 +28,7 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
     for (int i = d.nOwned; i < d.nPoints; ++i)
       cubeOfGhost_[static_cast<std::size_t>(i - d.nOwned)] = owner.keyOf(x + 3 * i);
     couplings_.resize(owner.cubeAt_.size());
-    position_.resize(owner.cubeAt_.size());
-    lastRow_.resize(owner.cubeAt_.size(), -1);
+    inRow_.resize(owner.cubeAt_.size());
     keys_.resize(owner.cubeAt_.size());
     for (const auto& [key, number] : owner.cubeAt_) keys_[static_cast<std::size_t>(number)] = key;
     const double* volume = model.field("Volume");
@@ -37,7 +36,11 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
   }
 
   void addValue(int row, int column, double value) override {
-    add(owner_.localId_[static_cast<std::size_t>(row)], owner_.localId_[static_cast<std::size_t>(column)], -h_ * value);
+    if (row != row_) {
+      row_ = row;
+      own_ = owner_.localId_[static_cast<std::size_t>(row)];
+    }
+    add(own_, owner_.localId_[static_cast<std::size_t>(column)], -h_ * value);
   }
   void addValues(int n, const int* ids, const double* const* values) override {
     for (int a = 0; a < n; ++a)
@@ -48,18 +51,26 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
   }
   void putScalar(double) override {}
 
-  /// Sums over pairs of cubes, those with ghosts included.
-  Entries entries() const {
-    Entries result = betweenRanks_;
-    for (const auto& [key, number] : owner_.cubeAt_)
-      for (const auto& [other, value] : couplings_[static_cast<std::size_t>(number)])
-        result[{key, keys_[other]}] += value;
+  /// Sums over pairs of cubes, those with ghosts included: keys of both, and the sum.
+  std::vector<double> entries() const {
+    std::vector<double> result;
+    const auto append = [&](const Key& from, const Key& to, double value) {
+      for (const Key* key : {&from, &to}) result.insert(result.end(), key->begin(), key->end());
+      result.push_back(value);
+    };
+    for (std::size_t cube = 0; cube < keys_.size(); ++cube)
+      for (const auto& [other, value] : couplings_[cube]) {
+        append(keys_[cube], keys_[other], value);
+        if (other != cube) append(keys_[other], keys_[cube], value);
+      }
+    for (const auto& [pair, value] : betweenRanks_) append(pair.first, pair.second, value);
     return result;
   }
 
  private:
   void add(int i, int j, double value) {
-    const int cube = owner_.cubeOf_[static_cast<std::size_t>(i)];
+    const Place& own = owner_.places_[static_cast<std::size_t>(i)];
+    const int cube = own.cube;
     if (cube < 0) return;
     if (j >= nOwned_) {
       if (free_[j] == 0.0) return;
@@ -67,29 +78,30 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
           value;
       return;
     }
-    const int other = owner_.cubeOf_[static_cast<std::size_t>(j)];
-    if (other < 0) return;
-    const int slot = owner_.slotOf_[static_cast<std::size_t>(i)],
-              back = slot - owner_.slotOf_[static_cast<std::size_t>(j)];
-    if (back >= 0 && back <= lineBand &&
-        owner_.lineOf_[static_cast<std::size_t>(slot)] == owner_.lineOf_[static_cast<std::size_t>(slot - back)]) {
-      owner_.lines_[static_cast<std::size_t>(slot * (lineBand + 1) + back)] += value;
+    const Place& far = owner_.places_[static_cast<std::size_t>(j)];
+    if (far.cube < 0) return;
+    // The matrix is symmetric: its lower half will do.
+    const int back = own.slot - far.slot;
+    if (back < 0) return;
+    if (own.line == far.line && back <= lineBand) {
+      owner_.lines_[static_cast<std::size_t>(own.slot * (lineBand + 1) + back)] += value;
       owner_.usedBand_ = std::max(owner_.usedBand_, back);
     }
     couplings_[static_cast<std::size_t>(cube)]
-              [positionOf(i, static_cast<std::size_t>(cube), static_cast<std::size_t>(other))]
-                  .second += value;
+              [positionOf(i, static_cast<std::size_t>(cube), static_cast<std::size_t>(far.cube))]
+                  .second += back > 0 && far.cube == cube ? 2.0 * value : value;
   }
 
   /// Where the row of `cube` keeps `other`: looked for once in each row of points.
   std::size_t positionOf(int i, std::size_t cube, std::size_t other) {
-    if (lastRow_[other] == i) return position_[other];
+    InRow& found = inRow_[other];
+    if (found.row == i) return found.position;
     auto& row = couplings_[cube];
     std::size_t at = 0;
     while (at < row.size() && row[at].first != other) ++at;
     if (at == row.size()) row.emplace_back(other, 0.0);
-    lastRow_[other] = i;
-    return position_[other] = at;
+    found.row = i;
+    return found.position = at;
   }
 
   TwoLevelPreconditioner& owner_;
@@ -98,14 +110,18 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
   int nOwned_;
   std::vector<Key> cubeOfGhost_, keys_;
   std::vector<std::vector<std::pair<std::size_t, double>>> couplings_;  ///< by cube: other cubes, and sums
-  std::vector<std::size_t> position_;                                   ///< by other cube, of the row lastRow_
-  std::vector<int> lastRow_;
-  Entries betweenRanks_;
+  struct InRow {
+    int row = -1;
+    std::size_t position = 0;
+  };
+  std::vector<InRow> inRow_;  ///< by other cube: where it is in the row of the cube of the last point that asked
+  int row_ = -1, own_ = -1;   ///< last row: global and local id
+  std::map<std::pair<Key, Key>, double> betweenRanks_;
 };
 
 TwoLevelPreconditioner::Key TwoLevelPreconditioner::keyOf(const double* x) const {
   Key key;
-  for (std::size_t d = 0; d < 3; ++d) key[d] = static_cast<int>(std::floor(x[d] / edge_));
+  for (std::size_t d = 0; d < 3; ++d) key[d] = static_cast<int>(std::floor((x[d] - corner_[d]) / edges_[d]));
   return key;
 }
 
@@ -116,8 +132,7 @@ void TwoLevelPreconditioner::measure(Model& model) {
   const double* x = model.field("Model_Coordinates");
   localId_.assign(static_cast<std::size_t>(d.nGlobal), -1);
   for (int i = 0; i < d.nPoints; ++i) localId_[static_cast<std::size_t>(d.globalIds[static_cast<std::size_t>(i)])] = i;
-  cubeOf_.assign(static_cast<std::size_t>(d.nOwned), -1);
-  slotOf_ = cubeOf_;
+  places_.assign(static_cast<std::size_t>(d.nOwned), Place{});
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, nearest[3] = {1e300, 1e300, 1e300};
   for (int i = 0; i < d.nOwned; ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -133,47 +148,63 @@ void TwoLevelPreconditioner::measure(Model& model) {
         if (xi[(k + 1) % 3] + xi[(k + 2) % 3] < 1e-6 * xi[k]) nearest[k] = std::min(nearest[k], xi[k]);
     }
   }
-  double filled = 1.0;
-  for (int k = 0; k < d.dimension; ++k) filled *= comm.max(high[k]) - comm.min(low[k]);
-  edge_ = std::pow(pointsOfCube[d.dimension - 1] * filled / static_cast<double>(d.nGlobal), 1.0 / d.dimension);
   for (double& value : nearest) value = comm.min(value);
   axis_ = static_cast<std::size_t>(std::min_element(nearest, nearest + 3) - nearest);
-  spacing_ = std::min(nearest[axis_], edge_);
+  setCubes(d, comm, low, high, nearest);
+  spacing_ = std::min(nearest[axis_], edges_[axis_]);
+}
+
+/// On a grid, whole cells, however much of it there is; else by the mean volume of a point.
+void TwoLevelPreconditioner::setCubes(const Discretization& d, const Communicator& comm, const double (&low)[3],
+                                      const double (&high)[3], const double (&nearest)[3]) {
+  double filled = 1.0, cell = 1.0;
+  for (int k = 0; k < d.dimension; ++k) {
+    corner_[static_cast<std::size_t>(k)] = comm.min(low[k]);
+    filled *= comm.max(high[k]) - comm.min(low[k]);
+    cell *= nearest[k];
+  }
+  const bool isGrid = cell < filled;
+  const double share = isGrid ? cell : filled / static_cast<double>(d.nGlobal);
+  edges_.fill(std::pow(pointsOfCube[d.dimension - 1] * share, 1.0 / d.dimension));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(d.dimension) && isGrid; ++k) {
+    edges_[k] = std::max(1.0, std::round(edges_[k] / nearest[k])) * nearest[k];
+    corner_[k] -= 0.5 * nearest[k];
+  }
 }
 
 void TwoLevelPreconditioner::gatherPoints(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree) {
   const double* x = model.field("Model_Coordinates");
   cubeAt_.clear();
-  for (const int i : points_) cubeOf_[static_cast<std::size_t>(i)] = slotOf_[static_cast<std::size_t>(i)] = -1;
-  struct Place {
+  for (const int i : points_) places_[static_cast<std::size_t>(i)] = Place{};
+  struct OnLine {
     long long first, second;
     double along;
     int point;
   };
-  std::vector<Place> places;
+  std::vector<OnLine> onLines;
   const auto grid = [&](int i, std::size_t axis) {
     return std::llround(4.0 * x[3 * static_cast<std::size_t>(i) + axis] / spacing_ + 0.37);
   };
   for (std::size_t k = 0; k < ids.size(); ++k) {
     if (isFree[k] == 0) continue;
     const int i = ids[k];
-    cubeOf_[static_cast<std::size_t>(i)] =
+    places_[static_cast<std::size_t>(i)].cube =
         cubeAt_.emplace(keyOf(x + 3 * i), static_cast<int>(cubeAt_.size())).first->second;
-    places.push_back(
+    onLines.push_back(
         {grid(i, (axis_ + 1) % 3), grid(i, (axis_ + 2) % 3), x[3 * static_cast<std::size_t>(i) + axis_], i});
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+  std::sort(onLines.begin(), onLines.end(), [](const OnLine& a, const OnLine& b) {
     return std::tie(a.first, a.second, a.along) < std::tie(b.first, b.second, b.along);
   });
   points_.clear();
-  lineOf_.clear();
   int line = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (k > 0 && std::tie(places[k].first, places[k].second) != std::tie(places[k - 1].first, places[k - 1].second))
+  for (std::size_t k = 0; k < onLines.size(); ++k) {
+    if (k > 0 && std::tie(onLines[k].first, onLines[k].second) != std::tie(onLines[k - 1].first, onLines[k - 1].second))
       ++line;
-    slotOf_[static_cast<std::size_t>(places[k].point)] = static_cast<int>(k);
-    points_.push_back(places[k].point);
-    lineOf_.push_back(line);
+    Place& place = places_[static_cast<std::size_t>(onLines[k].point)];
+    place.slot = static_cast<int>(k);
+    place.line = line;
+    points_.push_back(onLines[k].point);
   }
   // Rows behind the last, which those before it look at.
   lines_.assign((points_.size() + lineBand) * (lineBand + 1), 0.0);
@@ -222,41 +253,34 @@ void TwoLevelPreconditioner::solveLines(double* values) const {
 }
 
 /// Gathers the coarse matrix on every rank and factors it there.
-void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const Entries& own) {
-  std::vector<double> numbers;
-  for (const auto& [pair, value] : own) {
-    for (const Key& key : {pair.first, pair.second}) numbers.insert(numbers.end(), key.begin(), key.end());
-    numbers.push_back(value);
-  }
-  Entries all;
+void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const std::vector<double>& own) {
+  const std::vector<double> all = comm.gather(own);
+  constexpr std::size_t width = 7;
+  const auto keyAt = [&](std::size_t k) {
+    return Key{static_cast<int>(all[k]), static_cast<int>(all[k + 1]), static_cast<int>(all[k + 2])};
+  };
   std::map<Key, int> numberOf;
-  const std::vector<double> gathered = comm.gather(numbers);
-  for (std::size_t k = 0; k < gathered.size(); k += 7) {
-    Key from, to;
-    for (std::size_t d = 0; d < 3; ++d) {
-      from[d] = static_cast<int>(gathered[k + d]);
-      to[d] = static_cast<int>(gathered[k + 3 + d]);
-    }
-    all[{from, to}] += gathered[k + 6];
-    numberOf[from] = 0;
-  }
+  for (std::size_t k = 0; k < all.size(); k += width) numberOf[keyAt(k)] = 0;
   nCoarse_ = 0;
   for (auto& item : numberOf) item.second = nCoarse_++;
   band_ = 0;
-  for (const auto& item : all) {
-    const auto to = numberOf.find(item.first.second);
-    if (to != numberOf.end()) band_ = std::max(band_, std::abs(numberOf[item.first.first] - to->second));
+  struct Entry {
+    int row, column;
+    double value;
+  };
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < all.size(); k += width) {
+    const auto to = numberOf.find(keyAt(k + 3));
+    if (to == numberOf.end()) continue;
+    entries.push_back({numberOf[keyAt(k)], to->second, all[k + 6]});
+    band_ = std::max(band_, std::abs(entries.back().row - entries.back().column));
   }
   const int height = 3 * band_ + 1;
   coarse_.assign(static_cast<std::size_t>(height) * static_cast<std::size_t>(nCoarse_), 0.0);
   pivots_.resize(static_cast<std::size_t>(nCoarse_));
-  for (const auto& [pair, value] : all) {
-    const auto to = numberOf.find(pair.second);
-    if (to == numberOf.end()) continue;
-    const int row = numberOf[pair.first], column = to->second;
-    coarse_[static_cast<std::size_t>(column) * static_cast<std::size_t>(height) +
-            static_cast<std::size_t>(2 * band_ + row - column)] += value;
-  }
+  for (const Entry& entry : entries)
+    coarse_[static_cast<std::size_t>(entry.column) * static_cast<std::size_t>(height) +
+            static_cast<std::size_t>(2 * band_ + entry.row - entry.column)] += entry.value;
   const Teuchos::LAPACK<int, double> lapack;
   int info = 0;
   if (nCoarse_ > 0) lapack.GBTRF(nCoarse_, nCoarse_, band_, band_, coarse_.data(), height, pivots_.data(), &info);
@@ -268,7 +292,7 @@ void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const Entries&
 
 void TwoLevelPreconditioner::build(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree,
                                    double h) {
-  if (edge_ == 0.0) measure(model);
+  if (spacing_ == 0.0) measure(model);
   double* unknown = model.field("Transport_Unknown");
   for (const int i : points_) unknown[i] = 0.0;
   for (std::size_t k = 0; k < ids.size(); ++k) unknown[ids[k]] = isFree[k] != 0 ? 1.0 : 0.0;
@@ -294,10 +318,10 @@ void TwoLevelPreconditioner::apply(Model& model, const std::vector<int>& ids, co
   double* lineValues = lineValues_.data() + lineBand;
   partial_.assign(static_cast<std::size_t>(nCoarse_), 0.0);
   const auto coarseOf = [&](int i) {
-    return static_cast<std::size_t>(coarseOf_[static_cast<std::size_t>(cubeOf_[static_cast<std::size_t>(i)])]);
+    return static_cast<std::size_t>(coarseOf_[static_cast<std::size_t>(places_[static_cast<std::size_t>(i)].cube)]);
   };
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const int slot = slotOf_[static_cast<std::size_t>(ids[k])];
+    const int slot = places_[static_cast<std::size_t>(ids[k])].slot;
     if (slot < 0) continue;
     const double value = volume[ids[k]] * r[k];
     lineValues[slot] = value;
@@ -318,7 +342,7 @@ void TwoLevelPreconditioner::apply(Model& model, const std::vector<int>& ids, co
                  nCoarse_, &info);
   }
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const int slot = slotOf_[static_cast<std::size_t>(ids[k])];
+    const int slot = places_[static_cast<std::size_t>(ids[k])].slot;
     if (isFree[k] == 0)
       z[k] = 0.0;
     else if (slot < 0)  // was not free when this was built

@@ -31,24 +31,29 @@ class TwoLevelPreconditioner {
 
  private:
   using Key = std::array<int, 3>;  ///< place of a cube, in edges
-  using Entries = std::map<std::pair<Key, Key>, double>;
   class Collector;
   Key keyOf(const double* x) const;
   void measure(Model& model);
+  void setCubes(const Discretization& d, const Communicator& comm, const double (&low)[3], const double (&high)[3],
+                const double (&nearest)[3]);
   void gatherPoints(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree);
   void factorLines();
   template <int used>
   void solveLines(double* values) const;  ///< readable and 0 `used` values before and behind
-  void makeCoarse(const Communicator& comm, const Entries& own);
+  void makeCoarse(const Communicator& comm, const std::vector<double>& own);
 
   static constexpr int lineBand = 8;  ///< points of a line that one is coupled with, on either side
 
   bool isBuilt_ = false;
-  double edge_ = 0.0, spacing_ = 0.0, largestDiagonal_ = 1.0;
-  std::size_t axis_ = 0;              ///< of lines
-  std::vector<int> points_, lineOf_;  ///< by slot: local ids line by line, in order along it; number of the line
-  std::vector<int> slotOf_, cubeOf_;  ///< by owned local id: slot, cube; -1: in none
-  std::vector<int> localId_;          ///< by global id, for owned points and ghosts
+  std::array<double, 3> edges_{}, corner_{};  ///< of cubes
+  double spacing_ = 0.0, largestDiagonal_ = 1.0;
+  std::size_t axis_ = 0;     ///< of lines
+  std::vector<int> points_;  ///< by slot: local ids line by line, in order along it
+  struct Place {
+    int cube = -1, slot = -1, line = -1;
+  };
+  std::vector<Place> places_;  ///< by owned local id; -1: in none
+  std::vector<int> localId_;   ///< by global id, for owned points and ghosts
   std::map<Key, int> cubeAt_;
   std::vector<int> coarseOf_;  ///< by cube: its unknown in the coarse matrix
   /// L D L^T of each line: [slot (lineBand + 1) + k]: 1/D, then L of the k-th slot before.
