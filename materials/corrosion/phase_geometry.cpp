@@ -49,7 +49,7 @@ double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int c
     }
   }
   double along = largestEigenvalue(moment);
-  const Normal wall = normal(point, neighbors);
+  const Normal wall = normal(point, neighbors, [&](int i) { return damage_[i] < 1.0 ? 1.0 : 0.0; });
   if (wall.isClear && weights_.dimension() > 1) {
     const auto& n = wall.direction;
     double across = 0.0;
@@ -61,19 +61,19 @@ double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int c
   return along > 0.0 ? 2.0 * weights_.diffusivity() / along : 1.0;
 }
 
-/// Direction of the least-squares fit a + b.r to what there is of metal (1 - damage: 0 in electrolyte), over a window
+/// Direction of the least-squares fit a + b.r to what there is of solid, `solidOf` a point in [0, 1], over a window
 /// that is a box along the axes, as are the weights' factors: sides of the body that cut it along them do not turn b.
-/// What points have lost makes a front smooth that is a staircase of phases.
-PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors) const {
-  double total = volume_[point], solid = total * (1.0 - damage_[point]), place[3] = {}, solidPlace[3] = {},
-         solidSquare[3] = {}, square[6] = {};
+template <class SolidOf>
+PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, SolidOf solidOf) const {
+  double total = volume_[point], solid = total * solidOf(point), place[3] = {}, solidPlace[3] = {}, solidSquare[3] = {},
+         square[6] = {};
   for (std::size_t k = 0; k < bonds_.size(); ++k) {
     const int j = neighbors[k];
     const Bond& bond = bonds_[k];
     const double weight = volume_[j] * weights_.window(bond);
     if (weight == 0.0) continue;
     const auto& r = bond.mapped;
-    const double metal = weight * (1.0 - damage_[j]);
+    const double metal = weight * solidOf(j);
     total += weight;
     solid += metal;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -111,7 +111,8 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors) con
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
   findBonds(point, neighbors, count);
-  const std::array<double, 3> n = normal(point, neighbors).direction;
+  // What points have lost makes a front smooth that is a staircase of phases.
+  const std::array<double, 3> n = normal(point, neighbors, [&](int i) { return 1.0 - damage_[i]; }).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {

@@ -45,7 +45,8 @@ class PhaseGeometry {
     bool isClear;                     ///< false between walls that cancel, and where there is no solid
   };
   void findBonds(int point, const int* neighbors, int count) const;
-  Normal normal(int point, const int* neighbors) const;  ///< after findBonds
+  template <class SolidOf>
+  Normal normal(int point, const int* neighbors, SolidOf solidOf) const;  ///< after findBonds
 
   const TransportWeights& weights_;
   const double *x_, *volume_, *damage_;
