@@ -11,7 +11,8 @@ height="$(awk "BEGIN { print 25e-6 + ${DEPTH:-400e-6} }")"
 length="$(awk "BEGIN { print 12.7e-3 + $horizon }")"
 "$pdmesh" grid box --size "$length" "$height" --spacing "$spacing" 1e-6 --origin "-$horizon" 0 \
   --remove "x < 0 and y > 25e-6" -o "$here/crevice.txt" --quiet
-shape=(--set "Blocks/Body/Horizon=$horizon" --set "Materials/Alloy 625/Horizon Axes=[$horizon, 4.0e-6]")
+shape=(--set "Blocks/Body/Horizon=$horizon" --set "Materials/Alloy 625/Horizon Axes=[$horizon, 4.0e-6]"
+       --set "Boundary Conditions/Mouth Node Set/Expression=x < $spacing && y < 25e-6")
 cd "$results"
 "$pdrun" "$here/crevice.yaml" "${shape[@]}"
 "$pdrun" "$here/crevice.yaml" "${shape[@]}" --set "Output/Output Filename=printed" \

@@ -55,6 +55,7 @@ class Case:
         sets = "Boundary Conditions/{} Node Set/Expression"
         return {sets.format("Metal"): f"x > 0 && y > {wall}",
                 sets.format("Start"): f"x > {c.length - c.ignition!r} && y < {wall}",
+                sets.format("Mouth"): f"x < {self.dx!r} && y < {0.5 * c.mouthGap!r}",
                 "Blocks/Body/Horizon": self.horizon,
                 "Materials/Alloy 625/Horizon Axes": f"[{self.horizon!r}, {4.0 * DY!r}]",
                 "Solver/Final Time": self.hours * HOUR, "Solver/Corrosion/Load Steps": self.hours}

@@ -1,6 +1,7 @@
 #include "corrosion_dissolution.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -140,8 +141,8 @@ struct CorrosionDissolution::Views {
   }
 };
 
-PhaseGeometry CorrosionDissolution::geometry(const Views& views) const {
-  return {weights_, views.x, views.volume, views.damage, &phases_, views.blockId};
+PhaseGeometry CorrosionDissolution::geometry(const Views& views, const double* damage) const {
+  return {weights_, views.x, views.volume, damage, &phases_, views.blockId};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
@@ -168,7 +169,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
 CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, const Views& views,
                                                            DataManager& dataManager) const {
   return caches_.of(call, views.x, [&](const Call& c) {
-    const PhaseGeometry bonds = geometry(views);
+    const PhaseGeometry bonds = geometry(views, views.damage);
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     made.diffusion = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
@@ -178,6 +179,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
+    made.damage.assign(static_cast<std::size_t>(views.nPoints), 0.0);
     made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
     std::vector<char> isOwn(static_cast<std::size_t>(views.nPoints), 0);
     for (int p = 0; p < c.nOwned; ++p) isOwn[static_cast<std::size_t>(c.ownedIds[p])] = 1;
@@ -217,7 +219,7 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
   if (!weights_.isCalibratedByTrial()) findDissolutionCorrections(cache, views);
   if (!isChanged) return;
   const kernels::PhaseBonds& phases = cache.phases;
-  const PhaseGeometry bonds = geometry(views);
+  const PhaseGeometry bonds = geometry(views, views.damage);
   for (const std::size_t c : phases.changedChunks()) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
@@ -232,10 +234,20 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
   }
 }
 
-/// Of owned points of the surface, as their metal goes.
-void CorrosionDissolution::findDissolutionCorrections(const Cache& cache, const Views& views) const {
-  const PhaseGeometry bonds = geometry(views);
-  for (const std::size_t c : cache.phases.solidChunks()) {
+/// Of owned points of the surface, as metal around them goes; in steps, since few points take one at a time.
+void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views& views) const {
+  constexpr double stepsOfDamage = 64.0;
+  std::vector<int> changed;
+  for (int i = 0; i < views.nPoints; ++i) {
+    const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;
+    double& last = cache.damage[static_cast<std::size_t>(i)];
+    if (damage == last) continue;
+    last = damage;
+    changed.push_back(i);
+  }
+  if (changed.empty()) return;
+  const PhaseGeometry bonds = geometry(views, cache.damage.data());
+  for (const std::size_t c : cache.phases.solidChunksAround(changed)) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
     for (int lane = 0; lane < chunk.nLanes; ++lane) {

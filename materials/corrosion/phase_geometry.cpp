@@ -102,8 +102,14 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
     n[static_cast<std::size_t>(std::max_element(solidSquare, solidSquare + 3) - solidSquare)] = 1.0;
   else
     n = solved(square, slope);
-  // A normal maps with the inverse of the map of lengths.
-  for (std::size_t d = 0; d < 3; ++d) n[d] *= weights_.stretch(d);
+  // A normal maps with the inverse of the map of lengths. Where cells are long, that makes much of what chance leaves
+  // of a front that is plane.
+  constexpr double chance = 8e-3;
+  const double most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double tilt = n[d] / (chance * most);
+    n[d] *= weights_.stretch(d) * tilt * tilt / (1.0 + tilt * tilt);
+  }
   const double length = std::hypot(n[0], n[1], n[2]);
   for (double& component : n) component /= length;
   return {n, isClear};
@@ -111,8 +117,14 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
   findBonds(point, neighbors, count);
-  // What points have lost makes a front smooth that is a staircase of phases.
-  const std::array<double, 3> n = normal(point, neighbors, [&](int i) { return 1.0 - damage_[i]; }).direction;
+  // What points have lost makes a front smooth that is a staircase of phases; but in metal of several phases one loses
+  // more than the other, wherever the front is.
+  const bool isOfOnePhase = blockId_ == nullptr;
+  const auto solidOf = [&](int i) {
+    const double left = 1.0 - damage_[i];
+    return isOfOnePhase || left == 0.0 ? left : 1.0;
+  };
+  const std::array<double, 3> n = normal(point, neighbors, solidOf).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {

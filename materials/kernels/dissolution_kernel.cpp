@@ -71,6 +71,15 @@ bool PhaseBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
   return true;
 }
 
+std::vector<std::size_t> PhaseBonds::solidChunksAround(const std::vector<int>& points) const {
+  std::vector<char> isMarked(kinds_.size(), 0);
+  for (const int i : points) markChunksOf(i, isMarked);
+  std::vector<std::size_t> result;
+  for (const std::size_t c : solidChunks_)
+    if (isMarked[c] != 0) result.push_back(c);
+  return result;
+}
+
 void PhaseBonds::refreshChunk(const ChunkedNeighborhood& neighborhood, std::size_t c) {
   const Chunk& chunk = neighborhood.chunks()[c];
   const int* points = neighborhood.pointIds(chunk);

@@ -24,6 +24,8 @@ class PhaseBonds {
 
   /// Chunks with a point that has changed, or a neighbour of it, at the last refresh that found any.
   const std::vector<std::size_t>& changedChunks() const { return changedChunks_; }
+  /// Chunks with bonds of solid points to liquid ones that have one of these points or a neighbour of one.
+  std::vector<std::size_t> solidChunksAround(const std::vector<int>& points) const;
   /// Chunks with any bond that is not between solid points.
   const std::vector<std::size_t>& activeChunks() const { return activeChunks_; }
   /// Local ids [first, end) of liquid points, those that are not owned included.
