@@ -236,7 +236,7 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
 
 /// Of owned points of the surface, as metal around them goes; in steps, since few points take one at a time.
 void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views& views) const {
-  constexpr double stepsOfDamage = 64.0;
+  constexpr double stepsOfDamage = 256.0;
   std::vector<int> changed;
   for (int i = 0; i < views.nPoints; ++i) {
     const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;

@@ -106,7 +106,7 @@ class Stretched(FrontTest):
 
 
     def test_crevice(self):
-        # Cells of 6.25 : 1, 25 : 1 and 100 : 1. All carry off as much to 2 %; 200 um of trench are two of the longest cells.
+        # Cells of 6.25 : 1, 25 : 1 and 100 : 1. All carry off as much to 3 %; 200 um of trench are two of the longest cells.
         found = {}
         for dx in (6.25e-6, 25e-6, 100e-6):
             case, folder = replace(SHORT, dx=dx), Path(self.path(f"{dx}"))
@@ -115,7 +115,7 @@ class Stretched(FrontTest):
             found[dx] = run(pdrun_path(), case, folder)
         fine, usual, coarse = found.values()
         for trench in (usual, coarse):
-            self.assertAlmostEqual(trench.lost / fine.lost, 1.0, delta=0.02, msg=str(found))
+            self.assertAlmostEqual(trench.lost / fine.lost, 1.0, delta=0.03, msg=str(found))
         self.assertLess(abs(usual.place - fine.place), 1.01 * SHORT.dx, found)
         self.assertLess(abs(coarse.place - fine.place), 1.5 * 100e-6, found)
         self.assertAlmostEqual(usual.depth / fine.depth, 1.0, delta=0.05, msg=str(found))
