@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Interface kernels side by side: fronts that are plane, slant or are round, with and without random bonds; kernels.png
-and its tables; kernels.py PDRUN DECK [RESULTS]"""
+and its tables; the default on long cells; kernels.py PDRUN DECK [RESULTS]"""
 import os
 import subprocess
 import sys
@@ -18,15 +18,16 @@ SPEED = 5.1e3 / (2.19 * 96485.33212 * 142900)
 SOLID, SATURATION, SPACING = 142900.0, 4600.0, 1e-6
 KERNELS, RULES = ("Flux Exact", "Trial Calibration"), ("Deterministic", "Stochastic")
 ANGLES, STEPS = (0.0, 15.0, 26.565, 36.87, 45.0), 16
+RISES = (0.0, 0.1, 0.2, 0.5, 1.0)
 
 
-def run(kernel, rule, horizon, metal, mouth, time):
+def run(kernel, rule, horizon, metal, mouth, time, mesh="plate", **more):
     """Times, points and, by time, the share of each point's metal that has gone."""
-    settings = {"Discretization/Input Mesh File": "plate.txt", "Materials/Metal/Interface Kernel": kernel,
+    settings = {"Discretization/Input Mesh File": f"{mesh}.txt", "Materials/Metal/Interface Kernel": kernel,
                 "Damage Models/Phases/Rule": rule, "Blocks/Body/Horizon": horizon * SPACING,
                 "Boundary Conditions/Metal Node Set/Expression": metal,
                 "Boundary Conditions/Mouth Node Set/Expression": mouth, "Solver/Final Time": time,
-                "Solver/Corrosion/Load Steps": STEPS, "Output/Output Filename": "kernels", "Output/Output Frequency": 1}
+                "Solver/Corrosion/Load Steps": STEPS, "Output/Output Filename": "kernels", "Output/Output Frequency": 1, **more}
     command = [pdrun, deck] + [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     subprocess.run(command, cwd=folder, check=True, capture_output=True)
     results = Results(folder / "kernels")
@@ -64,6 +65,20 @@ def round_front(kernel, rule, radius, grows):
     return slope(times, np.abs(np.sqrt((whole + (area if grows else -area)) / pi) - radius))
 
 
+def on_long_cells(ratio, rise):
+    """Of a front that climbs `rise` m each m along cells `ratio` times as long as high; in the middle of its length."""
+    columns, above, edge = 48, 10e-6, ratio * SPACING
+    length, slant = columns * edge, np.hypot(1.0, rise)
+    wall = f"{above!r} + {rise!r}*({length!r} - x)"
+    time = max(8 * rise * edge, 12e-6) / slant / SPEED
+    times, x, gone = run("Flux Exact", "Deterministic", 4 * ratio, f"y > {wall}",
+                         f"y < {wall} - {3 * max(rise * edge, SPACING)!r}", time, f"long{ratio}",
+                         **{"Materials/Metal/Horizon Axes": f"[{4 * edge!r}, {4 * SPACING!r}]",
+                            "Materials/Metal/Diffusivity": 1e-7})
+    middle = (np.abs(x[:, 0] / length - 0.5) < 0.2) & (x[:, 1] > above + rise * (length - x[:, 0]))
+    return slope(times, gone @ middle.astype(float) * SPACING / len(np.unique(np.rint(x[middle, 0] / edge - 0.5))) / slant)
+
+
 def main():
     figure, axes = figures.plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True, sharey=True)
     for axis, rule in zip(axes, RULES):
@@ -79,6 +94,9 @@ def main():
         axis.set_title(f"Rule: {rule}", fontsize=10)
         axis.set_xlabel("angle between normal of the front and grid (degrees)")
         axis.grid(alpha=0.3)
+    for ratio in (5, 25):
+        cells = " | ".join(f"{on_long_cells(ratio, rise):+.1f} %" for rise in RISES)
+        print(f"| {ratio}:1 | {cells} |", flush=True)
     axes[0].set_ylabel("error of the speed (%)")
     axes[1].legend(fontsize=7)
     figure.savefig(folder / "kernels.png", dpi=110)

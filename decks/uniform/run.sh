@@ -9,6 +9,8 @@ mesh bar --size 67e-6 --origin -0.000007
 mesh strip --size 67e-6 20e-6 --origin -0.000007 0
 mesh block --size 67e-6 10e-6 10e-6 --origin -0.000007 0 0
 mesh plate --size 76e-6 76e-6 --origin -0.000038 -0.000038
+mesh long5 --size 240e-6 300e-6 --spacing 5e-6 1e-6
+mesh long25 --size 1200e-6 1400e-6 --spacing 25e-6 1e-6
 cd "$results"
 copper=(Diffusivity=1297e-12 "Solid Concentration=141000" "Saturation Concentration=5000" "Charge Number=2"
         "Current Density=1450")
