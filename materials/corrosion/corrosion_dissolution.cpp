@@ -179,11 +179,11 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
-    made.firstGhost = dataManager.getOwnedScalarPointMap()->NumMyElements();
+    made.damage.assign(static_cast<std::size_t>(views.nPoints), 0.0);
     made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
     std::vector<char> isOwn(static_cast<std::size_t>(views.nPoints), 0);
     for (int p = 0; p < c.nOwned; ++p) isOwn[static_cast<std::size_t>(c.ownedIds[p])] = 1;
-    for (int i = 0; i < made.firstGhost; ++i)
+    for (int i = 0; i < dataManager.getOwnedScalarPointMap()->NumMyElements(); ++i)
       if (isOwn[static_cast<std::size_t>(i)] == 0) made.ofOtherBlocks.push_back(i);
     made.concentration.zero(views.nPoints, 1);
     made.diffusionCorrection.zero(views.nPoints, 1);
@@ -238,27 +238,12 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
 void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views& views) const {
   constexpr double stepsOfDamage = 256.0;
   std::vector<int> changed;
-  const auto look = [&](int i) {
+  for (int i = 0; i < views.nPoints; ++i) {
     const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;
     double& last = cache.damage[static_cast<std::size_t>(i)];
-    if (damage == last) return;
+    if (damage == last) continue;
     last = damage;
     changed.push_back(i);
-  };
-  const auto lookAt = [&](const std::vector<std::size_t>& chunks) {
-    for (const std::size_t c : chunks) {
-      const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
-      std::for_each_n(cache.neighborhood.pointIds(chunk), chunk.nLanes, look);
-    }
-  };
-  if (cache.damage.empty()) {
-    cache.damage.assign(static_cast<std::size_t>(views.nPoints), 0.0);
-    for (int i = 0; i < views.nPoints; ++i) look(i);
-  } else {
-    lookAt(cache.phases.activeChunks());
-    lookAt(cache.phases.changedChunks());  // some of which a step that is taken back leaves inactive
-    std::for_each(cache.ofOtherBlocks.begin(), cache.ofOtherBlocks.end(), look);
-    for (int i = cache.firstGhost; i < views.nPoints; ++i) look(i);
   }
   if (changed.empty()) return;
   const PhaseGeometry bonds = geometry(views, cache.damage.data());

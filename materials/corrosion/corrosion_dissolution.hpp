@@ -70,7 +70,6 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
     bool isPrepared = false;         ///< precompute() has been called: it will be whenever phases change
     const double* zeroed = nullptr;  ///< rates that are 0 wherever nothing flows
     std::vector<int> ofOtherBlocks;  ///< owned points, whose rates the host may have written
-    int firstGhost = 0;              ///< local id
   };
 
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
