@@ -142,16 +142,17 @@ struct CorrosionDissolution::Views {
 };
 
 PhaseGeometry CorrosionDissolution::geometry(const Views& views, const double* damage) const {
-  return {weights_, views.x, views.volume, damage, &phases_, views.blockId};
+  return {weights_, views.x, views.volume, damage, &phases_, views.blockId, !breaksBondsAtRandom_};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) {
   const Views views(*this, dataManager);
   caches_.clear();
+  breaksBondsAtRandom_ = breaksBondsAtRandom(dataManager);
   if (numOwnedPoints > 0) {
     weights_.fitToGrid(views.volume[ownedIDs[0]]);
-    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom(dataManager));
+    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom_);
   }
   std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
   std::fill(views.dissolutionCorrection, views.dissolutionCorrection + views.nPoints, 1.0);

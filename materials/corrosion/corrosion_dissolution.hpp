@@ -85,6 +85,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   double saturation_, chargeNumber_;
   SolidPhases phases_;
   Acidity acidity_;
+  bool breaksBondsAtRandom_ = false;
   int modelCoordinatesId_, volumeId_, concentrationId_, rateId_, damageId_, saltId_, demandId_, areaId_, currentId_,
       dissolutionRateId_, slopeId_, solidId_, saturationId_, diffusionCorrectionId_, dissolutionCorrectionId_,
       blockId_ = -1, phId_ = -1;

@@ -117,12 +117,11 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
 
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
   findBonds(point, neighbors, count);
-  // What points have lost makes a front smooth that is a staircase of phases; but in metal of several phases one loses
-  // more than the other, wherever the front is.
-  const bool isOfOnePhase = blockId_ == nullptr;
+  // What points have lost makes a front smooth that is a staircase of phases. But in metal of several phases one loses
+  // more than the other, wherever the front is; and bonds that break at random leave a plane front uneven.
   const auto solidOf = [&](int i) {
     const double left = 1.0 - damage_[i];
-    return isOfOnePhase || left == 0.0 ? left : 1.0;
+    return followsLoss_ || left == 0.0 ? left : 1.0;
   };
   const std::array<double, 3> n = normal(point, neighbors, solidOf).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);

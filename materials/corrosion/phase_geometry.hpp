@@ -12,10 +12,16 @@ namespace pd {
 /// Sums over the whole neighbourhood of one point. Arrays by local id; a point is liquid where its `damage` is 1.
 class PhaseGeometry {
  public:
-  /// `phases`, `blockId`: of a solid of several phases.
+  /// `phases`, `blockId`: of a solid of several phases. `followsLoss`: whether `damage` says what points have lost.
   PhaseGeometry(const TransportWeights& weights, const double* x, const double* volume, const double* damage,
-                const SolidPhases* phases = nullptr, const double* blockId = nullptr)
-      : weights_(weights), x_(x), volume_(volume), damage_(damage), phases_(phases), blockId_(blockId) {}
+                const SolidPhases* phases = nullptr, const double* blockId = nullptr, bool followsLoss = true)
+      : weights_(weights),
+        x_(x),
+        volume_(volume),
+        damage_(damage),
+        phases_(phases),
+        blockId_(blockId),
+        followsLoss_(followsLoss && blockId == nullptr) {}
 
   double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
   double dissolutionWeight(int i, int j) const { return dissolutionWeight(weights_.bond(x_, i, j), i, j); }
@@ -52,6 +58,7 @@ class PhaseGeometry {
   const double *x_, *volume_, *damage_;
   const SolidPhases* phases_;
   const double* blockId_;
+  bool followsLoss_;
   mutable std::vector<Bond> bonds_;  ///< of the point at work
 };
 
