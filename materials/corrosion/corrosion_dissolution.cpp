@@ -240,8 +240,9 @@ void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views&
   constexpr double stepsOfDamage = 256.0;
   std::vector<int> changed;
   for (int i = 0; i < views.nPoints; ++i) {
-    const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;
     double& last = cache.damage[static_cast<std::size_t>(i)];
+    if (views.damage[i] == last) continue;
+    const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;
     if (damage == last) continue;
     last = damage;
     changed.push_back(i);
@@ -251,10 +252,13 @@ void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views&
   for (const std::size_t c : cache.phases.solidChunksAround(changed)) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
+    const unsigned char* bits = cache.phases.fromSolid().of(chunk);
+    unsigned atSurface = 0;
+    for (int k = 0; k < chunk.nNeighbors; ++k) atSurface |= bits[k];
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
+      if (((atSurface >> lane) & 1u) == 0) continue;
       const int* list = cache.phases.listOf(points[lane]);
-      if (!cache.phases.isLiquid(points[lane]))
-        views.dissolutionCorrection[points[lane]] = bonds.dissolutionCorrection(points[lane], list + 1, *list);
+      views.dissolutionCorrection[points[lane]] = bonds.dissolutionCorrection(points[lane], list + 1, *list);
     }
   }
 }
