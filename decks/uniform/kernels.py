@@ -27,7 +27,8 @@ def run(kernel, rule, horizon, metal, mouth, time, mesh="plate", **more):
                 "Damage Models/Phases/Rule": rule, "Blocks/Body/Horizon": horizon * SPACING,
                 "Boundary Conditions/Metal Node Set/Expression": metal,
                 "Boundary Conditions/Mouth Node Set/Expression": mouth, "Solver/Final Time": time,
-                "Solver/Corrosion/Load Steps": STEPS, "Output/Output Filename": "kernels", "Output/Output Frequency": 1, **more}
+                "Solver/Corrosion/Load Steps": STEPS, "Output/Output Filename": "kernels", "Output/Output Frequency": 1,
+                **more}
     command = [pdrun, deck] + [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
     subprocess.run(command, cwd=folder, check=True, capture_output=True)
     results = Results(folder / "kernels")
@@ -76,7 +77,8 @@ def on_long_cells(ratio, rise):
                          **{"Materials/Metal/Horizon Axes": f"[{4 * edge!r}, {4 * SPACING!r}]",
                             "Materials/Metal/Diffusivity": 1e-7})
     middle = (np.abs(x[:, 0] / length - 0.5) < 0.2) & (x[:, 1] > above + rise * (length - x[:, 0]))
-    return slope(times, gone @ middle.astype(float) * SPACING / len(np.unique(np.rint(x[middle, 0] / edge - 0.5))) / slant)
+    width = len(np.unique(np.rint(x[middle, 0] / edge - 0.5)))  # columns
+    return slope(times, gone @ middle.astype(float) * SPACING / width / slant)
 
 
 def main():

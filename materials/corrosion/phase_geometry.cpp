@@ -103,7 +103,7 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
   else
     n = solved(square, slope);
   // A normal maps with the inverse of the map of lengths. Where cells are long, that makes much of what chance leaves
-  // of a front that is plane.
+  // of a front that is plane: tilts below `chance` count for next to nothing.
   constexpr double chance = 8e-3;
   const double most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
   for (std::size_t d = 0; d < 3; ++d) {

@@ -102,9 +102,10 @@ void TransportWeights::setWindow() {
   constexpr double corner = 1.12, deviation = 0.375;  // horizons; neighbourhoods end half a spacing behind the horizon
   constexpr double longest = 2.0;                     // the ratio of edges
   double norm = 0.0;
-  for (std::size_t d = 0; d < 3; ++d) {
-    window_[d] = d < static_cast<std::size_t>(dimension()) ? std::min(stretch(d), longest) : 1.0;
-    if (d < static_cast<std::size_t>(dimension())) norm += window_[d] * window_[d];
+  window_.fill(1.0);
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension()); ++d) {
+    window_[d] = std::min(stretch(d), longest);
+    norm += window_[d] * window_[d];
   }
   for (double& edge : window_) edge *= corner * family_.horizon / std::sqrt(norm);
   windowSharpness_ = 0.5 / std::pow(deviation * family_.horizon, 2);

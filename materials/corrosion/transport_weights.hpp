@@ -74,7 +74,6 @@ class TransportWeights {
   double stretch(std::size_t axis) const { return shape_.isBall() ? 1.0 : shape_.radius() / shape_.halfAxis(axis); }
 
   double diffusivity() const { return diffusivity_; }
-  double horizon() const { return family_.horizon; }  ///< radius in mapped space, m
   int dimension() const { return family_.dimension(); }
 
  private:

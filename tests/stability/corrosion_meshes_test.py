@@ -106,7 +106,8 @@ class Stretched(FrontTest):
 
 
     def test_crevice(self):
-        # Cells of 6.25 : 1, 25 : 1 and 100 : 1. All carry off as much to 3 %; 200 um of trench are two of the longest cells.
+        # Cells of 6.25 : 1, 25 : 1 and 100 : 1. All carry off as much to 3 %; 200 um of trench are two of the longest
+        # cells.
         found = {}
         for dx in (6.25e-6, 25e-6, 100e-6):
             case, folder = replace(SHORT, dx=dx), Path(self.path(f"{dx}"))
