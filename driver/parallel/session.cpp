@@ -1,10 +1,24 @@
 #include "session.hpp"
 
 #include <Tpetra_Core.hpp>
+#include <cstdlib>
 
 namespace pd {
 
-ParallelSession::ParallelSession(int& argc, char**& argv) { Tpetra::initialize(&argc, &argv); }
+namespace {
+
+/// Open MPI 4 guards the shared file pointer of every file it opens, which nothing here uses, by a semaphore that is
+/// named after the file. A run that is killed as it opens a file leaves the semaphore behind, taken, and every later
+/// run waits without end as it opens a file of that name. Of Open MPI's kinds of shared file pointer, "individual"
+/// makes none unless it is asked to (and a file must have a kind). What the user has set stays.
+void leaveOutSharedFilePointers() { setenv("OMPI_MCA_sharedfp", "individual", 0); }
+
+}  // namespace
+
+ParallelSession::ParallelSession(int& argc, char**& argv) {
+  leaveOutSharedFilePointers();
+  Tpetra::initialize(&argc, &argv);
+}
 
 ParallelSession::~ParallelSession() { Tpetra::finalize(); }
 
