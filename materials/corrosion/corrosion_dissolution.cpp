@@ -180,7 +180,6 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
-    made.damage.assign(static_cast<std::size_t>(views.nPoints), 0.0);
     made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
     std::vector<char> isOwn(static_cast<std::size_t>(views.nPoints), 0);
     for (int p = 0; p < c.nOwned; ++p) isOwn[static_cast<std::size_t>(c.ownedIds[p])] = 1;
@@ -217,10 +216,13 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
   cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
   cache.zeroed = nullptr;  // a host may have filled in rates, those of a checkpoint for one
   const bool isChanged = cache.phases.refresh(cache.neighborhood, views.damage);
+  if (isChanged) findDiffusionCorrections(cache, views);
   if (!weights_.isCalibratedByTrial()) findDissolutionCorrections(cache, views);
-  if (!isChanged) return;
+}
+
+void CorrosionDissolution::findDiffusionCorrections(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
-  const PhaseGeometry bonds = geometry(views, views.damage);
+  const PhaseGeometry bonds = geometry(views, phases.steppedDamage());
   for (const std::size_t c : phases.changedChunks()) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
@@ -235,20 +237,11 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
   }
 }
 
-/// Of owned points of the surface, as metal around them goes; in steps, since few points take one at a time.
+/// Of owned points of the surface, as metal around them goes.
 void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views& views) const {
-  constexpr double stepsOfDamage = 256.0;
-  std::vector<int> changed;
-  for (int i = 0; i < views.nPoints; ++i) {
-    double& last = cache.damage[static_cast<std::size_t>(i)];
-    if (views.damage[i] == last) continue;
-    const double damage = std::floor(stepsOfDamage * views.damage[i]) / stepsOfDamage;
-    if (damage == last) continue;
-    last = damage;
-    changed.push_back(i);
-  }
+  const std::vector<int>& changed = cache.phases.changedPoints();
   if (changed.empty()) return;
-  const PhaseGeometry bonds = geometry(views, cache.damage.data());
+  const PhaseGeometry bonds = geometry(views, cache.phases.steppedDamage());
   for (const std::size_t c : cache.phases.solidChunksAround(changed)) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
@@ -325,7 +318,12 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
     takeUpPhases(cache, views);
     findAcidity(cache, views);
   }
-  if (!cache.hasAreas) findAreas(cache, views);
+  if (!cache.hasAreas) {
+    findAreas(cache, views);
+    for (const auto& [first, end] : phases.liquidRanges())
+      std::copy(views.diffusionCorrection + first, views.diffusionCorrection + end,
+                cache.diffusionCorrection[0] + first);
+  }
   // Deep solid has no rate, and costs nothing.
   if (cache.zeroed != views.rate) std::fill(views.rate, views.rate + views.nPoints, 0.0);
   cache.zeroed = views.rate;
@@ -335,10 +333,8 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
     const int* points = cache.neighborhood.pointIds(chunk);
     for (int lane = 0; lane < chunk.nLanes; ++lane) views.rate[points[lane]] = 0.0;
   }
-  for (const auto& [first, end] : phases.liquidRanges()) {
+  for (const auto& [first, end] : phases.liquidRanges())
     std::copy(views.concentration + first, views.concentration + end, cache.concentration[0] + first);
-    std::copy(views.diffusionCorrection + first, views.diffusionCorrection + end, cache.diffusionCorrection[0] + first);
-  }
   kernels::addScaledFluxDivergence(cache.neighborhood, cache.diffusion, phases.liquid(), phases.liquidChunks(),
                                    cache.diffusionCorrection[0], cache.concentration[0], views.rate);
   bool dissolves = false;

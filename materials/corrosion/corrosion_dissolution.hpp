@@ -63,7 +63,6 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
     kernels::PointArrays concentration, diffusionCorrection;
     std::vector<kernels::PointArrays> isOfPhase, correction, area,
         lostFlux;                    ///< by solid phase; the first empty where there is one
-    std::vector<double> damage;      ///< by local id, in the steps in which fronts' directions take it up
     std::vector<int> liquid;         ///< owned points, where pH is kept
     std::vector<char> isListed;      ///< by local id: in `liquid`
     bool hasAreas = false;           ///< `area` is of the present phases
@@ -75,6 +74,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
   PhaseGeometry geometry(const Views& views, const double* damage) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
+  void findDiffusionCorrections(Cache& cache, const Views& views) const;
   void findDissolutionCorrections(Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
   void findAcidity(const Cache& cache, const Views& views) const;

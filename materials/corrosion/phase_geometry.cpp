@@ -30,8 +30,8 @@ std::array<double, 3> solved(const double (&m)[6], const double (&b)[3]) {
 }  // namespace
 
 void PhaseGeometry::findBonds(int point, const int* neighbors, int count) const {
-  bonds_.clear();
-  for (int k = 0; k < count; ++k) bonds_.push_back(weights_.bond(x_, point, neighbors[k]));
+  bonds_.resize(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) weights_.find(bonds_[static_cast<std::size_t>(k)], x_, point, neighbors[k]);
 }
 
 double PhaseGeometry::diffusionCorrection(int point, const int* neighbors, int count) const {

@@ -25,14 +25,20 @@ class TransportWeights {
     std::size_t kind;  ///< the longest axis of the horizon along which the bond has a component
   };
   Bond bond(const double* x, int point, int neighbor) const {
+    Bond bond;
+    find(bond, x, point, neighbor);
+    return bond;
+  }
+  void find(Bond& bond, const double* x, int point, int neighbor) const {
     const ReferenceBond reference(x, point, neighbor);
-    Bond bond{reference.xi, reference.xi, reference.length, 0};
-    if (shape_.isBall()) return bond;
+    bond.along = bond.mapped = reference.xi;
+    bond.length = reference.length;
+    bond.kind = 0;
+    if (shape_.isBall()) return;
     bond.along = shape_.along(reference.xi.data());
     bond.mapped = shape_.mapped(bond.along);
     bond.length = shape_.length(bond.mapped);
     bond.kind = kindOf(bond.mapped);
-    return bond;
   }
 
   /// Constants of horizons that are no balls, for a point of this volume in a grid along the axes of the horizon whose

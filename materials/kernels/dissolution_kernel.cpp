@@ -1,6 +1,7 @@
 #include "dissolution_kernel.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pd::kernels {
 
@@ -9,6 +10,7 @@ PhaseBonds::PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, cons
     : list_(neighborhoodList) {
   const auto n = static_cast<std::size_t>(nPoints);
   isLiquid_.assign(n, 0);
+  steppedDamage_.assign(n, 0.0);
   chunkOf_.assign(n, -1);
   ownedPosition_.assign(n, -1);
   chunksAround_.resize(n);
@@ -54,9 +56,16 @@ void PhaseBonds::markChunksOf(int point, std::vector<char>& isMarked) const {
 }
 
 bool PhaseBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* damage) {
+  constexpr double steps = 256.0;
   std::vector<char> isMarked;
+  changedPoints_.clear();
   for (std::size_t i = 0; i < isLiquid_.size(); ++i) {
-    const char isLiquid = damage[i] >= 1.0 ? 1 : 0;
+    if (damage[i] == steppedDamage_[i]) continue;
+    const double stepped = std::floor(steps * damage[i]) / steps;
+    if (stepped == steppedDamage_[i]) continue;
+    steppedDamage_[i] = stepped;
+    changedPoints_.push_back(static_cast<int>(i));
+    const char isLiquid = stepped >= 1.0 ? 1 : 0;
     if (isLiquid == isLiquid_[i]) continue;
     isMarked.resize(neighborhood.chunks().size(), 0);
     isLiquid_[i] = isLiquid;

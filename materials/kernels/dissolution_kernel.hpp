@@ -19,9 +19,13 @@ class PhaseBonds {
   PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, const int* ownedIds, const int* neighborhoodList,
              int nPoints);
 
-  /// `damage` by local id: a point is liquid where it is 1. Returns whether any point has changed.
+  /// `damage` by local id: a point is liquid where it is 1. Returns whether any point has changed phase.
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* damage);
 
+  /// By local id, as of the last refresh, in steps, since few points take one at a time.
+  const double* steppedDamage() const { return steppedDamage_.data(); }
+  /// Points that have taken such a step at the last refresh.
+  const std::vector<int>& changedPoints() const { return changedPoints_; }
   /// Chunks with a point that has changed, or a neighbour of it, at the last refresh that found any.
   const std::vector<std::size_t>& changedChunks() const { return changedChunks_; }
   /// Chunks with bonds of solid points to liquid ones that have one of these points or a neighbour of one.
@@ -63,6 +67,8 @@ class PhaseBonds {
   std::vector<int> ownedPosition_;              ///< by local id; -1: not owned
   std::vector<std::vector<int>> chunksAround_;  ///< of points that are not owned, by local id
   std::vector<char> isLiquid_;                  ///< by local id
+  std::vector<double> steppedDamage_;
+  std::vector<int> changedPoints_;
   AliveBonds liquid_, fromSolid_, fromLiquid_;
   struct Kinds {
     bool liquid = false, fromSolid = false, fromLiquid = false;

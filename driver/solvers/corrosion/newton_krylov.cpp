@@ -41,7 +41,8 @@ int NewtonKrylov::conjugateGradients(StageEquation& equation, double target, int
   const std::vector<int>& ids = equation.ids();
   const std::size_t n = ids.size();
   std::vector<double> r(n), p, z(n), image(n);
-  applyMatrix(equation, step_, image);
+  const bool isAtZero = std::all_of(step_.begin(), step_.end(), [](double value) { return value == 0.0; });
+  if (equation.model().comm().any(!isAtZero)) applyMatrix(equation, step_, image);
   for (std::size_t k = 0; k < n; ++k) r[k] = equation.isFree()[k] != 0 ? equation.residual()[k] - image[k] : 0.0;
   precondition(equation, r, z);
   p = z;
@@ -115,7 +116,8 @@ bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
 }
 
 bool NewtonKrylov::solve(StageEquation& equation) {
-  // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+  // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16), or a small
+  // residual, of which Newton's method leaves next to the square.
   constexpr double loosest = 1e-2, tightest = 1e-4;
   trouble_.clear();
   step_.resize(equation.ids().size());
@@ -135,7 +137,7 @@ bool NewtonKrylov::solve(StageEquation& equation) {
       return true;
     if (!std::isfinite(largest)) return false;
     const double ratio = before > 0.0 ? largest / before : 1.0;
-    const double share = std::clamp(0.9 * ratio * ratio, tightest, loosest);
+    const double share = std::clamp(std::min(0.9 * ratio * ratio, 0.1 * largest), tightest, loosest);
     before = largest;
     if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
     for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += step_[k];
