@@ -72,9 +72,38 @@ GlobalOrder::GlobalOrder(const Communicator& comm, const std::vector<int>& globa
   if (comm.any(!isComplete)) throw RunError("global ids of the points are not 0 .. n-1, each on one rank");
 }
 
+/// What the ranks send to this one, from what it sends to them: as much as `lengths` and `lengthsThere` say.
 template <class T>
-std::vector<T> GlobalOrder::move(const std::vector<T>& values, const std::vector<int>& counts, const Side& from,
-                                 const std::vector<int>& countsThere, const Side& to) const {
+std::vector<T> GlobalOrder::exchange(const std::vector<T>& sent, const std::vector<int>& lengths,
+                                     const std::vector<int>& lengthsThere) const {
+  const std::vector<int> starts = startsOf(lengths), startsThere = startsOf(lengthsThere);
+  std::vector<T> received(static_cast<std::size_t>(startsThere.back()));
+  MPI_Alltoallv(sent.data(), lengths.data(), starts.data(), typeOf(T()), received.data(), lengthsThere.data(),
+                startsThere.data(), typeOf(T()), comm_.mpi());
+  return received;
+}
+
+template <class T>
+void GlobalOrder::move(const T* values, int width, const Side& from, const Side& to, T* result) const {
+  const auto lengthsOfRanks = [&](const Side& side) {
+    std::vector<int> lengths = side.pointsOfRank;
+    for (int& length : lengths) length *= width;
+    return lengths;
+  };
+  std::vector<T> sent(from.order.size() * static_cast<std::size_t>(width));
+  auto end = sent.begin();
+  for (const int i : from.order) end = std::copy_n(values + static_cast<std::ptrdiff_t>(i) * width, width, end);
+  const std::vector<T> received = exchange(sent, lengthsOfRanks(from), lengthsOfRanks(to));
+  const T* next = received.data();
+  for (const int i : to.order) {
+    std::copy_n(next, width, result + static_cast<std::ptrdiff_t>(i) * width);
+    next += width;
+  }
+}
+
+template <class T>
+std::vector<T> GlobalOrder::moveLists(const std::vector<T>& values, const std::vector<int>& counts, const Side& from,
+                                      const std::vector<int>& countsThere, const Side& to) const {
   const auto lengthsOfRanks = [](const Side& side, const std::vector<int>& lengths) {
     std::vector<int> result;
     std::size_t next = 0;
@@ -85,17 +114,13 @@ std::vector<T> GlobalOrder::move(const std::vector<T>& values, const std::vector
     }
     return result;
   };
-  const std::vector<int> sendLengths = lengthsOfRanks(from, counts), receiveLengths = lengthsOfRanks(to, countsThere);
-  const std::vector<int> sendStarts = startsOf(sendLengths), receiveStarts = startsOf(receiveLengths);
   const std::vector<std::size_t> starts = listStarts(counts), startsThere = listStarts(countsThere);
-
-  std::vector<T> sent, received(static_cast<std::size_t>(receiveStarts.back())), result(startsThere.back());
+  std::vector<T> sent, result(startsThere.back());
   sent.reserve(values.size());
   for (const int i : from.order)
     sent.insert(sent.end(), values.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(i)]),
                 values.begin() + static_cast<std::ptrdiff_t>(starts[static_cast<std::size_t>(i) + 1]));
-  MPI_Alltoallv(sent.data(), sendLengths.data(), sendStarts.data(), typeOf(T()), received.data(), receiveLengths.data(),
-                receiveStarts.data(), typeOf(T()), comm_.mpi());
+  const std::vector<T> received = exchange(sent, lengthsOfRanks(from, counts), lengthsOfRanks(to, countsThere));
   auto next = received.begin();
   for (const int i : to.order) {
     const auto count = static_cast<std::ptrdiff_t>(countsThere[static_cast<std::size_t>(i)]);
@@ -108,29 +133,26 @@ std::vector<T> GlobalOrder::move(const std::vector<T>& values, const std::vector
 
 template <class T>
 std::vector<T> GlobalOrder::toRows(const T* values, int width) const {
-  const std::vector<int> counts(points_.order.size(), width);
-  const std::vector<T> owned(values, values + points_.order.size() * static_cast<std::size_t>(width));
-  return listsToRows(owned, counts, std::vector<int>(static_cast<std::size_t>(rows_.count), width));
+  std::vector<T> rowValues(rowSide_.order.size() * static_cast<std::size_t>(width));
+  move(values, width, points_, rowSide_, rowValues.data());
+  return rowValues;
 }
 
 template <class T>
 void GlobalOrder::toPoints(const std::vector<T>& rowValues, int width, T* values) const {
-  const std::vector<int> counts(points_.order.size(), width);
-  const std::vector<T> owned =
-      listsToPoints(rowValues, std::vector<int>(static_cast<std::size_t>(rows_.count), width), counts);
-  std::copy(owned.begin(), owned.end(), values);
+  move(rowValues.data(), width, rowSide_, points_, values);
 }
 
 template <class T>
 std::vector<T> GlobalOrder::listsToRows(const std::vector<T>& values, const std::vector<int>& counts,
                                         const std::vector<int>& rowCounts) const {
-  return move(values, counts, points_, rowCounts, rowSide_);
+  return moveLists(values, counts, points_, rowCounts, rowSide_);
 }
 
 template <class T>
 std::vector<T> GlobalOrder::listsToPoints(const std::vector<T>& rowValues, const std::vector<int>& rowCounts,
                                           const std::vector<int>& counts) const {
-  return move(rowValues, rowCounts, rowSide_, counts, points_);
+  return moveLists(rowValues, rowCounts, rowSide_, counts, points_);
 }
 
 #define PD_INSTANTIATE(T)                                                                            \

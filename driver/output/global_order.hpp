@@ -49,8 +49,13 @@ class GlobalOrder {
     std::vector<int> pointsOfRank;
   };
   template <class T>
-  std::vector<T> move(const std::vector<T>& values, const std::vector<int>& counts, const Side& from,
-                      const std::vector<int>& countsThere, const Side& to) const;
+  void move(const T* values, int width, const Side& from, const Side& to, T* result) const;
+  template <class T>
+  std::vector<T> moveLists(const std::vector<T>& values, const std::vector<int>& counts, const Side& from,
+                           const std::vector<int>& countsThere, const Side& to) const;
+  template <class T>
+  std::vector<T> exchange(const std::vector<T>& sent, const std::vector<int>& lengths,
+                          const std::vector<int>& lengthsThere) const;
 
   const Communicator& comm_;
   RowRange rows_;

@@ -22,8 +22,9 @@ void PhaseLists::markNeighborsOf(const Discretization& d, int point) {
 void PhaseLists::reset(Model& model) {
   const Discretization& d = model.discretization();
   const double* damage = model.field("Damage");
-  if (aroundGhost_.empty()) {
-    aroundGhost_.resize(static_cast<std::size_t>(d.nPoints - d.nOwned));
+  const auto nGhosts = static_cast<std::size_t>(d.nPoints - d.nOwned);
+  if (aroundGhost_.size() != nGhosts) {
+    aroundGhost_.resize(nGhosts);
     for (int i = 0; i < d.nOwned; ++i) {
       const int* list = &d.neighborhoodList[static_cast<std::size_t>(d.neighborhoodStart[static_cast<std::size_t>(i)])];
       for (int k = 1; k <= *list; ++k)
