@@ -216,11 +216,13 @@ void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const 
   cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
   cache.zeroed = nullptr;  // a host may have filled in rates, those of a checkpoint for one
   const bool isChanged = cache.phases.refresh(cache.neighborhood, views.damage);
-  if (isChanged) findDiffusionCorrections(cache, views);
+  if (isChanged) refreshAroundChanges(cache, views);
   if (!weights_.isCalibratedByTrial()) findDissolutionCorrections(cache, views);
 }
 
-void CorrosionDissolution::findDiffusionCorrections(Cache& cache, const Views& views) const {
+/// Owned points that have changed phase and their neighbours: diffusion corrections, no currents yet, a pH where
+/// liquid.
+void CorrosionDissolution::refreshAroundChanges(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
   const PhaseGeometry bonds = geometry(views, phases.steppedDamage());
   for (const std::size_t c : phases.changedChunks()) {

@@ -74,7 +74,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
   PhaseGeometry geometry(const Views& views, const double* damage) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
-  void findDiffusionCorrections(Cache& cache, const Views& views) const;
+  void refreshAroundChanges(Cache& cache, const Views& views) const;
   void findDissolutionCorrections(Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
   void findAcidity(const Cache& cache, const Views& views) const;
