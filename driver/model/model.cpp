@@ -88,13 +88,17 @@ Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, i
     return Teuchos::rcp(new NeighborhoodData(std::move(owned), points.neighborhoodList.data(),
                                              static_cast<int>(points.neighborhoodList.size())));
   }
+  // Memory is taken once: growing the list would need twice as much.
+  std::size_t length = 0;
   for (int i = 0; i < points.nOwned; ++i) {
     if (points.blockId[i] != blockNumber) continue;
     owned.push_back(i);
-    const auto begin = points.neighborhoodList.begin();
-    list.insert(list.end(), begin + points.neighborhoodStart[i], begin + points.neighborhoodStart[i + 1]);
+    length += static_cast<std::size_t>(points.neighborhoodStart[i + 1] - points.neighborhoodStart[i]);
   }
-  list.shrink_to_fit();
+  list.reserve(length);
+  const auto begin = points.neighborhoodList.begin();
+  for (const int i : owned)
+    list.insert(list.end(), begin + points.neighborhoodStart[i], begin + points.neighborhoodStart[i + 1]);
   return Teuchos::rcp(new NeighborhoodData(std::move(owned), std::move(list)));
 }
 
