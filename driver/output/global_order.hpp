@@ -48,6 +48,7 @@ class GlobalOrder {
     std::vector<int> order;
     std::vector<int> pointsOfRank;
   };
+  // From one side's order to the other's: `width` values a point, or lists of differing lengths.
   template <class T>
   void move(const T* values, int width, const Side& from, const Side& to, T* result) const;
   template <class T>

@@ -29,6 +29,7 @@ class TransportWeights {
     find(bond, x, point, neighbor);
     return bond;
   }
+  /// The same into `bond`: for loops over many, in which copying what has just been written would wait for it.
   void find(Bond& bond, const double* x, int point, int neighbor) const {
     const ReferenceBond reference(x, point, neighbor);
     bond.along = bond.mapped = reference.xi;
