@@ -35,6 +35,10 @@ class BondMechanics {
   /// Adds d(force)/d(displacement), each row times the volume of its point.
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
+  /// Bonds were put back: all are read again.
+  void forgetBonds() const {
+    caches_.forEach([](Cache& cache) { cache.alive.forget(); });
+  }
 
  private:
   struct Cache {

@@ -9,11 +9,12 @@
 #include "Peridigm_Material.hpp"
 #include "bond_family.hpp"
 #include "linear_peridynamic_solid.hpp"
+#include "step_listener.hpp"
 
 namespace pd {
 
 /// Ordinary state-based elasticity in 3D, for any Poisson's ratio (formulas: kernels/linear_peridynamic_solid.hpp).
-class Elastic : public PeridigmNS::Material {
+class Elastic : public PeridigmNS::Material, public StepListener {
  public:
   static void declareParameters(ParameterDeclarations& declare);
   explicit Elastic(const Teuchos::ParameterList& params);
@@ -34,6 +35,9 @@ class Elastic : public PeridigmNS::Material {
   void computeStoredElasticEnergyDensity(const double, const int numOwnedPoints, const int* ownedIDs,
                                          const int* neighborhoodList,
                                          PeridigmNS::DataManager& dataManager) const override;
+  void stepTakenBack() const override {
+    caches_.forEach([](Cache& cache) { cache.alive.forget(); });
+  }
 
  private:
   struct Cache {

@@ -35,6 +35,11 @@ class NeighborhoodCache {
     return entries_.front().data;
   }
   void clear() { entries_.clear(); }
+  /// work(data) for all that are kept.
+  template <class Work>
+  void forEach(Work work) {
+    for (Entry& entry : entries_) work(entry.data);
+  }
 
  private:
   static constexpr std::size_t capacity = 4;

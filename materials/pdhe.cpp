@@ -99,6 +99,11 @@ void PDHE::computeJacobian(const double dt, const int numOwnedPoints, const int*
   if (diffusion_ && unknowns.temperatureTreatedAsUnknown()) diffusion_->computeJacobian(call, dataManager, jacobian);
 }
 
+void PDHE::stepTakenBack() const {
+  if (mechanics_) mechanics_->forgetBonds();
+  if (diffusion_) diffusion_->forgetBonds();
+}
+
 PD_REGISTER_MATERIAL(PDHE, "PDHE", "Hydrogen embrittlement: two-parameter bond mechanics and hydrogen diffusion.")
 
 }  // namespace pd

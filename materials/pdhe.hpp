@@ -9,12 +9,13 @@
 #include "Peridigm_Material.hpp"
 #include "bond_mechanics.hpp"
 #include "nonlocal_diffusion.hpp"
+#include "step_listener.hpp"
 
 namespace pd {
 
 /// Mechanics where Young's Modulus is given, diffusion where Diffusivity is; at least one of them. The embrittlement
 /// itself, the critical stretch that falls with hydrogen, is the damage model Hydrogen Critical Stretch.
-class PDHE : public PeridigmNS::Material {
+class PDHE : public PeridigmNS::Material, public StepListener {
  public:
   static void declareParameters(ParameterDeclarations& declare);
   explicit PDHE(const Teuchos::ParameterList& params);
@@ -39,6 +40,7 @@ class PDHE : public PeridigmNS::Material {
   void computeJacobian(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                        PeridigmNS::DataManager& dataManager, PeridigmNS::SerialMatrix& jacobian,
                        JacobianType jacobianType = FULL_MATRIX) const override;
+  void stepTakenBack() const override;
 
  private:
   double density_ = 0.0;

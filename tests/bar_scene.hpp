@@ -181,7 +181,7 @@ struct Scene {
     model.initialize();
     conditions->applyPrescribed(0.0);
     if (model.hasMechanics()) model.updateCoordinates();
-    model.updateState();
+    model.adoptState();
     solver->initialize(simulation());
   }
 
@@ -194,7 +194,7 @@ struct Scene {
     for (int k = first; k < last; ++k) {
       const double start = solver->incrementEnd(k, count, 0.0, 1.0), end = solver->incrementEnd(k + 1, count, 0.0, 1.0);
       solver->advance(simulation(), start, end - start);
-      model.updateState();
+      model.adoptState();
     }
   }
   void run(int count) { run(count, 0, count); }

@@ -53,7 +53,7 @@ class SolverScene {
     model_.initialize();
     conditions_->applyPrescribed(0.0);
     model_.updateCoordinates();
-    model_.updateState();
+    model_.adoptState();
   }
 
   /// Runs `solver` over [t0, t1] in its own increments; returns their number.
@@ -67,7 +67,7 @@ class SolverScene {
     for (int k = 0; k < n; ++k) {
       const double start = t0 + (t1 - t0) * k / n, end = t0 + (t1 - t0) * (k + 1) / n;
       solver.advance(simulation(), start, end - start);
-      model_.updateState();
+      model_.adoptState();
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
@@ -57,6 +58,19 @@ void Model::synchronise(const std::vector<int>& fieldIds) {
 }
 
 void Model::evaluateDamage(double dt) {
+  if (!hasDamage()) return;
+  hasCalledDamage_ = true;
+  std::set<int> declared;
+  for (Block& block : *blocks_) {
+    const auto damage = block.getDamageModel();
+    if (damage.is_null()) continue;
+    callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {
+      damage->precompute(dt, n, owned, list, data);
+    });
+    for (const int id : damage->FieldIdsForSynchronizationAfterPrecompute()) declared.insert(id);
+  }
+  std::vector<int> exchanged(declared.begin(), declared.end());
+  synchronise(exchanged);
   for (Block& block : *blocks_) {
     const auto damage = block.getDamageModel();
     if (damage.is_null()) continue;
@@ -65,10 +79,13 @@ void Model::evaluateDamage(double dt) {
       damage->computeDamage(dt, n, owned, list, data);
     });
   }
-  if (hasDamage() && hasField("Damage")) importGhosts("Damage");
+  // Peridigm exchanges after computeDamage().
+  synchronise(exchanged);
+  if (hasField("Damage")) importGhosts("Damage");
 }
 
 void Model::callPrecompute(double dt, bool onlyWithoutMechanics) {
+  hasCalledMaterials_ = true;
   std::vector<int> ids;
   for (Block& block : *blocks_) {
     if (onlyWithoutMechanics && declares(block, "Force_Density")) continue;
@@ -131,6 +148,7 @@ void Model::evaluateForce(double dt) {
 }
 
 void Model::evaluateFluxDivergence(double dt, const std::string& fluxField, bool isPrepared) {
+  hasCalledMaterials_ = true;
   if (!isPrepared) callPrecompute(dt, true);
   for (Block& block : *blocks_) {
     if (!declares(block, fluxField)) continue;

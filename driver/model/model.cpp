@@ -170,6 +170,7 @@ void Model::allocatePluginFields() {
       const std::vector<int> more = block.getDamageModel()->FieldIds();
       ids.insert(ids.end(), more.begin(), more.end());
     }
+    shareBondSteps(block);
     block.getDataManager()->allocateData(ids);
     if (discretization_.blockNumbers.size() == 1) continue;
     for (const int id : block.getMaterialModel()->FieldIds())
@@ -179,6 +180,25 @@ void Model::allocatePluginFields() {
     shared_->allocateData({fields.getFieldId(NODE, VECTOR, TWO_STEP, "Coordinates"),
                            fields.getFieldId(NODE, VECTOR, TWO_STEP, "Displacement")});
   fillConstantFields();
+}
+
+/// Of bond fields that only grow, as every plug-in of the block that uses them says.
+void Model::shareBondSteps(Block& block) {
+  std::vector<int> growing, others;
+  const auto look = [&](const auto& plugin) {
+    const FieldTable* table = fieldTableOf(plugin);
+    if (table == nullptr) {
+      const std::vector<int> ids = plugin.FieldIds();
+      others.insert(others.end(), ids.begin(), ids.end());
+      return;
+    }
+    for (const FieldUse& use : table->uses()) (use.field.onlyGrows ? growing : others).push_back(use.id);
+  };
+  look(*block.getMaterialModel());
+  if (!block.getDamageModel().is_null()) look(*block.getDamageModel());
+  const auto isNotShared = [&](int id) { return std::find(others.begin(), others.end(), id) != others.end(); };
+  growing.erase(std::remove_if(growing.begin(), growing.end(), isNotShared), growing.end());
+  block.getDataManager()->shareSteps(growing);
 }
 
 void Model::allocateFields(const std::vector<int>& fieldIds) {
@@ -256,11 +276,13 @@ void Model::initialize() {
     if (!block.getDamageModel().is_null()) note(block.getDamageModel()->FieldIdsForSynchronizationAfterInitialize());
   }
   synchronise({toSynchronise.begin(), toSynchronise.end()});
+  adoptState();
   evaluateDamage(0.0);
   if (hasMechanics()) evaluateForce(0.0);
   for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
     if (isSummedOverBlocks(spec.label) && spec.label != "Force_Density" && hasField(spec.label))
       evaluateFluxDivergence(0.0, spec.label);
+  restoreHistories();
 }
 
 std::vector<std::string> Model::notes() const {
@@ -311,8 +333,6 @@ int Model::fieldWidth(const std::string& label) const {
 bool Model::hasDamage() const {
   return std::any_of(blocks_->begin(), blocks_->end(), [](Block& block) { return !block.getDamageModel().is_null(); });
 }
-
-void Model::updateState() { shared_->updateState(); }
 
 double Model::dot(const double* a, const double* b, int width) const {
   double sum = 0.0;

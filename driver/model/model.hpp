@@ -12,6 +12,8 @@
 #include "../parallel/communicator.hpp"
 #include "../parallel/ghost_exchange.hpp"
 #include "Peridigm_Block.hpp"
+#include "fields.hpp"
+#include "step_record.hpp"
 #include "timers.hpp"
 
 namespace pd {
@@ -71,8 +73,21 @@ class Model {
 
   /// Copies owned displacements to Coordinates = Model_Coordinates + Displacement, ghosts included.
   void updateCoordinates();
-  /// NP1 becomes N.
-  void updateState();
+
+  // Steps. NP1 follows from N, however often something is evaluated; acceptStep() alone makes NP1 to N. A solver
+  // accepts each of its steps.
+  /// Remembers the state, so that takeBackStep() can bring it back: stepped fields, one-step fields that are state
+  /// (FieldDescription::isState), bonds. Without `points`, of all points; else of these owned points and those that
+  /// touch() adds before they change.
+  void beginStep();
+  void beginStep(const std::vector<int>& points);
+  void touch(const std::vector<int>& points) { record_.touch(points); }
+  /// Everything as at beginStep(), ghosts included. Collective.
+  void takeBackStep();
+  /// NP1 becomes N; plug-ins that want to know (StepListener) and were called in the step are told. `time`: the end.
+  void acceptStep(double time, double dt);
+  /// What a host has written into the fields is the state to start from: NP1 becomes N.
+  void adoptState();
 
   /// Sum over owned points of all ranks.
   double dot(const double* a, const double* b, int width) const;
@@ -89,6 +104,9 @@ class Model {
   void allocatePluginFields();
   void fillConstantFields();
   void cutBonds(const Deck& deck);
+  void shareBondSteps(PeridigmNS::Block& block);
+  void restoreHistories();
+  std::vector<StepRecord::PointField> recordedFields();
   void callPrecompute(double dt, bool onlyWithoutMechanics);
   void synchronise(const std::vector<int>& fieldIds);
   void sumBlocks(const std::string& label);
@@ -99,6 +117,8 @@ class Model {
   GhostExchange ghosts_;
   Teuchos::RCP<PeridigmNS::DataManager> shared_;  ///< the point fields of all blocks
   Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks_;
+  StepRecord record_;
+  bool hasCalledDamage_ = false, hasCalledMaterials_ = false;  ///< since the last accepted step
   mutable Timers timers_;
 };
 

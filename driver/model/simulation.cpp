@@ -160,7 +160,6 @@ class Run {
       });
       requireFinite(step);
       fillHostFields(model, simulation_.conditions, end);
-      model.updateState();
       const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
       simulation_.output.checkpoint(model, step, end, restartState(stageNumber, increment), isLast);
@@ -232,12 +231,12 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
     if (model.hasMechanics()) model.updateCoordinates();
     fillHostFields(model, conditions, stages.front().startTime);
-    model.updateState();
+    model.adoptState();
     output.write(model, 0, 0, stages.front().startTime, false);
   } else {
     restart = readCheckpoint(model, options.restartFile);
     conditions.resume(restart->time);
-    model.updateState();
+    model.adoptState();
     output.log(
         fmt::format("going on from step {} (t = {:g} s) of {}", restart->step, restart->time, options.restartFile));
     if (restart->deckHash != textHash(resolvedDeck(deck)))

@@ -182,7 +182,7 @@ Checkpoint readCheckpoint(Model& model, const std::string& fileName) {
   const GlobalOrder order(model.comm(), points.globalIds, points.nOwned, points.nGlobal);
   requireSameMesh(file, model, order, fileName);
   readFields(file, model, order, fileName);
-  model.updateState();
+  model.adoptState();
   Checkpoint checkpoint;
   checkpoint.step = static_cast<int>(file.integerAttribute("/", "step"));
   checkpoint.time = file.realAttribute("/", "time");

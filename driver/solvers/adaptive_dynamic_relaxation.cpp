@@ -222,6 +222,7 @@ void AdaptiveDynamicRelaxation::advance(Simulation& simulation, double t, double
   else
     iterateToTolerance(simulation, t, dt);
   largestResidual_ = std::max(largestResidual_, lastResidual_);
+  simulation.model.acceptStep(t + dt, dt);
 }
 
 std::vector<std::string> AdaptiveDynamicRelaxation::summary() const {

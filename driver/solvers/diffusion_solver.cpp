@@ -91,6 +91,7 @@ void Diffusion::initialize(Simulation& simulation) {
 
 void Diffusion::advance(Simulation& simulation, double t, double dt) {
   integrator_->advance(simulation, field_, t, dt);
+  simulation.model.acceptStep(t + dt, dt);
 }
 
 std::vector<std::string> Diffusion::summary() const {

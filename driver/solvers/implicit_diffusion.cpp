@@ -197,6 +197,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
     model.importGhosts(field_);
   }
   model.requireFinite(field_, static_cast<int>(nLoadSteps_));
+  model.acceptStep(t + dt, dt);
 }
 
 std::vector<std::string> ImplicitDiffusion::summary() const {

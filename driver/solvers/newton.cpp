@@ -214,13 +214,14 @@ LinearSolveReport Newton::solveLinear(Simulation& simulation, double tolerance) 
   return report;
 }
 
-void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce,
-                              const std::vector<double>& start) {
+void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
   double* displacement = model.field("Displacement");
-  std::vector<double> moved(start.size());
+  const double* start = model.fieldAtN("Displacement");
+  const std::size_t n = isHeld_.size();
+  std::vector<double> moved(n);
   double largest = 0.0;
-  for (std::size_t i = 0; i < start.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     moved[i] = displacement[i] - start[i];
     largest = std::max(largest, std::abs(moved[i]));
   }
@@ -229,15 +230,15 @@ void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vect
   // The forces that the held points would cause if the body were linear, by a small part of their motion: strains of
   // 1e-6 keep both nonlinear terms and round-off near 1e-6 of them.
   const double part = 1e-6 * model.discretization().shortestBond / largest;
-  std::copy(start.begin(), start.end(), displacement);
+  std::copy(start, start + n, displacement);
   evaluate(simulation, dt, externalForce);
   const std::vector<double> atStart = residual_;
-  for (std::size_t i = 0; i < start.size(); ++i) displacement[i] = start[i] + part * moved[i];
+  for (std::size_t i = 0; i < n; ++i) displacement[i] = start[i] + part * moved[i];
   evaluate(simulation, dt, externalForce);
-  for (std::size_t i = 0; i < start.size(); ++i) residual_[i] = atStart[i] + (residual_[i] - atStart[i]) / part;
+  for (std::size_t i = 0; i < n; ++i) residual_[i] = atStart[i] + (residual_[i] - atStart[i]) / part;
   const LinearSolveReport report = solveLinear(simulation, 1e-5);
   const bool isUseful = report.relativeResidual < 0.5;
-  for (std::size_t i = 0; i < start.size(); ++i)
+  for (std::size_t i = 0; i < n; ++i)
     displacement[i] = start[i] + moved[i] + (isUseful && !isHeld_[i] ? step_[i] : 0.0);
 }
 

@@ -48,8 +48,7 @@ class Newton {
 
   /// A first guess for held displacements that have moved from `start` [3 nOwned] to their present values: the free
   /// ones follow as the tangent says. (Newton's method itself would start from a body distorted along its held points.)
-  void followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce,
-                        const std::vector<double>& start);
+  void followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce);
 
   /// From the present displacements. `externalForce` [3 nOwned], N/m3. `largestScale`: of all load steps so far, so
   /// that a body that has broken apart and carries nothing can be in equilibrium too.

@@ -156,17 +156,17 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
 }
 
 void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, int nHalvings) {
-  double* displacement = simulation.model.field("Displacement");
-  const std::vector<double> start(displacement, displacement + held_.isHeld.size());
-  const auto goBack = [&] {
-    std::copy(start.begin(), start.end(), displacement);
-    newton_.dropTangent();
-    newton_.prepareTangent(simulation, dt);
-    lastLength_ = 0.0;
-  };
+  Model& model = simulation.model;
+  model.beginStep();
   const auto load = [&] {
     simulation.conditions.applyPrescribed(t + dt);
     externalForce(simulation, t + dt, externalForce_);
+  };
+  const auto goBack = [&] {
+    model.takeBackStep();
+    newton_.dropTangent();
+    newton_.prepareTangent(simulation, dt);
+    lastLength_ = 0.0;
   };
   bool isThere = false;
   if (lastLength_ > 0.0) {
@@ -177,7 +177,7 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
   }
   if (!isThere) {
     load();
-    newton_.followHeldPoints(simulation, dt, externalForce_, start);
+    newton_.followHeldPoints(simulation, dt, externalForce_);
     isThere = reachEquilibrium(simulation, dt);
   }
   if (!isThere) {
@@ -188,14 +188,17 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
     advanceInParts(simulation, t + 0.5 * dt, 0.5 * dt, nHalvings + 1);
     return;
   }
-  double* increment = simulation.model.field(incrementField);
-  for (std::size_t i = 0; i < start.size(); ++i) increment[i] = displacement[i] - start[i];
+  const double *displacement = model.field("Displacement"), *start = model.fieldAtN("Displacement");
+  double* increment = model.field(incrementField);
+  for (std::size_t i = 0; i < held_.isHeld.size(); ++i) increment[i] = displacement[i] - start[i];
   lastLength_ = dt;
   breakBonds(simulation, t, dt);
+  model.acceptStep(t + dt, dt);
 }
 
 void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
+  simulation.model.fieldAtN("Displacement");  // kept from now on: where each part of the load step starts
   if (!supports_) {
     supports_ = std::make_unique<Supports>(simulation.model);
     findSupports(simulation);

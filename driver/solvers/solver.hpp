@@ -29,7 +29,8 @@ class Solver {
   virtual double incrementEnd(int increment, int nIncrements, double t0, double t1) const {
     return t0 + (t1 - t0) * increment / nIncrements;
   }
-  /// Advances all fields from t to t + dt. Throws RunError where it cannot.
+  /// Advances all fields from t to t + dt, in one step or several, each of which it accepts (Model::acceptStep). Throws
+  /// RunError where it cannot.
   virtual void advance(Simulation&, double t, double dt) = 0;
   /// Lines for the log at the end of the run ("critical time step 1.2e-8 s, used 0.85 of it").
   virtual std::vector<std::string> summary() const { return {}; }

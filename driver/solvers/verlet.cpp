@@ -50,6 +50,7 @@ void Verlet::setRestartState(const std::vector<double>& state) {
   step_ = static_cast<int>(state.at(0));
   criticalStep_ = state.at(1);
   forceIsCurrent_ = false;
+  damageIsCurrent_ = true;
 }
 
 void Verlet::estimateCriticalStep(Simulation& simulation) {
@@ -119,7 +120,8 @@ void Verlet::updateMasses(Simulation& simulation) {
 void Verlet::evaluateForce(Simulation& simulation, double t, double dt) {
   Model& model = simulation.model;
   model.updateCoordinates();
-  if (model.hasDamage()) model.evaluateDamage(dt);
+  if (model.hasDamage() && !damageIsCurrent_) model.evaluateDamage(dt);
+  damageIsCurrent_ = false;
   model.evaluateForce(dt);
   externalForce(simulation, t, externalForce_);
 }
@@ -154,6 +156,7 @@ void Verlet::advance(Simulation& simulation, double t, double dt) {
       if (inverseDensity_[i] > 0.0)
         velocity[i] = shrink * (velocity[i] + 0.5 * dt * (force[i] + externalForce_[i]) * inverseDensity_[i]);
   }
+  model.acceptStep(t + dt, dt);
 }
 
 std::vector<std::string> Verlet::summary() const {

@@ -39,6 +39,7 @@ class Verlet : public Solver {
   std::string warning_;  ///< of a body that is unstable at the start; empty otherwise
   int step_ = 0;
   bool forceIsCurrent_ = false;
+  bool damageIsCurrent_ = false;        ///< that of the end of the last step, from a checkpoint
   std::vector<double> inverseDensity_;  ///< [3 nOwned] 0 where held
   std::vector<double> externalForce_;   ///< [3 nOwned]
 };

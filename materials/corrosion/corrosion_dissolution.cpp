@@ -7,8 +7,6 @@
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "diffusion_kernel.hpp"
-#include "field_names.hpp"
-#include "field_views.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -59,53 +57,11 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, 
       saturation_(params.get<double>("Saturation Concentration")),
       chargeNumber_(params.get<double>("Charge Number")),
       phases_(params, saturation_, owner),
-      acidity_(params, saturation_, owner) {
-  FieldManager& fields = FieldManager::self();
-  const auto point = [&](const char* label, Field::Temporal temporal = Field::CONSTANT) {
-    return fields.getFieldId(Field::NODE, Field::SCALAR, temporal, label);
-  };
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  concentrationId_ = point("Concentration", Field::TWO_STEP);
-  rateId_ = point(fluxDivergenceField("Concentration").c_str(), Field::TWO_STEP);
-  saltId_ = point("Salt_Coverage");
-  demandId_ = point("Dissolution_Demand");
-  areaId_ = point("Interface_Area_Density");
-  currentId_ = point("Current_Density");
-  dissolutionRateId_ = point("Dissolution_Rate");
-  slopeId_ = point("Dissolution_Rate_Slope");
-  solidId_ = point("Solid_Concentration");
-  saturationId_ = point("Saturation_Concentration");
-  diffusionCorrectionId_ = point("Diffusion_Correction");
-  dissolutionCorrectionId_ = point("Dissolution_Correction");
-  if (acidity_.isGiven()) phId_ = point("pH");
-  if (phases_.count() > 1) blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
-}
+      acidity_(params, saturation_, owner),
+      fields_(acidity_.isGiven(), phases_.count() > 1) {}
 
 double CorrosionDissolution::Density() const {
   throw std::invalid_argument(std::string(owner) + " has no mechanics, which this solver needs");
-}
-
-std::vector<int> CorrosionDissolution::FieldIds() const {
-  std::vector<int> ids = {modelCoordinatesId_,
-                          volumeId_,
-                          concentrationId_,
-                          rateId_,
-                          damageId_,
-                          saltId_,
-                          demandId_,
-                          areaId_,
-                          currentId_,
-                          dissolutionRateId_,
-                          slopeId_,
-                          solidId_,
-                          saturationId_,
-                          diffusionCorrectionId_,
-                          dissolutionCorrectionId_};
-  if (blockId_ >= 0) ids.push_back(blockId_);
-  if (phId_ >= 0) ids.push_back(phId_);
-  return ids;
 }
 
 std::vector<std::string> CorrosionDissolution::runNotes() const {
@@ -120,24 +76,25 @@ struct CorrosionDissolution::Views {
       *dissolutionCorrection, *ph = nullptr;
 
   Views(const CorrosionDissolution& material, DataManager& dataManager) {
-    nPoints = dataManager.getData(material.volumeId_, Field::STEP_NONE)->MyLength();
-    x = view(dataManager, material.modelCoordinatesId_, Field::STEP_NONE);
-    volume = view(dataManager, material.volumeId_, Field::STEP_NONE);
-    concentration = view(dataManager, material.concentrationId_, Field::STEP_NP1);
-    damage = view(dataManager, material.damageId_, Field::STEP_NP1);
-    salt = view(dataManager, material.saltId_, Field::STEP_NONE);
-    demand = view(dataManager, material.demandId_, Field::STEP_NONE);
-    rate = view(dataManager, material.rateId_, Field::STEP_NP1);
-    area = view(dataManager, material.areaId_, Field::STEP_NONE);
-    current = view(dataManager, material.currentId_, Field::STEP_NONE);
-    dissolutionRate = view(dataManager, material.dissolutionRateId_, Field::STEP_NONE);
-    slope = view(dataManager, material.slopeId_, Field::STEP_NONE);
-    solid = view(dataManager, material.solidId_, Field::STEP_NONE);
-    saturation = view(dataManager, material.saturationId_, Field::STEP_NONE);
-    diffusionCorrection = view(dataManager, material.diffusionCorrectionId_, Field::STEP_NONE);
-    dissolutionCorrection = view(dataManager, material.dissolutionCorrectionId_, Field::STEP_NONE);
-    if (material.phId_ >= 0) ph = view(dataManager, material.phId_, Field::STEP_NONE);
-    if (material.blockId_ >= 0) blockId = view(dataManager, material.blockId_, Field::STEP_NONE);
+    const Fields& fields = material.fields_;
+    nPoints = fields.volume.length(dataManager);
+    x = fields.modelCoordinates.of(dataManager);
+    volume = fields.volume.of(dataManager);
+    concentration = fields.concentration.of(dataManager);
+    damage = fields.damage.of(dataManager);
+    salt = fields.salt.of(dataManager);
+    demand = fields.demand.of(dataManager);
+    rate = fields.rate.of(dataManager);
+    area = fields.area.of(dataManager);
+    current = fields.current.of(dataManager);
+    dissolutionRate = fields.dissolutionRate.of(dataManager);
+    slope = fields.slope.of(dataManager);
+    solid = fields.solid.of(dataManager);
+    saturation = fields.saturation.of(dataManager);
+    diffusionCorrection = fields.diffusionCorrection.of(dataManager);
+    dissolutionCorrection = fields.dissolutionCorrection.of(dataManager);
+    ph = fields.ph.ifIn(dataManager);
+    blockId = fields.blockId.ifIn(dataManager);
   }
 };
 

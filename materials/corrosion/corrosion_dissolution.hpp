@@ -17,6 +17,7 @@
 #include "Peridigm_Material.hpp"
 #include "acidity.hpp"
 #include "dissolution_kernel.hpp"
+#include "fields.hpp"
 #include "phase_geometry.hpp"
 #include "point_arrays.hpp"
 #include "run_notes.hpp"
@@ -24,9 +25,42 @@
 
 namespace pd {
 
-class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
+class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, public RunNotes {
  public:
+  struct Fields : FieldTable {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle damage = reads(pd::fields::damage());
+    FieldHandle concentration = reads(pd::fields::diffusingScalar("Concentration"));
+    FieldHandle rate = adds(pd::fields::fluxDivergence("Concentration"));
+    FieldHandle salt = reads(
+        pd::fields::pointScalar("Salt_Coverage", "1", "Share of the surface near a liquid point that salt covers.")
+            .state());
+    FieldHandle demand = reads(pd::fields::pointScalar(
+        "Dissolution_Demand", "mol/(m2 s)", "Flux from the surface that a solver asks for besides the current's."));
+    FieldHandle area = writes(
+        pd::fields::pointScalar("Interface_Area_Density", "1/m", "Surface of metal around a liquid point per volume."));
+    FieldHandle current =
+        writes(pd::fields::pointScalar("Current_Density", "A/m2", "Of the surface near a liquid point."));
+    FieldHandle dissolutionRate =
+        writes(pd::fields::pointScalar("Dissolution_Rate", "mol/(m3 s)", "What a surface without salt gives."));
+    FieldHandle slope =
+        writes(pd::fields::pointScalar("Dissolution_Rate_Slope", "1/s", "Its derivative by the concentration."));
+    FieldHandle solid = writes(pd::fields::solidConcentration());
+    FieldHandle saturation = writes(pd::fields::saturationConcentration());
+    FieldHandle diffusionCorrection =
+        writes(pd::fields::pointScalar("Diffusion_Correction", "1", "Of fluxes near walls."), Ghosts::AfterPrecompute);
+    FieldHandle dissolutionCorrection =
+        writes(pd::fields::pointScalar("Dissolution_Correction", "1", "Of slanting fronts."), Ghosts::AfterPrecompute);
+    FieldHandle ph, blockId;
+    Fields(bool hasAcidity, bool hasPhases) {
+      if (hasAcidity) ph = writes(pd::fields::pointScalar("pH", "1", "Of the electrolyte; no number in the metal."));
+      if (hasPhases) blockId = reads(pd::fields::blockId());
+    }
+  };
+
   static void declareParameters(ParameterDeclarations& declare);
+  static FieldTable describeFields() { return Fields(true, true); }
   explicit CorrosionDissolution(const Teuchos::ParameterList& params);
 
   std::string Name() const override { return "Corrosion Dissolution"; }
@@ -34,9 +68,10 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   double BulkModulus() const override { return 0.0; }
   double ShearModulus() const override { return 0.0; }
   std::vector<std::string> runNotes() const override;
-  std::vector<int> FieldIds() const override;
+  const Fields& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
   std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override {
-    return {diffusionCorrectionId_, dissolutionCorrectionId_};
+    return fields_.ids(Ghosts::AfterPrecompute);
   }
 
   /// Solid is what has more than C_sat.
@@ -86,9 +121,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public RunNotes {
   SolidPhases phases_;
   Acidity acidity_;
   bool breaksBondsAtRandom_ = false;
-  int modelCoordinatesId_, volumeId_, concentrationId_, rateId_, damageId_, saltId_, demandId_, areaId_, currentId_,
-      dissolutionRateId_, slopeId_, solidId_, saturationId_, diffusionCorrectionId_, dissolutionCorrectionId_,
-      blockId_ = -1, phId_ = -1;
+  Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

@@ -12,8 +12,6 @@
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 namespace {
 
@@ -32,24 +30,6 @@ double stretchFrom(const Teuchos::ParameterList& params) {
   return kernels::criticalStretch(section, params.get<double>("Young's Modulus"), params.get<double>("Poisson's Ratio"),
                                   params.get<double>("Fracture Energy"), params.get<double>("Horizon"),
                                   PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
-}
-
-double brokenShare(const double* bondDamage, int count) {
-  kernels::Vector broken = 0.0;
-  int k = 0;
-  for (; k + kernels::lanes <= count; k += kernels::lanes) broken += kernels::load(bondDamage + k);
-  double sum = kernels::stdx::reduce(broken);
-  for (; k < count; ++k) sum += bondDamage[k];
-  return count > 0 ? sum / count : 0.0;
-}
-
-void countBrokenBonds(const Call& call, const double* bondDamage, double* damage) {
-  const int* entry = call.neighborhoodList;
-  for (int p = 0; p < call.nOwned; ++p) {
-    damage[call.ownedIds[p]] = brokenShare(bondDamage, *entry);
-    bondDamage += *entry;
-    entry += *entry + 1;
-  }
 }
 
 /// Do all points lie in one plane of constant z?
@@ -85,52 +65,45 @@ void CriticalStretch::declareCommonParameters(ParameterDeclarations& declare) {
 
 void CriticalStretch::declareParameters(ParameterDeclarations& declare) { declareCommonParameters(declare); }
 
-CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params)
-    : CriticalStretch(completed(params), "damage model Critical Stretch") {}
+CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params) : CriticalStretch(completed(params), Fields()) {}
 
-CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params, const std::string&) : DamageModel(params) {
+CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params, const Fields& fields)
+    : BondDamageModel(params), fields_(fields) {
   law_.stretch = stretchFrom(params);
   if (params.isParameter("Critical Compressive Stretch"))
     law_.compressiveStretch = params.get<double>("Critical Compressive Stretch");
-  FieldManager& fields = FieldManager::self();
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
-  noFailureId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "No_Failure");
 }
 
-std::vector<int> CriticalStretch::FieldIds() const {
-  return {modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_};
-}
-
-void CriticalStretch::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
+void CriticalStretch::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                  const int* neighborhoodList, DataManager& dataManager) const {
   caches_.clear();
-  // Damage of bonds that were cut before the run.
-  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
-  const double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
-  countBrokenBonds({numOwnedPoints, ownedIDs, neighborhoodList}, bondDamage, damage);
+  BondDamageModel::initialize(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
 }
 
-struct CriticalStretch::Fields {
+void CriticalStretch::stepTakenBack() const {
+  caches_.forEach([](Cache& cache) {
+    cache.alive.forget();
+    cache.slack.clear();
+  });
+}
+
+struct CriticalStretch::Views {
   int nPoints;
   kernels::StretchFields stretch;
 };
 
-bool CriticalStretch::findChunksToTest(const Cache& cache, const Fields& fields,
-                                       std::vector<std::size_t>& chunks) const {
+bool CriticalStretch::findChunksToTest(const Cache& cache, const Views& views, std::vector<std::size_t>& chunks) const {
   if (cache.slack.empty() || !std::isfinite(law_.steepest())) return false;
   double moved2 = 0.0, changed = 0.0;
-  for (int i = 0; i < fields.nPoints; ++i) {
+  for (int i = 0; i < views.nPoints; ++i) {
     double distance2 = 0.0;
-    for (int d = 0; d < fields.stretch.dimension; ++d) {
-      const double step = fields.stretch.current[d][i] - cache.testedPositions[d][i];
+    for (int d = 0; d < views.stretch.dimension; ++d) {
+      const double step = views.stretch.current[d][i] - cache.testedPositions[d][i];
       distance2 += step * step;
     }
     moved2 = std::max(moved2, distance2);
   }
-  for (int i = 0; fields.stretch.coverage != nullptr && i < fields.nPoints; ++i)
+  for (int i = 0; views.stretch.coverage != nullptr && i < views.nPoints; ++i)
     changed = std::max(changed, std::abs(cache.coverage[0][i] - cache.testedCoverage[0][i]));
   // The last term is round-off of coordinates.
   const double reach = 2.0 * std::sqrt(moved2) + law_.steepest() * changed * cache.longestBond;
@@ -145,23 +118,8 @@ bool CriticalStretch::findChunksToTest(const Cache& cache, const Fields& fields,
   return true;
 }
 
-void CriticalStretch::computeDamage(const double, const int numOwnedPoints, const int* ownedIDs,
-                                    const int* neighborhoodList, DataManager& dataManager) const {
-  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
-  const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
-  const double* y = view(dataManager, coordinatesId_, Field::STEP_NP1);
-  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
-  double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
-  const double* oldBondDamage = view(dataManager, bondDamageId_, Field::STEP_N);
-  // A host may keep N and NP1 apart and swap them: then nothing at NP1 is of the last call.
-  const bool isSwapped = bondDamage != oldBondDamage;
-  if (isSwapped)
-    std::copy(oldBondDamage, oldBondDamage + dataManager.getData(bondDamageId_, Field::STEP_N)->MyLength(), bondDamage);
-  const double* noFailure =
-      dataManager.hasData(noFailureId_, Field::STEP_NONE) ? view(dataManager, noFailureId_, Field::STEP_NONE) : nullptr;
-
-  const int nPoints = dataManager.getData(damageId_, Field::STEP_NP1)->MyLength();
-  Cache& cache = caches_.of(call, x, [&](const Call& c) {
+CriticalStretch::Cache& CriticalStretch::cacheOf(const Call& call, const double* x, int nPoints) const {
+  return caches_.of(call, x, [&](const Call& c) {
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     made.alive = kernels::AliveBonds(made.neighborhood);
@@ -175,23 +133,34 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
     made.reference2 = kernels::BondConstants(made.neighborhood, 1, squareOf, kernels::BondConstants::Keep::OnlyUniform);
     return made;
   });
+}
+
+void CriticalStretch::worsen(double, const Call& call, DataManager& dataManager) const {
+  const double* x = fields_.modelCoordinates.of(dataManager);
+  const double* y = fields_.coordinates.of(dataManager);
+  double* damage = fields_.damage.of(dataManager);
+  double* bondDamage = fields_.bondDamage.of(dataManager);
+  const double* noFailure = fields_.noFailure.ifIn(dataManager);
+  const int nPoints = fields_.damage.length(dataManager);
+  Cache& cache = cacheOf(call, x, nPoints);
   const kernels::ChunkedNeighborhood& neighborhood = cache.neighborhood;
-  cache.alive.refresh(neighborhood, bondDamage, isSwapped ? nullptr : damage);
+  cache.alive.refresh(neighborhood, bondDamage,
+                      damageViews(dataManager, fields_.bondDamage.id(), fields_.damage.id()).damage);
   const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
   cache.current.separate(y, nPoints, dimension);
   const bool hasCoverage = coverage(dataManager, cache.coverage);
-  const Fields fields{
+  const Views views{
       nPoints, {dimension, cache.reference2, cache.reference, cache.current, hasCoverage ? &cache.coverage : nullptr}};
 
   std::vector<std::size_t> chunks;
-  const bool testsSome = findChunksToTest(cache, fields, chunks);
+  const bool testsSome = findChunksToTest(cache, views, chunks);
   struct Changed {
     const kernels::Chunk* chunk;
     unsigned lanes;  ///< bits
   };
   std::vector<Changed> changed;
   kernels::findOverstretchedBonds(
-      neighborhood, cache.alive, fields.stretch, law_,
+      neighborhood, cache.alive, views.stretch, law_,
       [&](const kernels::Chunk& chunk, int k, unsigned char over) {
         for (int lane = 0; lane < chunk.nLanes; ++lane) {
           if (((over >> lane) & 1u) == 0) continue;
@@ -208,15 +177,11 @@ void CriticalStretch::computeDamage(const double, const int numOwnedPoints, cons
     std::swap(cache.testedPositions, cache.current);
     if (hasCoverage) std::swap(cache.testedCoverage, cache.coverage);
   }
-  if (isSwapped) {
-    countBrokenBonds(call, bondDamage, damage);
-    return;
-  }
   for (const auto& [chunk, lanes] : changed)
     for (int lane = 0; lane < kernels::lanes; ++lane) {
       if (((lanes >> lane) & 1u) == 0) continue;
       const double* bonds = bondDamage + neighborhood.firstBond(*chunk, lane);
-      const double share = brokenShare(bonds, neighborhood.nNeighbors(*chunk, lane));
+      const double share = shareOfBroken(bonds, neighborhood.nNeighbors(*chunk, lane));
       damage[neighborhood.pointIds(*chunk)[lane]] = share;
       cache.alive.markSeen(*chunk, lane, share);
     }

@@ -5,32 +5,42 @@
 #include <string>
 #include <vector>
 
-#include "Peridigm_DamageModel.hpp"
 #include "alive_bonds.hpp"
-#include "neighborhood_cache.hpp"
+#include "bond_damage_model.hpp"
 #include "parameters.hpp"
 #include "point_arrays.hpp"
+#include "step_listener.hpp"
 #include "stretch_kernel.hpp"
 
 namespace pd {
 
 /// A bond breaks for good when its stretch exceeds the critical one; bonds of points in No_Failure never do.
 /// Damage of a point = broken bonds / bonds (as Peridigm counts).
-class CriticalStretch : public PeridigmNS::DamageModel {
+class CriticalStretch : public BondDamageModel, public StepListener {
  public:
+  struct Fields : BondDamageModel::Fields {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle coordinates = reads(pd::fields::coordinates());
+    FieldHandle concentration;  ///< of the hydrogen, in models that know it
+    /// `concentrationField`: empty where the model has none.
+    explicit Fields(const std::string& concentrationField = "") {
+      if (!concentrationField.empty()) concentration = reads(pd::fields::diffusingScalar(concentrationField));
+    }
+  };
+
   static void declareParameters(ParameterDeclarations& declare);
   explicit CriticalStretch(const Teuchos::ParameterList& params);
 
   std::string Name() const override { return "Critical Stretch"; }
-  std::vector<int> FieldIds() const override;
+  const Fields& fields() const override { return fields_; }
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   PeridigmNS::DataManager& dataManager) const override;
-  void computeDamage(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
-                     PeridigmNS::DataManager& dataManager) const override;
+  void worsen(double dt, const Call& call, PeridigmNS::DataManager& dataManager) const override;
+  void stepTakenBack() const override;
 
  protected:
   /// For derived models: `params` completed with their own declarations.
-  CriticalStretch(const Teuchos::ParameterList& params, const std::string& owner);
+  CriticalStretch(const Teuchos::ParameterList& params, const Fields& fields);
   /// Parameters that give the critical stretch without hydrogen and the bounds.
   static void declareCommonParameters(ParameterDeclarations& declare);
   /// psi in [0, 1] of all local points, or false where the model has none.
@@ -50,14 +60,15 @@ class CriticalStretch : public PeridigmNS::DamageModel {
     std::vector<double> slack;
     kernels::PointArrays testedPositions, testedCoverage;
   };
-  struct Fields;
+  struct Views;
 
+  Cache& cacheOf(const Call& call, const double* x, int nPoints) const;
   /// Chunks with a bond that may have reached its limit since all were tested: a bond cannot have grown by more than
   /// twice the largest displacement since, nor its critical stretch have fallen by more than the largest change of
   /// coverage allows. Returns false where testing all again pays.
-  bool findChunksToTest(const Cache& cache, const Fields& fields, std::vector<std::size_t>& chunks) const;
+  bool findChunksToTest(const Cache& cache, const Views& views, std::vector<std::size_t>& chunks) const;
 
-  int modelCoordinatesId_, coordinatesId_, damageId_, bondDamageId_, noFailureId_;
+  Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

@@ -4,17 +4,14 @@
 #include <optional>
 
 #include "Peridigm_DamageModel.hpp"
-#include "Peridigm_DataManager.hpp"
-#include "Peridigm_Field.hpp"
-#include "field_views.hpp"
+#include "fields.hpp"
 #include "plugins.hpp"
 #include "random_bond_breaking.hpp"
+#include "step_listener.hpp"
 
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 namespace {
 
@@ -32,8 +29,21 @@ double expectedDamage(double concentration, double solid, double saturation) {
 /// Damage is the expected d_c = (C_solid - C)/(C_solid - C_sat), or the share of bonds that break at random in
 /// accordance with it; and 1 (liquid, for good) from C_sat on. Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta
 /// 401 (2022) 139512, eqs. 3 to 5 and 10.
-class Dissolution : public PeridigmNS::DamageModel {
+class Dissolution : public PeridigmNS::DamageModel, public FieldUser, public StepListener {
  public:
+  struct Fields : FieldTable {
+    FieldHandle damage = worsens(pd::fields::damage());
+    FieldHandle concentration, solid, saturation;
+    /// `bonds`: null without random bonds, which look at both of their ends.
+    explicit Fields(const RandomBondBreaking* bonds) {
+      const Ghosts ghosts = bonds != nullptr ? Ghosts::AfterInitialize : Ghosts::None;
+      concentration = reads(pd::fields::diffusingScalar("Concentration"), ghosts);
+      solid = reads(pd::fields::solidConcentration(), ghosts);
+      saturation = reads(pd::fields::saturationConcentration(), ghosts);
+      if (bonds != nullptr) include(bonds->fields());
+    }
+  };
+
   static void declareParameters(ParameterDeclarations& declare) {
     declare.text("Damage Model", "Name of this model.");
     declare
@@ -49,39 +59,33 @@ class Dissolution : public PeridigmNS::DamageModel {
         .atLeast(0);
   }
 
-  explicit Dissolution(const Teuchos::ParameterList& given) : DamageModel(given) {
-    const Teuchos::ParameterList params = completed(given);
-    if (params.get<std::string>("Rule") == "Stochastic")
-      bonds_.emplace(static_cast<std::uint32_t>(params.get<int>("Random Seed")));
-    FieldManager& fields = FieldManager::self();
-    damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-    concentrationId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP, "Concentration");
-    solidId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Solid_Concentration");
-    saturationId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Saturation_Concentration");
+  explicit Dissolution(const Teuchos::ParameterList& given)
+      : DamageModel(given), bonds_(bondsOf(completed(given))), fields_(bonds_ ? &*bonds_ : nullptr) {}
+
+  static FieldTable describeFields() {
+    const RandomBondBreaking bonds(0);
+    return Fields(&bonds);
   }
+
   std::string Name() const override { return "Dissolution"; }
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = {damageId_, concentrationId_, solidId_, saturationId_};
-    if (bonds_) {
-      const std::vector<int> more = bonds_->fieldIds();
-      ids.insert(ids.end(), more.begin(), more.end());
-    }
-    return ids;
-  }
-  /// A bond looks at both of its ends.
+  const Fields& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
   std::vector<int> FieldIdsForSynchronizationAfterInitialize() const override {
-    return bonds_ ? std::vector<int>{concentrationId_, solidId_, saturationId_} : std::vector<int>{};
+    return fields_.ids(Ghosts::AfterInitialize);
   }
 
   void initialize(const double, const int, const int*, const int*, DataManager&) const override {
     if (bonds_) bonds_->forget();
   }
+  void stepTakenBack() const override {
+    if (bonds_) bonds_->lookAtAllAgain();
+  }
   void computeDamage(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                      DataManager& dataManager) const override {
-    double* damage = view(dataManager, damageId_, Field::STEP_NP1);
-    const double* concentration = view(dataManager, concentrationId_, Field::STEP_NP1);
-    const double* solid = view(dataManager, solidId_, Field::STEP_NONE);
-    const double* saturation = view(dataManager, saturationId_, Field::STEP_NONE);
+    double* damage = fields_.damage.of(dataManager);
+    const double* concentration = fields_.concentration.of(dataManager);
+    const double* solid = fields_.solid.of(dataManager);
+    const double* saturation = fields_.saturation.of(dataManager);
     const auto expected = [&](int i) {
       return damage[i] >= 1.0 ? 1.0 : expectedDamage(concentration[i], solid[i], saturation[i]);
     };
@@ -89,15 +93,20 @@ class Dissolution : public PeridigmNS::DamageModel {
       for (int p = 0; p < numOwnedPoints; ++p) damage[ownedIDs[p]] = expected(ownedIDs[p]);
       return;
     }
-    const int nPoints = dataManager.getData(damageId_, Field::STEP_NP1)->MyLength();
+    const int nPoints = fields_.damage.length(dataManager);
     std::vector<double> ofAll(static_cast<std::size_t>(nPoints));
     for (int i = 0; i < nPoints; ++i) ofAll[static_cast<std::size_t>(i)] = expected(i);
     bonds_->update({numOwnedPoints, ownedIDs, neighborhoodList}, ofAll, dataManager);
   }
 
  private:
-  int damageId_, concentrationId_, solidId_, saturationId_;
+  static std::optional<RandomBondBreaking> bondsOf(const Teuchos::ParameterList& params) {
+    if (params.get<std::string>("Rule") != "Stochastic") return std::nullopt;
+    return RandomBondBreaking(static_cast<std::uint32_t>(params.get<int>("Random Seed")));
+  }
+
   std::optional<RandomBondBreaking> bonds_;
+  Fields fields_;
 };
 
 namespace {

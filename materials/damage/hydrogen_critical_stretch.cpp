@@ -9,7 +9,6 @@
 namespace pd {
 
 using PeridigmNS::DataManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 namespace {
 
@@ -40,7 +39,7 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
   explicit HydrogenCriticalStretch(const Teuchos::ParameterList& given)
-      : CriticalStretch(completed(given), "damage model Hydrogen Critical Stretch") {
+      : CriticalStretch(completed(given), Fields(completed(given).get<std::string>("Concentration Field"))) {
     const Teuchos::ParameterList params = completed(given);
     saturation_ = params.get<double>("Saturation Concentration");
     const std::string law = params.get<std::string>("Degradation Law");
@@ -52,23 +51,16 @@ class HydrogenCriticalStretch : public CriticalStretch {
           "damage model Hydrogen Critical Stretch: \"Polynomial\" and \"Degradation Law: "
           "Polynomial\" go together");
     if (isPolynomial) setPolynomial(params.get<Teuchos::Array<double>>("Polynomial"));
-    concentrationId_ = PeridigmNS::FieldManager::self().getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP,
-                                                                   params.get<std::string>("Concentration Field"));
   }
 
+  static FieldTable describeFields() { return Fields("Concentration"); }
+
   std::string Name() const override { return "Hydrogen Critical Stretch"; }
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = CriticalStretch::FieldIds();
-    ids.push_back(concentrationId_);
-    return ids;
-  }
 
  protected:
   bool coverage(DataManager& dataManager, kernels::PointArrays& psi) const override {
-    const auto field = dataManager.getData(concentrationId_, Field::STEP_NP1);
-    double* concentration = nullptr;
-    field->ExtractView(&concentration);
-    const int nPoints = field->MyLength();
+    const double* concentration = fields().concentration.of(dataManager);
+    const int nPoints = fields().concentration.length(dataManager);
     psi.copy(concentration, nPoints);
     for (int i = 0; i < nPoints; ++i) psi[0][i] = std::clamp(concentration[i] / saturation_, 0.0, 1.0);
     return true;
@@ -88,7 +80,6 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
   double saturation_ = 1.0;
-  int concentrationId_ = -1;
 };
 
 PD_REGISTER_DAMAGE_MODEL(HydrogenCriticalStretch, "Hydrogen Critical Stretch",

@@ -4,21 +4,10 @@
 #include <limits>
 
 #include "bond_thresholds.hpp"
-#include "field_views.hpp"
 
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
-
-RandomBondBreaking::RandomBondBreaking(std::uint32_t seed) : seed_(seed) {
-  FieldManager& fields = FieldManager::self();
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
-  looseId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Loose");
-}
 
 RandomBondBreaking::Cache RandomBondBreaking::makeCache(const Call& call, std::size_t nPoints) {
   Cache made;
@@ -68,17 +57,22 @@ std::vector<int> RandomBondBreaking::pointsToVisit(const Call& call, const std::
   return marked;
 }
 
+void RandomBondBreaking::lookAtAllAgain() const {
+  caches_.forEach(
+      [](Cache& cache) { cache.seenDamage.assign(cache.seenDamage.size(), std::numeric_limits<double>::quiet_NaN()); });
+}
+
 void RandomBondBreaking::update(const Call& call, const std::vector<double>& expected, DataManager& dataManager) const {
-  double* damage = view(dataManager, damageId_, Field::STEP_NP1);
-  double* loose = view(dataManager, looseId_, Field::STEP_NONE);
-  double* bondDamage = view(dataManager, bondDamageId_, Field::STEP_NP1);
-  const double* oldBondDamage = view(dataManager, bondDamageId_, Field::STEP_N);
+  double* damage = fields_.damage.of(dataManager);
+  double* loose = fields_.loose.of(dataManager);
+  double* bondDamage = fields_.bondDamage.of(dataManager);
+  const double* oldBondDamage = fields_.bondDamage.before(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
-  Cache& cache = caches_.of(call, view(dataManager, modelCoordinatesId_, Field::STEP_NONE),
+  Cache& cache = caches_.of(call, fields_.modelCoordinates.of(dataManager),
                             [&](const Call& c) { return makeCache(c, expected.size()); });
   if (bondDamage != oldBondDamage) {
     // This host keeps N and NP1 apart and swaps them: then nothing at NP1 is of the last call.
-    std::copy(oldBondDamage, oldBondDamage + dataManager.getData(bondDamageId_, Field::STEP_N)->MyLength(), bondDamage);
+    std::copy(oldBondDamage, oldBondDamage + fields_.bondDamage.length(dataManager), bondDamage);
     cache.seenDamage.assign(cache.seenDamage.size(), std::numeric_limits<double>::quiet_NaN());
   }
   for (const int p : pointsToVisit(call, expected, damage, cache)) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "Peridigm_DataManager.hpp"
+#include "fields.hpp"
 #include "neighborhood_cache.hpp"
 
 namespace pd {
@@ -23,9 +23,19 @@ constexpr double mostDamagedSolid = 1.0 - 1e-12;
 /// threshold above d_c. But what breaks no longer depends on how d_c came there: on steps, on repeated ones, on ranks.
 class RandomBondBreaking {
  public:
-  explicit RandomBondBreaking(std::uint32_t seed);
-  std::vector<int> fieldIds() const { return {modelCoordinatesId_, damageId_, bondDamageId_, looseId_}; }
+  struct Fields : FieldTable {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle damage = worsens(pd::fields::damage());
+    FieldHandle bondDamage = worsens(pd::fields::bondDamage());
+    FieldHandle loose =
+        writes(pd::fields::pointScalar("Loose", "1", "1 at solid points that have lost all their bonds.").state());
+  };
+
+  explicit RandomBondBreaking(std::uint32_t seed) : seed_(seed) {}
+  const Fields& fields() const { return fields_; }
   void forget() const { caches_.clear(); }
+  /// Damage was put back: all bonds are looked at again.
+  void lookAtAllAgain() const;
 
   /// Brings Bond_Damage, Damage and Loose at NP1 up to date with `expected`: d_c by local id, ghosts included, 1 of
   /// liquid. Damage is the share of broken bonds, of solid points below 1; Loose is 1 where a solid point has none
@@ -54,7 +64,7 @@ class RandomBondBreaking {
                                         Cache& cache);
 
   std::uint32_t seed_;
-  int modelCoordinatesId_, damageId_, bondDamageId_, looseId_;
+  Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

@@ -38,7 +38,9 @@ DataManager::Slot DataManager::makeSlot(int fieldId) const {
     slot.none = vector;
   } else {
     slot.np1 = vector;
-    if (isBond) slot.n = bondStepsApart_ ? Teuchos::rcp(new FieldVector(*vector)) : vector;
+    const bool isShared =
+        !swapsBondSteps_ && std::find(sharedSteps_.begin(), sharedSteps_.end(), fieldId) != sharedSteps_.end();
+    if (isBond) slot.n = isShared ? vector : Teuchos::rcp(new FieldVector(*vector));
   }
   return slot;
 }
@@ -93,11 +95,36 @@ std::vector<int> DataManager::getFieldIds() {
 }
 
 void DataManager::updateState() {
+  updatePointState();
+  updateBondState();
+}
+
+void DataManager::updatePointState() {
   for (auto& entry : *pointData_)
     if (!entry.second.n.is_null()) *entry.second.n = *entry.second.np1;
-  if (!bondStepsApart_) return;
-  for (auto& entry : ownData_)
-    if (entry.second.spec.relation == PeridigmField::BOND) std::swap(entry.second.n, entry.second.np1);
+}
+
+void DataManager::updateBondState() {
+  for (auto& entry : ownData_) {
+    Slot& slot = entry.second;
+    if (slot.spec.relation != PeridigmField::BOND || slot.n == slot.np1) continue;
+    if (swapsBondSteps_)
+      std::swap(slot.n, slot.np1);
+    else
+      *slot.n = *slot.np1;
+  }
+}
+
+void DataManager::restoreBondState() {
+  for (auto& entry : ownData_) {
+    Slot& slot = entry.second;
+    if (slot.spec.relation == PeridigmField::BOND && slot.n != slot.np1) *slot.np1 = *slot.n;
+  }
+}
+
+void DataManager::restorePointState(int fieldId) {
+  const Slot* slot = find(fieldId);
+  if (slot != nullptr && !slot->n.is_null()) *slot->np1 = *slot->n;
 }
 
 std::size_t DataManager::bondBytes() const {
@@ -105,7 +132,8 @@ std::size_t DataManager::bondBytes() const {
   for (const auto& entry : ownData_) {
     const Slot& slot = entry.second;
     if (slot.spec.relation != PeridigmField::BOND) continue;
-    doubles += static_cast<std::size_t>((slot.none.is_null() ? slot.np1 : slot.none)->MyLength());
+    const auto length = static_cast<std::size_t>((slot.none.is_null() ? slot.np1 : slot.none)->MyLength());
+    doubles += slot.none.is_null() && slot.n != slot.np1 ? 2 * length : length;
   }
   return doubles * sizeof(double);
 }

@@ -52,9 +52,7 @@ class PointMap {
 
 /// The fields of a set of points at the steps N, NP1 and NONE. Several DataManagers (one a block) may share
 /// their point fields; bond fields are always a block's own.
-/// A two-step *bond* field is stored once: STEP_N and STEP_NP1 are the same vector, since bond state only
-/// ever depends on the bond's own old value. A plug-in that copies N to NP1 before it updates is right in both
-/// storages.
+/// NP1 follows from N: updateState() alone makes NP1 to N.
 class DataManager {
  public:
   DataManager() = default;
@@ -62,9 +60,13 @@ class DataManager {
   /// Sizes and numbering. `numBonds`: length of the block's bond data.
   void setMaps(Teuchos::RCP<const PointMap> ownedPoints, Teuchos::RCP<const PointMap> overlapPoints, int numBonds);
 
-  /// Stores STEP_N and STEP_NP1 of two-step bond fields apart and swaps them at the end of a step, as Peridigm does.
-  /// Call it before allocateData().
-  void keepBondStepsApart() { bondStepsApart_ = true; }
+  /// STEP_N and STEP_NP1 of these bond fields are one memory: for values that only ever grow, where all users of the
+  /// block say that they may find the later value at N. Call it before allocateData().
+  void shareSteps(const std::vector<int>& bondFieldIds) { sharedSteps_ = bondFieldIds; }
+
+  /// Swaps STEP_N and STEP_NP1 of bond fields at the end of a step, as Peridigm does, and shares none: NP1 then starts
+  /// as the state of the step before. Call it before allocateData().
+  void swapBondSteps() { swapsBondSteps_ = true; }
 
   /// Allocates the fields that are not there yet, filled with zeros.
   void allocateData(const std::vector<int>& fieldIds);
@@ -87,9 +89,16 @@ class DataManager {
   Teuchos::RCP<const PointMap> getOwnedScalarPointMap() { return ownedPoints_; }
   Teuchos::RCP<const PointMap> getOverlapScalarPointMap() { return overlapPoints_; }
 
-  /// Ends a step: N becomes a copy of NP1, which stays as the first guess of the next step. Only fields that
-  /// somebody has asked for at STEP_N are stored and copied. Blocks that share their point fields: call it once.
+  /// Ends a step: N becomes a copy of NP1, which stays as the first guess of the next step. Of point fields, only those
+  /// that somebody has asked for at STEP_N are stored and copied.
   void updateState();
+  /// The same for point fields alone, which blocks may share, and for bond fields alone, which are the block's own.
+  void updatePointState();
+  void updateBondState();
+  /// A step that is not taken: NP1 becomes a copy of N, of bond fields whose steps are apart.
+  void restoreBondState();
+  /// The same of a point field; nothing where nobody has asked for it at STEP_N.
+  void restorePointState(int fieldId);
 
   /// Bytes held in bond fields.
   std::size_t bondBytes() const;
@@ -106,7 +115,8 @@ class DataManager {
 
   Teuchos::RCP<const PointMap> ownedPoints_, overlapPoints_;
   int numBonds_ = 0;
-  bool bondStepsApart_ = false;
+  std::vector<int> sharedSteps_;  ///< ids of bond fields
+  bool swapsBondSteps_ = false;
   std::shared_ptr<Slots> pointData_ = std::make_shared<Slots>();
   Slots ownData_;  ///< bond fields and private point fields
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #ifdef __BMI2__
 #include <immintrin.h>
 #endif
@@ -66,6 +67,8 @@ AliveBonds::AliveBonds(const ChunkedNeighborhood& neighborhood) {
     seen_.resize(chunk.points + lanes, 0.0);
   }
 }
+
+void AliveBonds::forget() { std::fill(seen_.begin(), seen_.end(), std::numeric_limits<double>::quiet_NaN()); }
 
 bool AliveBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage) {
   bool isWhole = true;

@@ -20,6 +20,9 @@ class AliveBonds {
   /// is damaged in part (0 < d < 1).
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* bondDamage, const double* damage);
 
+  /// The next refresh() reads every bond.
+  void forget();
+
   /// What a damage model does itself need not be read again: a bond that it breaks, and the Damage of the point then.
   void markBroken(const Chunk& chunk, int k, int lane) {
     unsigned char& bits = of(chunk)[k];

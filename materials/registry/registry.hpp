@@ -8,8 +8,10 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "fields.hpp"
 #include "parameters.hpp"
 
 namespace pd {
@@ -21,7 +23,28 @@ struct Plugin {
   std::string brief;  ///< one sentence, shown by `pdrun --list`
   std::function<ParameterDeclarations()> declare;
   std::function<Teuchos::RCP<Base>(Args...)> create;
+  std::function<FieldTable()> fields;  ///< what it uses, with the default names, for pdrun --explain
 };
+
+template <class Class, class = void>
+constexpr bool describesFields = false;
+template <class Class>
+constexpr bool describesFields<Class, std::void_t<decltype(Class::describeFields())>> = true;
+template <class Class, class = void>
+constexpr bool hasPlainFields = false;
+template <class Class>
+constexpr bool hasPlainFields<Class, std::void_t<decltype(typename Class::Fields())>> = true;
+
+/// The fields of a plug-in class: its static describeFields(), else a default Fields; none where it has neither.
+template <class Class>
+FieldTable fieldsOf() {
+  if constexpr (describesFields<Class>)
+    return Class::describeFields();
+  else if constexpr (hasPlainFields<Class>)
+    return typename Class::Fields();
+  else
+    return {};
+}
 
 /// All plug-ins of one kind, by name.
 template <class Base, class... Args>
@@ -71,16 +94,17 @@ class PluginRegistry {
 
 /// Registers `Class` as "Name" in `Registry`. Class has a static `void declareParameters(pd::ParameterDeclarations&)`
 /// and a constructor with the registry's arguments. Use it once a .cpp, at file scope.
-#define PD_REGISTER(Registry, Class, Name, Brief)                                                                   \
-  namespace {                                                                                                       \
-  const bool isRegistered_##Class =                                                                                 \
-      Registry::self().add({Name, Brief,                                                                            \
-                            [] {                                                                                    \
-                              pd::ParameterDeclarations declarations;                                               \
-                              Class::declareParameters(declarations);                                               \
-                              return declarations;                                                                  \
-                            },                                                                                      \
-                            [](auto&&... args) -> Registry::Created { return Teuchos::rcp(new Class(args...)); }}); \
+#define PD_REGISTER(Registry, Class, Name, Brief)                                                                 \
+  namespace {                                                                                                     \
+  const bool isRegistered_##Class =                                                                               \
+      Registry::self().add({Name, Brief,                                                                          \
+                            [] {                                                                                  \
+                              pd::ParameterDeclarations declarations;                                             \
+                              Class::declareParameters(declarations);                                             \
+                              return declarations;                                                                \
+                            },                                                                                    \
+                            [](auto&&... args) -> Registry::Created { return Teuchos::rcp(new Class(args...)); }, \
+                            [] { return pd::fieldsOf<Class>(); }});                                               \
   }
 
 #endif

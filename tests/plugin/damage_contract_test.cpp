@@ -104,9 +104,9 @@ TEST_P(DamageContract, InitializeInTheMiddleOfARunKeepsTheState) {
 // Verlet in Peridigm makes every damage model anew in each step: its only memory is fields.
 TEST_P(DamageContract, HasNoMemoryButFields) {
   const std::vector<DamageState> expected = history({});
-  for (const bool areApart : {false, true}) {
+  for (const BondSteps steps : {BondSteps::Shared, BondSteps::Copied, BondSteps::Swapped}) {
     Layout layout;
-    layout.bondStepsAreApart = areApart;
+    layout.bondSteps = steps;
     DamageRun run(GetParam(), layout);
     for (int k = 1; k <= nSteps; ++k) {
       run.recreate();
@@ -144,9 +144,11 @@ TEST_P(DamageContract, NotesFromEarlierStepsAreNotSeen) {
 TEST_P(DamageContract, BondStorageMakesNoDifference) {
   const std::vector<DamageState> expected = history({});
   Layout layout;
-  layout.bondStepsAreApart = true;
-  const std::vector<DamageState> apart = history(layout);
-  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_TRUE(apart[k] == expected[k]) << "step " << k + 1;
+  for (const BondSteps steps : {BondSteps::Copied, BondSteps::Swapped}) {
+    layout.bondSteps = steps;
+    const std::vector<DamageState> apart = history(layout);
+    for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_TRUE(apart[k] == expected[k]) << "step " << k + 1;
+  }
 }
 
 TEST_P(DamageContract, BlocksAndRanksMakeNoDifference) {
@@ -164,9 +166,9 @@ TEST_P(DamageContract, BlocksAndRanksMakeNoDifference) {
 }
 
 TEST_P(DamageContract, EvaluatingTwiceIsEvaluatingOnce) {
-  for (const bool areApart : {false, true}) {
+  for (const BondSteps steps : {BondSteps::Shared, BondSteps::Copied, BondSteps::Swapped}) {
     Layout layout;
-    layout.bondStepsAreApart = areApart;
+    layout.bondSteps = steps;
     const DamageState expected = history({}).front();
     DamageRun run(GetParam(), layout);
     run.evaluate(motionOf(1), 3);

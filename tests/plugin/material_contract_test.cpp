@@ -83,8 +83,10 @@ TEST_P(MaterialContract, BondStorageMakesNoDifference) {
   Layout layout;
   layout.isDamaged = true;
   const Results aliased = MaterialRun(GetParam(), layout).evaluate();
-  layout.bondStepsAreApart = true;
-  EXPECT_EQ(relativeDifference(aliased, MaterialRun(GetParam(), layout).evaluate()), 0.0);
+  for (const BondSteps steps : {BondSteps::Copied, BondSteps::Swapped}) {
+    layout.bondSteps = steps;
+    EXPECT_EQ(relativeDifference(aliased, MaterialRun(GetParam(), layout).evaluate()), 0.0);
+  }
 }
 
 // Peridigm's finite-difference tangent calls a material with the neighbourhood of one point after the other, in a

@@ -42,9 +42,13 @@ std::unique_ptr<SmallBody> bareBody(const Scene& scene, const Layout& layout, in
   options.horizon = scene.reach;
   options.volumes = scene.volumes;
   options.isBare = true;
-  options.bondStepsAreApart = layout.bondStepsAreApart;
-  options.blockOf = [n = layout.nBlocks](int id) { return 1 + id % n; };
-  options.isOwned = [rank, n = layout.nRanks](int id) { return (id / 3) % n == rank; };
+  options.bondSteps = layout.bondSteps;
+  const auto dealt = [salt = layout.salt](int id, int n, int which) {
+    return salt == 0 ? (which == 0 ? id : id / 3) % n
+                     : std::min(n - 1, static_cast<int>(n * 0.5 * (1.0 + noise(id, salt + which))));
+  };
+  options.blockOf = [dealt, n = layout.nBlocks](int id) { return 1 + dealt(id, n, 0); };
+  options.isOwned = [dealt, rank, n = layout.nRanks](int id) { return dealt(id, n, 1) == rank; };
   return std::make_unique<SmallBody>(scene.points, options);
 }
 

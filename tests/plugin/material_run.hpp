@@ -29,7 +29,8 @@ struct Layout {
   int nRanks = 1;   ///< points are dealt out one by one
   int nBlocks = 1;  ///< points of even and odd columns
   bool isDamaged = false;
-  bool bondStepsAreApart = false;
+  BondSteps bondSteps = BondSteps::Shared;
+  int salt = 0;  ///< not 0: points are dealt out at random
 };
 
 class MaterialRun {

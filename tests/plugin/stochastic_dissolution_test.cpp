@@ -181,9 +181,9 @@ TEST(StochasticDissolution, HistoryMakesNoDifference) {
 
 TEST(StochasticDissolution, HasNoMemoryButFields) {
   const std::vector<DamageState> expected = history({});
-  for (const bool areApart : {false, true}) {
+  for (const BondSteps steps : {BondSteps::Shared, BondSteps::Copied, BondSteps::Swapped}) {
     Layout layout;
-    layout.bondStepsAreApart = areApart;
+    layout.bondSteps = steps;
     for (const bool recreates : {false, true}) {
       const std::vector<DamageState> found = history(layout, recreates);
       for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_TRUE(found[k] == expected[k]) << "step " << k + 1;

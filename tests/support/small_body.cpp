@@ -67,7 +67,10 @@ SmallBody::SmallBody(const std::vector<Point>& points, BodyOptions options)
     block.setNeighborhoodData(Teuchos::rcp(new NeighborhoodData(ownedIds, list)));
     block.setDataManager(Teuchos::rcp(new DataManager));
     block.getDataManager()->setMaps(ownedMap, overlapMap, nBonds);
-    if (options.bondStepsAreApart) block.getDataManager()->keepBondStepsApart();
+    if (options.bondSteps == BondSteps::Swapped) block.getDataManager()->swapBondSteps();
+    if (options.bondSteps == BondSteps::Shared)
+      block.getDataManager()->shareSteps(
+          {fieldId(PeridigmField::BOND, PeridigmField::SCALAR, PeridigmField::TWO_STEP, "Bond_Damage")});
     if (!blocks_->empty()) block.getDataManager()->sharePointData(*blocks_->front().getDataManager());
     blocks_->push_back(block);
   }

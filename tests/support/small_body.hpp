@@ -40,13 +40,17 @@ class SerialComm : public PeridigmNS::Communicator {
 /// Points of a lattice, x fastest; the first is at `origin`.
 std::vector<Point> lattice(int nx, int ny, int nz, double spacing, Point origin = {0.0, 0.0, 0.0});
 
+/// How N and NP1 of Bond_Damage are kept: in one memory, apart and copied at the end of a step as in pdrun of fields that
+/// are not known to grow only, or swapped as in Peridigm.
+enum class BondSteps { Shared, Copied, Swapped };
+
 struct BodyOptions {
   double horizon = 1.0;         ///< longest bond (relative tolerance 1e-10)
   std::vector<double> volumes;  ///< one a point; empty: 1
   std::function<int(int globalId)> blockOf = [](int) { return 1; };
   std::function<bool(int globalId)> isOwned = [](int) { return true; };  ///< the rest are ghosts
-  bool isBare = false;             ///< without any field until allocate() is called
-  bool bondStepsAreApart = false;  ///< DataManager::keepBondStepsApart
+  bool isBare = false;  ///< without any field until allocate() is called
+  BondSteps bondSteps = BondSteps::Shared;
 };
 
 /// Blocks share their point fields, as in the driver. Local numbering: owned points in the order of their global ids,

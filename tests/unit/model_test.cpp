@@ -179,7 +179,7 @@ TEST_F(ModelTest, TwoStepFieldsKeepTheLastStep) {
   EXPECT_EQ(model.fieldAtN("Concentration")[2], 0.0);
   c[2] = 5.0;
   EXPECT_EQ(model.fieldAtN("Concentration")[2], 0.0);
-  model.updateState();
+  model.adoptState();
   EXPECT_EQ(model.fieldAtN("Concentration")[2], 5.0);
   EXPECT_EQ(c[2], 5.0);
 }

@@ -124,7 +124,7 @@ double Corrosion::frontAdvance(Simulation& simulation) const {
   const double* concentration = model.field("Concentration");
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   double largest = 0.0;
-  for (const auto& [i, before, damage] : untouched_)
+  for (const auto& [i, before] : untouched_)
     largest = std::max(largest, (before - concentration[i]) / (solid[i] - saturation[i]));
   return model.comm().max(largest);
 }
@@ -149,8 +149,10 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
 
 void Corrosion::evaluateDamage(Model& model, double h) {
   model.evaluateDamage(h);
-  const double *concentration = model.field("Concentration"), *damage = model.field("Damage");
-  for (const int i : lists_.update(model)) untouched_.push_back({i, concentration[i], damage[i]});
+  const double* concentration = model.field("Concentration");
+  const std::vector<int> reached = lists_.update(model);
+  model.touch(reached);
+  for (const int i : reached) untouched_.push_back({i, concentration[i]});
 }
 
 bool Corrosion::carryOver(Simulation& simulation, double h) {
@@ -205,27 +207,16 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
   return !model.comm().any(owes);
 }
 
-/// Everything as before the step.
-void Corrosion::takeBack(Model& model) {
-  transport_->takeBack(model);
-  double *concentration = model.field("Concentration"), *damage = model.field("Damage");
-  for (const Solid& solid : untouched_) {
-    concentration[solid.point] = solid.concentration;
-    damage[solid.point] = solid.damage;
-  }
-  model.importGhosts("Concentration");
-  model.importGhosts("Damage");
-  lists_.reset(model);
-}
-
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
-  const double *concentration = model.field("Concentration"), *damage = model.field("Damage");
-  BondsBeforeStep bonds(model);
+  const double* concentration = model.field("Concentration");
+  model.beginStep(lists_.liquid());
+  model.touch(lists_.dissolving());
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
   untouched_.clear();
-  for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i], damage[i]});
+  for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i]});
   if (!transport_->solve(simulation, lists_, t, h)) {
+    model.takeBackStep();
     if (h < shortestTried_)
       throw RunError(
           fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
@@ -238,8 +229,8 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const bool isTooLong =
       advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > std::exp2(transport_->order() + 1) * tolerance_);
   if (isTooLong || !carryOver(simulation, h)) {
-    bonds.restore();
-    takeBack(model);
+    model.takeBackStep();
+    lists_.reset(model);
     if (h < shortestTried_) throw RunError(fmt::format("Corrosion: t = {:.6g} s: the front moves without end", t));
     return false;
   }
@@ -256,6 +247,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
     lastRate[i] = transport_->isUnknown()[k] != 0 ? transport_->endRate()[k] : std::numeric_limits<double>::quiet_NaN();
   }
   outflow_ += model.comm().sum(left);
+  model.acceptStep(t + h, h);
   return true;
 }
 

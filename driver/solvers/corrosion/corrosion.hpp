@@ -32,7 +32,6 @@ class Corrosion : public Solver {
   double frontAdvance(Simulation& simulation) const;
   double timeError(Simulation& simulation, double h) const;
   void evaluateDamage(Model& model, double h);
-  void takeBack(Model& model);
   /// Solid points that have given more than they can take the rest from solid points around them, and those that have
   /// given all become liquid. False where there is not that much metal.
   bool carryOver(Simulation& simulation, double h);
@@ -46,7 +45,7 @@ class Corrosion : public Solver {
   PhaseLists lists_;
   struct Solid {
     int point;
-    double concentration, damage;
+    double concentration;
   };
   std::vector<Solid> untouched_;                              ///< solid points before the step that it touches
   double ceiling_ = std::numeric_limits<double>::infinity();  ///< of steps, after one that failed

@@ -1,4 +1,4 @@
-// Points of dissolving metal that hang by no bond any more, and the bonds of a step that is not taken.
+// Points of dissolving metal that hang by no bond any more.
 #ifndef PD_LOOSE_METAL_HPP
 #define PD_LOOSE_METAL_HPP
 
@@ -14,26 +14,6 @@ namespace pd {
 /// ghosts up to date; leaves them so. `before`: Concentration before the step, [nOwned]. Does nothing where no plug-in
 /// has such a field. Collective.
 void dissolveLooseMetalFirst(Model& model, const std::vector<double>& before, double dt);
-
-/// Bond_Damage and Loose of blocks whose bonds break at random, to be restored where a step is not taken.
-class BondsBeforeStep {
- public:
-  explicit BondsBeforeStep(Model& model);
-  void restore();
-
- private:
-  struct Row {
-    std::size_t block, first;    ///< bond within the block
-    std::vector<double> damage;  ///< of the bonds
-  };
-  template <class Visit>
-  void forEachPoint(Visit visit);
-
-  Model& model_;
-  std::vector<Row> rows_;        ///< of points that have lost some but not all of their bonds
-  std::vector<char> wasIntact_;  ///< [nOwned]
-  std::vector<double> loose_;    ///< [nOwned]
-};
 
 }  // namespace pd
 

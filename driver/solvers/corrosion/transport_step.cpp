@@ -42,14 +42,11 @@ void TransportStep::findPaused(const Fields& fields, std::vector<double>& covera
 void TransportStep::begin(Simulation& simulation, const Fields& fields, double end) {
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
   const std::size_t n = ids_.size();
-  for (auto* values : {&before_, &saltBefore_, &rate_, &inflow_}) values->resize(n);
+  for (auto* values : {&before_, &rate_, &inflow_}) values->resize(n);
   isUnknown_.resize(n);
   for (std::size_t k = 0; k < n; ++k) isUnknown_[k] = isHeld[static_cast<std::size_t>(ids_[k])] == 0;
   setBoundary(simulation, end);
-  for (std::size_t k = 0; k < n; ++k) {
-    before_[k] = fields.concentration[ids_[k]];
-    saltBefore_[k] = fields.salt[ids_[k]];
-  }
+  for (std::size_t k = 0; k < n; ++k) before_[k] = fields.concentration[ids_[k]];
 }
 
 void TransportStep::setBoundary(Simulation& simulation, double time) {
@@ -64,17 +61,6 @@ void TransportStep::setBoundary(Simulation& simulation, double time) {
   }
 }
 
-void TransportStep::takeBack(Model& model) const {
-  double* concentration = model.field("Concentration");
-  double* salt = model.field("Salt_Coverage");
-  for (std::size_t k = 0; k < ids_.size(); ++k) {
-    concentration[ids_[k]] = before_[k];
-    salt[ids_[k]] = saltBefore_[k];
-  }
-  for (std::size_t k = 0; k < solidBefore_.size(); ++k) concentration[solidIds_[k]] = solidBefore_[k];
-  model.importGhosts("Concentration");
-}
-
 bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, double t, double h) {
   Model& model = simulation.model;
   const Fields fields(model);
@@ -87,7 +73,6 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   model.evaluateFluxDivergence(h, fluxDivergenceField("Concentration"));  // takes up the phases
   if (!advance(simulation, fields, t, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
-    takeBack(model);
     return false;
   }
   // A surface all under salt has no current; the material leaves that of before.

@@ -38,11 +38,9 @@ class TransportStep {
 
   /// From time t to t + h. Advances field Concentration at liquid and dissolving points by the same rates, so that what
   /// leaves the one enters the other: mass is conserved whatever the tolerance. Prescribed points keep their values;
-  /// Salt_Coverage is left as the step needs it. Returns false where it does not converge, with the concentrations as
-  /// they were. Collective.
+  /// Salt_Coverage is left as the step needs it. Returns false where it does not converge: the caller takes the step
+  /// back (Model::takeBackStep), which it has begun. Collective.
   bool solve(Simulation& simulation, const PhaseLists& lists, double t, double h);
-  /// Concentrations as before the last step.
-  void takeBack(Model& model) const;
   /// What is kept from step to step for speed alone. Without it, a run goes on exactly as after a restart.
   virtual void forget() = 0;
   /// Of the last step: order of what `error` estimates is one more.
@@ -78,7 +76,7 @@ class TransportStep {
 
   std::vector<int> ids_, solidIds_;  ///< lists.liquid(), lists.dissolving()
   std::vector<char> isUnknown_;
-  std::vector<double> before_, saltBefore_, solidBefore_, rate_, inflow_;
+  std::vector<double> before_, solidBefore_, rate_, inflow_;
   std::vector<double> exchange_, farValue_;  ///< k and C_far
   std::string trouble_;
 

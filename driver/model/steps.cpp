@@ -1,0 +1,115 @@
+// The steps of a Model: what is remembered, taken back and accepted.
+#include <algorithm>
+#include <set>
+
+#include "Peridigm_Field.hpp"
+#include "model.hpp"
+#include "step_listener.hpp"
+
+namespace pd {
+
+using namespace PeridigmNS;
+
+namespace {
+
+/// work(plugin) for the material and the damage model of a block.
+template <class Work>
+void forEachPlugin(Block& block, const Work& work) {
+  work(*block.getMaterialModel());
+  if (!block.getDamageModel().is_null()) work(*block.getDamageModel());
+}
+
+template <class Plugin>
+void tellAccepted(const Plugin& plugin, Block& block, double time, double dt) {
+  const auto* listener = dynamic_cast<const StepListener*>(&plugin);
+  const auto points = block.getNeighborhoodData();
+  if (listener == nullptr || points->NumOwnedPoints() == 0) return;
+  listener->stepAccepted({points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList()},
+                         *block.getDataManager(), time, dt);
+}
+
+void tellTakenBack(Block& block) {
+  forEachPlugin(block, [](const auto& plugin) {
+    if (const auto* listener = dynamic_cast<const StepListener*>(&plugin)) listener->stepTakenBack();
+  });
+}
+
+bool isPointField(const FieldSpec& spec) {
+  return spec.relation == PeridigmField::NODE || spec.relation == PeridigmField::ELEMENT;
+}
+
+}  // namespace
+
+/// Stepped point fields but for sums that are made anew, and one-step fields that some plug-in calls state.
+std::vector<StepRecord::PointField> Model::recordedFields() {
+  std::set<int> state, results;
+  for (Block& block : *blocks_)
+    forEachPlugin(block, [&](const auto& plugin) {
+      const FieldTable* table = fieldTableOf(plugin);
+      if (table == nullptr) return;
+      for (const FieldUse& use : table->uses()) {
+        if (use.field.isState) state.insert(use.id);
+        if (use.access == FieldAccess::Adds || !use.field.rateOf.empty()) results.insert(use.id);
+      }
+    });
+  std::vector<StepRecord::PointField> fields;
+  for (const int id : shared_->getFieldIds()) {
+    const FieldSpec spec = FieldManager::self().getFieldSpec(id);
+    const bool isStepped = spec.temporal == PeridigmField::TWO_STEP && results.count(id) == 0;
+    if (isPointField(spec) && (isStepped || state.count(id) > 0))
+      fields.push_back({spec.label, field(spec.label), fieldWidth(spec.label)});
+  }
+  return fields;
+}
+
+void Model::beginStep(const std::vector<int>& points) {
+  record_.begin(recordedFields(), blocks_, nOwned(), hasField("Damage") ? field("Damage") : nullptr);
+  record_.touch(points);
+}
+
+void Model::beginStep() {
+  beginStep({});
+  record_.touchAll();
+}
+
+void Model::takeBackStep() {
+  record_.takeBack();
+  for (const StepRecord::PointField& field : record_.fields()) importGhosts(field.label);
+  for (Block& block : *blocks_) tellTakenBack(block);
+}
+
+void Model::acceptStep(double time, double dt) {
+  shared_->updatePointState();
+  for (Block& block : *blocks_) block.getDataManager()->updateBondState();
+  for (Block& block : *blocks_) {
+    if (hasCalledMaterials_) tellAccepted(*block.getMaterialModel(), block, time, dt);
+    if (hasCalledDamage_ && !block.getDamageModel().is_null()) tellAccepted(*block.getDamageModel(), block, time, dt);
+  }
+  hasCalledMaterials_ = hasCalledDamage_ = false;
+}
+
+void Model::adoptState() {
+  shared_->updatePointState();
+  for (Block& block : *blocks_) {
+    block.getDataManager()->updateBondState();
+    tellTakenBack(block);
+  }
+  record_.forget();
+  hasCalledMaterials_ = hasCalledDamage_ = false;
+}
+
+/// An evaluation before the first step is no step: of what plug-ins alone write, NP1 becomes N.
+void Model::restoreHistories() {
+  for (Block& block : *blocks_) {
+    block.getDataManager()->restoreBondState();
+    forEachPlugin(block, [&](const auto& plugin) {
+      const FieldTable* table = fieldTableOf(plugin);
+      if (table == nullptr) return;
+      for (const FieldUse& use : table->uses())
+        if (use.access == FieldAccess::Writes) shared_->restorePointState(use.id);
+    });
+  }
+  hasCalledMaterials_ = hasCalledDamage_ = false;
+}
+
+}  // namespace pd
