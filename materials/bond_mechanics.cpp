@@ -10,13 +10,18 @@
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 namespace {
 
 /// |k_t| below this share of k_n is taken as none: nu within about 0.0005 of bond-based PD's.
 constexpr double negligibleTangentialShare = 1e-3;
+
+SurfaceCorrection correctionFrom(const Teuchos::ParameterList& params) {
+  const std::string name = params.get<std::string>("Surface Correction");
+  if (name == "Volume Method") return SurfaceCorrection::VolumeMethod;
+  if (name == "Energy Method") return SurfaceCorrection::EnergyMethod;
+  return SurfaceCorrection::None;
+}
 
 }  // namespace
 
@@ -44,59 +49,41 @@ void BondMechanics::declareParameters(ParameterDeclarations& declare) {
   declare.needs("Poisson's Ratio", {"Young's Modulus"});
 }
 
+BondMechanics::Fields::Fields(SurfaceCorrection correction) {
+  if (correction == SurfaceCorrection::VolumeMethod)
+    familyVolume = writes(pd::fields::pointScalar("Family_Volume", "m3", "Volume of the point's neighbourhood."),
+                          Ghosts::AfterInitialize);
+  if (correction == SurfaceCorrection::EnergyMethod)
+    surfaceFactor = writes(pd::fields::pointVector("Surface_Correction_Factor", "1",
+                                                   "Stiffness along each axis of the bulk over that of the point.")
+                               .reflected(Reflection::Even),
+                           Ghosts::AfterInitialize);
+}
+
 BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner)
-    : owner_(owner), family_(family) {
+    : owner_(owner), family_(family), surfaceCorrection_(correctionFrom(params)), fields_(surfaceCorrection_) {
   youngsModulus_ = params.get<double>("Young's Modulus");
   poissonsRatio_ = params.get<double>("Poisson's Ratio");
   if (params.get<std::string>("Tangential Force") == "Linear") form_ = kernels::TangentialForm::Linear;
-  const std::string correction = params.get<std::string>("Surface Correction");
-  if (correction == "Volume Method") surfaceCorrection_ = SurfaceCorrection::VolumeMethod;
-  if (correction == "Energy Method") surfaceCorrection_ = SurfaceCorrection::EnergyMethod;
   constants_ = kernels::elasticConstants(family_.section, youngsModulus_, poissonsRatio_, family_.horizon,
                                          PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
   if (std::abs(constants_.tangential) < negligibleTangentialShare * constants_.normal) constants_.tangential = 0.0;
-
-  FieldManager& fields = FieldManager::self();
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
-  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
-  blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
-  forceDensityId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Force_Density");
-  // Not asked for: a damage model of the block brings them.
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
-  energyId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Stored_Elastic_Energy_Density");
-  if (surfaceCorrection_ == SurfaceCorrection::VolumeMethod)
-    surfaceVolumeId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::CONSTANT, "Family_Volume");
-  if (surfaceCorrection_ == SurfaceCorrection::EnergyMethod)
-    surfaceFactorId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Surface_Correction_Factor");
-}
-
-std::vector<int> BondMechanics::fieldIds() const {
-  std::vector<int> ids{modelCoordinatesId_, coordinatesId_, volumeId_, blockId_, forceDensityId_};
-  for (const int id : fieldIdsForSynchronizationAfterInitialize()) ids.push_back(id);
-  return ids;
-}
-
-std::vector<int> BondMechanics::fieldIdsForSynchronizationAfterInitialize() const {
-  if (surfaceVolumeId_ >= 0) return {surfaceVolumeId_};
-  if (surfaceFactorId_ >= 0) return {surfaceFactorId_};
-  return {};
 }
 
 BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager) {
   // Peridigm's finite-difference Jacobian hands no map of owned points.
   const auto ownedPoints = dataManager.getOwnedScalarPointMap();
   ownsFirstPoint = !ownedPoints.is_null() && ownedPoints->LID(0) != -1;
-  nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
-  x = view(dataManager, owner.modelCoordinatesId_, Field::STEP_NONE);
-  y = view(dataManager, owner.coordinatesId_, Field::STEP_NP1);
-  volume = view(dataManager, owner.volumeId_, Field::STEP_NONE);
-  blockId = view(dataManager, owner.blockId_, Field::STEP_NONE);
-  force = view(dataManager, owner.forceDensityId_, Field::STEP_NP1);
-  if (owner.surfaceVolumeId_ >= 0) familyVolume = view(dataManager, owner.surfaceVolumeId_, Field::STEP_NONE);
-  if (owner.surfaceFactorId_ >= 0) surfaceFactor = view(dataManager, owner.surfaceFactorId_, Field::STEP_NONE);
-  damaged = damageViews(dataManager, owner.bondDamageId_, owner.damageId_);
+  const Fields& fields = owner.fields_;
+  nPoints = fields.volume.length(dataManager);
+  x = fields.modelCoordinates.of(dataManager);
+  y = fields.coordinates.of(dataManager);
+  volume = fields.volume.of(dataManager);
+  blockId = fields.blockId.of(dataManager);
+  force = fields.force.of(dataManager);
+  familyVolume = fields.familyVolume.ifIn(dataManager);
+  surfaceFactor = fields.surfaceFactor.ifIn(dataManager);
+  damaged = damageViews(dataManager, fields.bondDamage, fields.damage);
 }
 
 void BondMechanics::initialize(const Call& call, DataManager& dataManager) {

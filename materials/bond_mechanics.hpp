@@ -9,6 +9,7 @@
 #include "Peridigm_SerialMatrix.hpp"
 #include "alive_bonds.hpp"
 #include "bond_family.hpp"
+#include "fields.hpp"
 #include "lattice_stability.hpp"
 #include "point_arrays.hpp"
 #include "two_parameter_bond.hpp"
@@ -19,14 +20,27 @@ enum class SurfaceCorrection { None, VolumeMethod, EnergyMethod };
 
 class BondMechanics {
  public:
+  struct Fields : FieldTable {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle coordinates = reads(pd::fields::coordinates());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle blockId = reads(pd::fields::blockId());
+    FieldHandle force = adds(pd::fields::forceDensity());
+    // A damage model of the block brings them.
+    FieldHandle damage = readsIfThere(pd::fields::damage());
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle energy = writesIfThere(pd::fields::storedEnergyDensity());
+    FieldHandle familyVolume, surfaceFactor;
+    explicit Fields(SurfaceCorrection correction);
+  };
+
   static void declareParameters(ParameterDeclarations& declare);
   /// `params`: completed. Throws std::invalid_argument.
   BondMechanics(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner);
 
   double youngsModulus() const { return youngsModulus_; }
   double poissonsRatio() const { return poissonsRatio_; }
-  std::vector<int> fieldIds() const;
-  std::vector<int> fieldIdsForSynchronizationAfterInitialize() const;
+  const Fields& fields() const { return fields_; }
 
   /// Computes the surface correction of points; checks stability where k_t < 0.
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
@@ -73,8 +87,7 @@ class BondMechanics {
   kernels::ElasticConstants constants_;
   kernels::TangentialForm form_ = kernels::TangentialForm::Objective;
   SurfaceCorrection surfaceCorrection_ = SurfaceCorrection::None;
-  int modelCoordinatesId_, coordinatesId_, volumeId_, forceDensityId_, bondDamageId_, damageId_, energyId_, blockId_;
-  int surfaceVolumeId_ = -1, surfaceFactorId_ = -1;
+  Fields fields_;
   mutable std::map<double, double> wholeFamilyVolumes_;  ///< by volume of the point
   mutable NeighborhoodCache<Cache> caches_;
 };

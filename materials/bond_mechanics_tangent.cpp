@@ -172,8 +172,7 @@ void BondMechanics::forEachFamily(const Call& call, const Views& views, Visit vi
 
 void BondMechanics::computeStoredElasticEnergyDensity(const Call& call, PeridigmNS::DataManager& dataManager) const {
   const Views views(*this, dataManager);
-  double* energy = nullptr;
-  dataManager.getData(energyId_, PeridigmNS::PeridigmField::STEP_NONE)->ExtractView(&energy);
+  double* energy = fields_.energy.of(dataManager);
   forEachFamily(call, views, [&](int i, const auto& family) {
     const bool isLinear = form_ == kernels::TangentialForm::Linear;
     const Matrix3<double> r = isLinear || constants_.tangential == 0.0 ? Matrix3<double>{1, 0, 0, 0, 1, 0, 0, 0, 1}

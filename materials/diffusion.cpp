@@ -12,7 +12,7 @@ using PeridigmNS::DataManager;
 /// dimensions, without a volume correction. A bond between blocks carries to each end what the constants of its own
 /// block say, so that the flux is balanced only where blocks have the same Coefficient and Horizon; the mean of both,
 /// as PDHE has it, would not be Peridigm's model.
-class DiffusionMaterial : public PeridigmNS::Material {
+class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
     declare.text("Material Model", "Name of this model.").defaultTo("Diffusion");
@@ -40,7 +40,9 @@ class DiffusionMaterial : public PeridigmNS::Material {
   double Density() const override { return 1.0; }
   double BulkModulus() const override { return 0.0; }
   double ShearModulus() const override { return 0.0; }
-  std::vector<int> FieldIds() const override { return diffusion_.fieldIds(); }
+  const FieldTable& fields() const override { return diffusion_.fields(); }
+  std::vector<int> FieldIds() const override { return fields().ids(); }
+  static FieldTable describeFields() { return NonlocalDiffusion::Fields("Temperature"); }
 
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   DataManager& dataManager) override {

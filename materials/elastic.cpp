@@ -11,8 +11,6 @@
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 namespace {
 
@@ -66,22 +64,6 @@ Elastic::Elastic(const Teuchos::ParameterList& given) : Material(given) {
   if (rule == "Ramp To Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampToHorizon;
   if (params.isParameter("Finite Difference Probe Length"))
     m_finiteDifferenceProbeLength = params.get<double>("Finite Difference Probe Length");
-
-  FieldManager& fields = FieldManager::self();
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  coordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Coordinates");
-  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
-  weightedVolumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Weighted_Volume");
-  dilatationId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Dilatation");
-  forceDensityId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::TWO_STEP, "Force_Density");
-  // Not asked for: a damage model of the block brings them.
-  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  energyId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Stored_Elastic_Energy_Density");
-}
-
-std::vector<int> Elastic::FieldIds() const {
-  return {modelCoordinatesId_, coordinatesId_, volumeId_, weightedVolumeId_, dilatationId_, forceDensityId_};
 }
 
 struct Elastic::Views {
@@ -91,14 +73,15 @@ struct Elastic::Views {
   double *weightedVolume, *dilatation, *force;
 
   Views(const Elastic& owner, DataManager& dataManager) {
-    nPoints = dataManager.getData(owner.volumeId_, Field::STEP_NONE)->MyLength();
-    x = view(dataManager, owner.modelCoordinatesId_, Field::STEP_NONE);
-    y = view(dataManager, owner.coordinatesId_, Field::STEP_NP1);
-    volume = view(dataManager, owner.volumeId_, Field::STEP_NONE);
-    weightedVolume = view(dataManager, owner.weightedVolumeId_, Field::STEP_NONE);
-    dilatation = view(dataManager, owner.dilatationId_, Field::STEP_NP1);
-    force = view(dataManager, owner.forceDensityId_, Field::STEP_NP1);
-    damaged = damageViews(dataManager, owner.bondDamageId_, owner.damageId_);
+    const Fields& fields = owner.fields_;
+    nPoints = fields.volume.length(dataManager);
+    x = fields.modelCoordinates.of(dataManager);
+    y = fields.coordinates.of(dataManager);
+    volume = fields.volume.of(dataManager);
+    weightedVolume = fields.weightedVolume.of(dataManager);
+    dilatation = fields.dilatation.of(dataManager);
+    force = fields.force.of(dataManager);
+    damaged = damageViews(dataManager, fields.bondDamage, fields.damage);
   }
   double unbroken(std::size_t bond) const {
     return damaged.bondDamage == nullptr ? 1.0 : 1.0 - damaged.bondDamage[bond];
@@ -202,8 +185,7 @@ void Elastic::computeStoredElasticEnergyDensity(const double, const int numOwned
                                                 const int* neighborhoodList, DataManager& dataManager) const {
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
   const Views views(*this, dataManager);
-  double* energy = nullptr;
-  dataManager.getData(energyId_, Field::STEP_NONE)->ExtractView(&energy);
+  double* energy = fields_.energy.of(dataManager);
   const std::vector<double> theta = dilatations(call, views);
   for (int p = 0; p < numOwnedPoints; ++p) {
     const double own = theta[static_cast<std::size_t>(ownedIDs[p])];

@@ -8,14 +8,28 @@
 #include "Peridigm_DataManager.hpp"
 #include "Peridigm_Material.hpp"
 #include "bond_family.hpp"
+#include "fields.hpp"
 #include "linear_peridynamic_solid.hpp"
 #include "step_listener.hpp"
 
 namespace pd {
 
 /// Ordinary state-based elasticity in 3D, for any Poisson's ratio (formulas: kernels/linear_peridynamic_solid.hpp).
-class Elastic : public PeridigmNS::Material, public StepListener {
+class Elastic : public PeridigmNS::Material, public FieldUser, public StepListener {
  public:
+  struct Fields : FieldTable {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle coordinates = reads(pd::fields::coordinates());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle weightedVolume = writes(pd::fields::weightedVolume());
+    FieldHandle dilatation = writes(pd::fields::dilatation());
+    FieldHandle force = adds(pd::fields::forceDensity());
+    // A damage model of the block brings them.
+    FieldHandle damage = readsIfThere(pd::fields::damage());
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle energy = writesIfThere(pd::fields::storedEnergyDensity());
+  };
+
   static void declareParameters(ParameterDeclarations& declare);
   explicit Elastic(const Teuchos::ParameterList& params);
 
@@ -23,7 +37,8 @@ class Elastic : public PeridigmNS::Material, public StepListener {
   double Density() const override { return density_; }
   double BulkModulus() const override { return bulkModulus_; }
   double ShearModulus() const override { return shearModulus_; }
-  std::vector<int> FieldIds() const override;
+  const Fields& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
 
   /// Computes Weighted_Volume.
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
@@ -58,8 +73,7 @@ class Elastic : public PeridigmNS::Material, public StepListener {
 
   double density_ = 0.0, bulkModulus_ = 0.0, shearModulus_ = 0.0, horizon_ = 0.0;
   kernels::VolumeCorrection volumeCorrection_ = kernels::VolumeCorrection::None;
-  int modelCoordinatesId_, coordinatesId_, volumeId_, weightedVolumeId_, dilatationId_, forceDensityId_, bondDamageId_,
-      damageId_, energyId_;
+  Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

@@ -4,13 +4,14 @@
 #include "Peridigm_Material.hpp"
 #include "bond_mechanics.hpp"
 #include "plugins.hpp"
+#include "step_listener.hpp"
 
 namespace pd {
 
 using PeridigmNS::DataManager;
 
 /// One elastic constant is given; Poisson's ratio is that of bond-based peridynamics.
-class ElasticBondBased : public PeridigmNS::Material {
+class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public StepListener {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
     declare.text("Material Model", "Name of this model.").defaultTo("Elastic Bond Based");
@@ -54,7 +55,9 @@ class ElasticBondBased : public PeridigmNS::Material {
   double Density() const override { return params_.get<double>("Density"); }
   double BulkModulus() const override { return bulkModulus_; }
   double ShearModulus() const override { return shearModulus_; }
-  std::vector<int> FieldIds() const override { return mechanics_.fieldIds(); }
+  const FieldTable& fields() const override { return mechanics_.fields(); }
+  std::vector<int> FieldIds() const override { return fields().ids(); }
+  static FieldTable describeFields() { return BondMechanics::Fields(SurfaceCorrection::None); }
 
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   DataManager& dataManager) override {
@@ -75,6 +78,7 @@ class ElasticBondBased : public PeridigmNS::Material {
     else
       mechanics_.computeJacobian({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager, jacobian);
   }
+  void stepTakenBack() const override { mechanics_.forgetBonds(); }
 
  private:
   static Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {

@@ -4,6 +4,7 @@
 
 #include "Peridigm_DataManager.hpp"
 #include "Peridigm_Field.hpp"
+#include "fields.hpp"
 
 namespace pd {
 
@@ -21,12 +22,12 @@ struct DamageViews {
   const double* damage = nullptr;
 };
 
-inline DamageViews damageViews(PeridigmNS::DataManager& dataManager, int bondDamageId, int damageId) {
-  using namespace PeridigmNS::PeridigmField;
+inline DamageViews damageViews(PeridigmNS::DataManager& dataManager, const FieldHandle& bondDamage,
+                               const FieldHandle& damage) {
   DamageViews views;
-  if (!dataManager.hasData(bondDamageId, STEP_NP1) || !dataManager.hasData(damageId, STEP_NP1)) return views;
-  views.bondDamage = view(dataManager, bondDamageId, STEP_NP1);
-  if (views.bondDamage == view(dataManager, bondDamageId, STEP_N)) views.damage = view(dataManager, damageId, STEP_NP1);
+  if (!bondDamage.isIn(dataManager) || !damage.isIn(dataManager)) return views;
+  views.bondDamage = bondDamage.of(dataManager);
+  if (views.bondDamage == bondDamage.before(dataManager)) views.damage = damage.of(dataManager);
   return views;
 }
 

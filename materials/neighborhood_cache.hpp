@@ -5,16 +5,10 @@
 #include <list>
 #include <utility>
 
+#include "call.hpp"
 #include "chunked_neighborhood.hpp"
 
 namespace pd {
-
-/// What a plug-in is called with.
-struct Call {
-  int nOwned;
-  const int* ownedIds;
-  const int* neighborhoodList;
-};
 
 /// Keeps `Data` (with a member `neighborhood`) for the few neighbourhood lists that a plug-in was last called with. A
 /// host may call with other lists than its block's, as Peridigm's finite-difference Jacobian does.

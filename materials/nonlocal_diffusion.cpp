@@ -4,14 +4,11 @@
 #include <stdexcept>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
-#include "field_names.hpp"
 #include "meshfree_quadrature.hpp"
 
 namespace pd {
 
 using PeridigmNS::DataManager;
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
 
 void NonlocalDiffusion::declareParameters(ParameterDeclarations& declare) {
   declare.real("Diffusivity", "m2/s", "Diffusivity; give it to switch diffusion on.").positive();
@@ -33,26 +30,13 @@ NonlocalDiffusion::NonlocalDiffusion(const Teuchos::ParameterList& params, const
       family_(family),
       interface_(interface),
       quadrature_(quadrature),
-      diffusivity_(params.get<double>("Diffusivity")) {
+      diffusivity_(params.get<double>("Diffusivity")),
+      fields_(params.get<std::string>("Diffusing Field")) {
   const std::string kernel = params.get<std::string>("Diffusion Kernel");
   if (kernel == "Inverse") kernel_ = kernels::DiffusionKernel::Inverse;
   if (kernel == "Constant") kernel_ = kernels::DiffusionKernel::Constant;
   stopsAtBrokenBonds_ = params.get<bool>("Diffusion Stops At Broken Bonds");
   microDiffusivity_ = kernels::microDiffusivity(family_.section, kernel_, diffusivity_, family_.horizon);
-
-  const std::string field = params.get<std::string>("Diffusing Field");
-  FieldManager& fields = FieldManager::self();
-  modelCoordinatesId_ = fields.getFieldId(Field::NODE, Field::VECTOR, Field::CONSTANT, "Model_Coordinates");
-  volumeId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Volume");
-  fieldId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP, field);
-  fluxId_ = fields.getFieldId(Field::NODE, Field::SCALAR, Field::TWO_STEP, fluxDivergenceField(field));
-  damageId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "Damage");
-  blockId_ = fields.getFieldId(Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "Block_Id");
-  bondDamageId_ = fields.getFieldId(Field::BOND, Field::SCALAR, Field::TWO_STEP, "Bond_Damage");
-}
-
-std::vector<int> NonlocalDiffusion::fieldIds() const {
-  return {modelCoordinatesId_, volumeId_, blockId_, fieldId_, fluxId_};
 }
 
 void NonlocalDiffusion::initialize(const Call& call, DataManager& dataManager) {
@@ -60,7 +44,7 @@ void NonlocalDiffusion::initialize(const Call& call, DataManager& dataManager) {
   if (family_.rescalesToLattice)
     microDiffusivity_ = kernels::latticeMicroDiffusivity(
         family_.section, kernel_, diffusivity_, family_.horizon,
-        family_.latticeSpacing(call, view(dataManager, volumeId_, Field::STEP_NONE), owner_), family_.volumeCorrection);
+        family_.latticeSpacing(call, fields_.volume.of(dataManager), owner_), family_.volumeCorrection);
 }
 
 double NonlocalDiffusion::weight(const ReferenceBond& bond, double volume, double neighborVolume) const {
@@ -99,7 +83,7 @@ double NonlocalDiffusion::rateConstant(const double* x, const double* volume, in
 }
 
 DamageViews NonlocalDiffusion::cuts(DataManager& dataManager) const {
-  return stopsAtBrokenBonds_ ? damageViews(dataManager, bondDamageId_, damageId_) : DamageViews();
+  return stopsAtBrokenBonds_ ? damageViews(dataManager, fields_.bondDamage, fields_.damage) : DamageViews();
 }
 
 void NonlocalDiffusion::addInterfaceFlux(const Cache& cache, const double* x, const double* volume,
@@ -112,14 +96,14 @@ void NonlocalDiffusion::addInterfaceFlux(const Cache& cache, const double* x, co
 }
 
 void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dataManager) const {
-  const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
-  const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
-  const double* concentration = view(dataManager, fieldId_, Field::STEP_NP1);
-  double* rate = view(dataManager, fluxId_, Field::STEP_NP1);
-  const int nPoints = dataManager.getData(fieldId_, Field::STEP_NP1)->MyLength();
+  const double* x = fields_.modelCoordinates.of(dataManager);
+  const double* volume = fields_.volume.of(dataManager);
+  const double* concentration = fields_.concentration.of(dataManager);
+  double* rate = fields_.rate.of(dataManager);
+  const int nPoints = fields_.concentration.length(dataManager);
   std::fill(rate, rate + nPoints, 0.0);
 
-  const double* blockId = view(dataManager, blockId_, Field::STEP_NONE);
+  const double* blockId = fields_.blockId.of(dataManager);
   Cache& cache = caches_.of(call, x, [&](const Call& c) {
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
@@ -142,10 +126,10 @@ void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dat
 
 void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManager,
                                         PeridigmNS::SerialMatrix& jacobian) const {
-  const double* x = view(dataManager, modelCoordinatesId_, Field::STEP_NONE);
-  const double* volume = view(dataManager, volumeId_, Field::STEP_NONE);
+  const double* x = fields_.modelCoordinates.of(dataManager);
+  const double* volume = fields_.volume.of(dataManager);
   const double* bondDamage = cuts(dataManager).bondDamage;
-  const double* blockId = view(dataManager, blockId_, Field::STEP_NONE);
+  const double* blockId = fields_.blockId.of(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
   const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();

@@ -19,6 +19,19 @@ namespace pd {
 /// pairwise antisymmetric: the integral of C over the body changes through prescribed values alone.
 class NonlocalDiffusion {
  public:
+  struct Fields : FieldTable {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle blockId = reads(pd::fields::blockId());
+    FieldHandle damage = readsIfThere(pd::fields::damage());
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle concentration, rate;
+    explicit Fields(const std::string& diffusingField) {
+      concentration = reads(pd::fields::diffusingScalar(diffusingField));
+      rate = adds(pd::fields::fluxDivergence(diffusingField));
+    }
+  };
+
   /// Between blocks of different constants: the mean of both to both ends, or to each end what its own block says.
   enum class Interface { Balanced, OwnConstants };
   /// What the flux of a bond is multiplied with: the (share of the) volume of the neighbour, or weights fitted to each
@@ -29,7 +42,7 @@ class NonlocalDiffusion {
   NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner,
                     Interface interface = Interface::Balanced, Quadrature quadrature = Quadrature::Volumes);
 
-  std::vector<int> fieldIds() const;
+  const Fields& fields() const { return fields_; }
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
   void computeFluxDivergence(const Call& call, PeridigmNS::DataManager& dataManager) const;
   /// Adds d(rate)/d(C), each row times the volume of its point.
@@ -72,7 +85,7 @@ class NonlocalDiffusion {
   kernels::DiffusionKernel kernel_ = kernels::DiffusionKernel::InverseSquare;
   double diffusivity_ = 0.0, microDiffusivity_ = 0.0;
   bool stopsAtBrokenBonds_ = false;
-  int modelCoordinatesId_, volumeId_, fieldId_, fluxId_, bondDamageId_, damageId_, blockId_;
+  Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

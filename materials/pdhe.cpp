@@ -35,8 +35,14 @@ PDHE::PDHE(const Teuchos::ParameterList& given) : Material(given) {
   const std::string owner = "material PDHE";
   const BondFamily family(params, owner);
   if (params.isParameter("Density")) density_ = params.get<double>("Density");
-  if (params.isParameter("Young's Modulus")) mechanics_.emplace(params, family, owner);
-  if (params.isParameter("Diffusivity")) diffusion_.emplace(params, family, owner);
+  if (params.isParameter("Young's Modulus")) {
+    mechanics_.emplace(params, family, owner);
+    fields_.include(mechanics_->fields());
+  }
+  if (params.isParameter("Diffusivity")) {
+    diffusion_.emplace(params, family, owner);
+    fields_.include(diffusion_->fields());
+  }
 }
 
 double PDHE::Density() const {
@@ -52,16 +58,11 @@ double PDHE::ShearModulus() const {
   return mechanics_ ? mechanics_->youngsModulus() / (2.0 * (1.0 + mechanics_->poissonsRatio())) : 0.0;
 }
 
-std::vector<int> PDHE::FieldIds() const {
-  std::vector<int> ids;
-  if (mechanics_) ids = mechanics_->fieldIds();
-  if (diffusion_)
-    for (const int id : diffusion_->fieldIds()) ids.push_back(id);
-  return ids;
-}
-
-std::vector<int> PDHE::FieldIdsForSynchronizationAfterInitialize() const {
-  return mechanics_ ? mechanics_->fieldIdsForSynchronizationAfterInitialize() : std::vector<int>();
+FieldTable PDHE::describeFields() {
+  FieldTable table;
+  table.include(BondMechanics::Fields(SurfaceCorrection::EnergyMethod));
+  table.include(NonlocalDiffusion::Fields("Concentration"));
+  return table;
 }
 
 void PDHE::initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,

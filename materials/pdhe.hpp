@@ -15,8 +15,10 @@ namespace pd {
 
 /// Mechanics where Young's Modulus is given, diffusion where Diffusivity is; at least one of them. The embrittlement
 /// itself, the critical stretch that falls with hydrogen, is the damage model Hydrogen Critical Stretch.
-class PDHE : public PeridigmNS::Material, public StepListener {
+class PDHE : public PeridigmNS::Material, public FieldUser, public StepListener {
  public:
+  static FieldTable describeFields();
+
   static void declareParameters(ParameterDeclarations& declare);
   explicit PDHE(const Teuchos::ParameterList& params);
 
@@ -25,8 +27,11 @@ class PDHE : public PeridigmNS::Material, public StepListener {
   double Density() const override;
   double BulkModulus() const override;
   double ShearModulus() const override;
-  std::vector<int> FieldIds() const override;
-  std::vector<int> FieldIdsForSynchronizationAfterInitialize() const override;
+  const FieldTable& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
+  std::vector<int> FieldIdsForSynchronizationAfterInitialize() const override {
+    return fields_.ids(Ghosts::AfterInitialize);
+  }
 
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   PeridigmNS::DataManager& dataManager) override;
@@ -46,6 +51,7 @@ class PDHE : public PeridigmNS::Material, public StepListener {
   double density_ = 0.0;
   std::optional<BondMechanics> mechanics_;
   std::optional<NonlocalDiffusion> diffusion_;
+  FieldTable fields_;
 };
 
 }  // namespace pd

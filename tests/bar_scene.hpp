@@ -194,7 +194,6 @@ struct Scene {
     for (int k = first; k < last; ++k) {
       const double start = solver->incrementEnd(k, count, 0.0, 1.0), end = solver->incrementEnd(k + 1, count, 0.0, 1.0);
       solver->advance(simulation(), start, end - start);
-      model.adoptState();
     }
   }
   void run(int count) { run(count, 0, count); }

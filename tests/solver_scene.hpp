@@ -67,7 +67,6 @@ class SolverScene {
     for (int k = 0; k < n; ++k) {
       const double start = t0 + (t1 - t0) * k / n, end = t0 + (t1 - t0) * (k + 1) / n;
       solver.advance(simulation(), start, end - start);
-      model_.adoptState();
     }
   }
 

@@ -187,7 +187,7 @@ void CorrosionDissolution::refreshAroundChanges(Cache& cache, const Views& views
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
       const int i = cache.neighborhood.pointIds(chunk)[lane];
       const int* list = phases.listOf(i);
-      if (phases.isLiquid(i)) views.diffusionCorrection[i] = bonds.diffusionCorrection(i, list + 1, *list);
+      views.diffusionCorrection[i] = phases.isLiquid(i) ? bonds.diffusionCorrection(i, list + 1, *list) : 1.0;
       views.area[i] = views.current[i] = views.dissolutionRate[i] = views.slope[i] = 0.0;
       if (views.ph == nullptr || !phases.isLiquid(i) || cache.isListed[static_cast<std::size_t>(i)] != 0) continue;
       cache.isListed[static_cast<std::size_t>(i)] = 1;

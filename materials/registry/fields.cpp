@@ -146,6 +146,13 @@ FieldDescription storedEnergyDensity() {
   return described("Stored_Elastic_Energy_Density", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "J/m3",
                    "Strain energy per volume.");
 }
+FieldDescription weightedVolume() {
+  return described("Weighted_Volume", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "m5",
+                   "Influence x length^2 x volume, summed over the neighbours.");
+}
+FieldDescription dilatation() {
+  return described("Dilatation", Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "1", "Change of volume over volume.");
+}
 FieldDescription solidConcentration() {
   return pointScalar("Solid_Concentration", "mol/m3",
                      "Metal in the solid that the point was at first; 0 of electrolyte.");

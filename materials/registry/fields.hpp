@@ -113,6 +113,8 @@ class FieldTable {
   std::vector<int> ids() const;
   /// For FieldIdsForSynchronizationAfter...().
   std::vector<int> ids(Ghosts when) const;
+  /// Takes over what a part of the plug-in uses.
+  void include(const FieldTable& part);
 
  protected:
   FieldHandle reads(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
@@ -121,8 +123,6 @@ class FieldTable {
   FieldHandle writesIfThere(const FieldDescription& field);
   FieldHandle adds(const FieldDescription& field);
   FieldHandle worsens(const FieldDescription& field);
-  /// Takes over what a part of the plug-in uses.
-  void include(const FieldTable& part);
 
  private:
   FieldHandle use(const FieldDescription& field, FieldAccess access, Ghosts ghosts, bool isOptional);
@@ -164,6 +164,8 @@ FieldDescription damage();
 FieldDescription bondDamage();
 FieldDescription noFailure();
 FieldDescription storedEnergyDensity();
+FieldDescription weightedVolume();
+FieldDescription dilatation();
 FieldDescription solidConcentration();
 FieldDescription saturationConcentration();
 /// A scalar that diffuses, and its rate (field_names.hpp).

@@ -3,10 +3,9 @@
 #define PD_STEP_LISTENER_HPP
 
 #include <map>
-#include <vector>
 
 #include "Peridigm_DataManager.hpp"
-#include "neighborhood_cache.hpp"
+#include "call.hpp"
 
 namespace pd {
 

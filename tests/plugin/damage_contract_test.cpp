@@ -39,7 +39,8 @@ TEST(DamageContract, EveryRegisteredModelHasSamples) {
   std::set<std::string> sampled;
   for (const Sample& sample : damageSamples()) sampled.insert(sample.plugin);
   for (const std::string& name : pd::DamageModelRegistry::self().names())
-    EXPECT_TRUE(sampled.count(name) == 1) << "add parameter sets of \"" << name << "\" to tests/plugin/samples.cpp";
+    EXPECT_TRUE(sampled.count(name) == 1 || name.find("Test ") == 0)
+        << "add parameter sets of \"" << name << "\" to tests/plugin/samples.cpp";
 }
 
 TEST_P(DamageContract, BreaksSomeBondsStepByStepAndNeverMendsOne) {

@@ -30,7 +30,8 @@ TEST(MaterialContract, EveryRegisteredMaterialHasSamples) {
   std::set<std::string> sampled;
   for (const Sample& sample : materialSamples()) sampled.insert(sample.plugin);
   for (const std::string& name : pd::MaterialRegistry::self().names())
-    EXPECT_TRUE(sampled.count(name) == 1) << "add parameter sets of \"" << name << "\" to tests/plugin/samples.cpp";
+    EXPECT_TRUE(sampled.count(name) == 1 || name.find("Test ") == 0)
+        << "add parameter sets of \"" << name << "\" to tests/plugin/samples.cpp";
 }
 
 TEST_P(MaterialContract, RunsOnTheFieldsThatItDeclares) {

@@ -164,6 +164,7 @@ void StepRun::load(double load) {
 }
 
 void StepRun::evaluate() {
+  hasEvaluated_ = true;
   if (kind_ == PluginKind::DamageModel) {
     const auto exchanged = damageModels_.front().front()->FieldIdsForSynchronizationAfterPrecompute();
     forEachBlock([](auto& plugin, const pd::Call& call, DataManager& data) {
@@ -202,7 +203,9 @@ void StepRun::accept() {
     body->block().getDataManager()->updatePointState();
     for (Block& block : *body->blocks()) block.getDataManager()->updateBondState();
   }
-  if (layout_.bondSteps == BondSteps::Swapped) return;  // as in Peridigm, nobody tells
+  const bool isTold = hasEvaluated_ && layout_.bondSteps != BondSteps::Swapped;  // in Peridigm nobody tells
+  hasEvaluated_ = false;
+  if (!isTold) return;
   forEachBlock([&](auto& plugin, const pd::Call& call, DataManager& data) {
     if (const auto* listener = dynamic_cast<const pd::StepListener*>(&plugin))
       listener->stepAccepted(call, data, time_, dt);
@@ -215,11 +218,24 @@ void StepRun::step(double toLoad) {
   accept();
 }
 
+std::vector<int> StepRun::keptFieldIds() {
+  const pd::FieldTable* table = kind_ == PluginKind::Material ? pd::fieldTableOf(*materials_.front().front())
+                                                              : pd::fieldTableOf(*damageModels_.front().front());
+  std::vector<int> kept;
+  for (const int id : fieldIds()) {
+    const FieldSpec spec = FieldManager::self().getFieldSpec(id);
+    const pd::FieldUse* use = table == nullptr ? nullptr : table->find(id);
+    const bool isState = use != nullptr && use->field.isState;
+    if (isState || (spec.temporal == PeridigmField::TWO_STEP && !isSummed(spec.label))) kept.push_back(id);
+  }
+  return kept;
+}
+
 void StepRun::begin() {
   saved_.clear();
   for (const auto& body : bodies_)
     for (Block& block : *body->blocks())
-      for (const int id : fieldIds()) {
+      for (const int id : keptFieldIds()) {
         const FieldSpec spec = FieldManager::self().getFieldSpec(id);
         const FieldVector& values = *block.getData(id, latest(spec));
         std::vector<double>& copy = saved_.emplace_back();
@@ -231,7 +247,7 @@ void StepRun::takeBack() {
   auto copy = saved_.begin();
   for (const auto& body : bodies_)
     for (Block& block : *body->blocks())
-      for (const int id : fieldIds()) {
+      for (const int id : keptFieldIds()) {
         const FieldSpec spec = FieldManager::self().getFieldSpec(id);
         std::copy(copy->begin(), copy->end(), valuesOf(block, spec, latest(spec)));
         ++copy;

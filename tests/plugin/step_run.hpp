@@ -33,7 +33,7 @@ class StepRun {
   /// NP1 becomes N, and the plug-in is told.
   void accept();
   void step(double load);
-  /// Remembers all that is kept, and brings it back.
+  /// Remembers what a host remembers (stepped fields, one-step fields that are state), and brings it back.
   void begin();
   void takeBack();
   /// Throws the plug-ins away and makes new ones, as a host may between steps.
@@ -43,10 +43,10 @@ class StepRun {
   FieldState state();
 
  private:
-  struct Saved;
   template <class Work>
   void forEachBlock(const Work& work);
   std::vector<int> fieldIds();
+  std::vector<int> keptFieldIds();
   void copyDeclared(const std::vector<int>& fieldIds);
   void initialize();
 
@@ -55,6 +55,7 @@ class StepRun {
   Scene scene_;
   Layout layout_;
   double time_ = 0.0;
+  bool hasEvaluated_ = false;  ///< since the last accepted step
   std::vector<std::unique_ptr<SmallBody>> bodies_;
   std::vector<std::vector<Teuchos::RCP<PeridigmNS::Material>>> materials_;        ///< [rank][block]
   std::vector<std::vector<Teuchos::RCP<PeridigmNS::DamageModel>>> damageModels_;  ///< [rank][block]

@@ -113,20 +113,21 @@ TEST_F(LooseMetalTest, TakesNoMoreThanTheStepTookFromThoseAround) {
   }
 }
 
-TEST_F(LooseMetalTest, BondsOfAStepThatIsNotTakenAreWhole) {
+TEST_F(LooseMetalTest, AStepThatIsTakenBackLeavesNothing) {
   dissolve([](double x, int) { return x < 5.5 ? 0.3 : 0.0; });
+  model.acceptStep(1.0, 1.0);
   const std::vector<double> bondsBefore = bonds(), damage = values("Damage"), loose = values("Loose");
   const std::vector<double> c = values("Concentration");
-  BondsBeforeStep saved(model);
-  dissolve([](double x, int id) { return x < 3.5 ? 0.999 : x < 8.5 ? 0.6 + 0.01 * (id % 7) : 0.2; });
-  ASSERT_GT(total(bonds()), total(bondsBefore));
-  saved.restore();
-  std::copy(damage.begin(), damage.end(), model.field("Damage"));
-  std::copy(c.begin(), c.end(), concentration());
-  EXPECT_EQ(bonds(), bondsBefore);
-  EXPECT_EQ(values("Loose"), loose);
-  model.importGhosts("Damage");
-  model.importGhosts("Concentration");
+  model.beginStep();
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    dissolve([&](double x, int id) { return x < 3.5 ? 0.999 : x < 8.5 ? 0.6 + 0.01 * (id % (7 + attempt)) : 0.2; });
+    ASSERT_GT(total(bonds()), total(bondsBefore));
+    model.takeBackStep();
+    EXPECT_EQ(bonds(), bondsBefore);
+    EXPECT_EQ(values("Loose"), loose);
+    EXPECT_EQ(values("Damage"), damage);
+    EXPECT_EQ(values("Concentration"), c);
+  }
   model.evaluateDamage(1.0);
   EXPECT_EQ(bonds(), bondsBefore);
   EXPECT_EQ(values("Damage"), damage);
