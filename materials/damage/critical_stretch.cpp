@@ -144,8 +144,7 @@ void CriticalStretch::worsen(double, const Call& call, DataManager& dataManager)
   const int nPoints = fields_.damage.length(dataManager);
   Cache& cache = cacheOf(call, x, nPoints);
   const kernels::ChunkedNeighborhood& neighborhood = cache.neighborhood;
-  cache.alive.refresh(neighborhood, bondDamage,
-                      damageViews(dataManager, fields_.bondDamage, fields_.damage).damage);
+  cache.alive.refresh(neighborhood, bondDamage, damageViews(dataManager, fields_.bondDamage, fields_.damage).damage);
   const int dimension = cache.isPlane && isPlane(y, nPoints) ? 2 : 3;
   cache.current.separate(y, nPoints, dimension);
   const bool hasCoverage = coverage(dataManager, cache.coverage);

@@ -4,64 +4,19 @@
 
 #include <cmath>
 
-#include "bond_damage_model.hpp"
-#include "bond_family.hpp"
-#include "plugins.hpp"
-#include "step_listener.hpp"
+#include "../support/life_damage.hpp"
 #include "step_run.hpp"
 
 namespace pdtest {
 namespace {
 
-using pd::FieldHandle;
 using PeridigmNS::DataManager;
-
-/// Takes rate |s|^2 dt of a bond's life; a bond without life is broken. Counts accepted steps.
-class Life : public pd::BondDamageModel, public pd::StepListener {
- public:
-  struct Fields : BondDamageModel::Fields {
-    FieldHandle x = reads(pd::fields::modelCoordinates()), y = reads(pd::fields::coordinates());
-    FieldHandle life = writes(pd::fields::bondScalar("Test_Lost_Life", "1", "Share of the life that is gone."));
-    FieldHandle steps = writes(pd::fields::pointScalar("Test_Accepted_Steps", "1", "How many."));
-  };
-  static void declareParameters(pd::ParameterDeclarations& declare) {
-    declare.real("Rate", "1/s", "Of loss at a stretch of 1.").required();
-  }
-  explicit Life(const Teuchos::ParameterList& list) : BondDamageModel(list), rate_(list.get<double>("Rate")) {}
-
-  std::string Name() const override { return "Test Life"; }
-  const Fields& fields() const override { return fields_; }
-  void worsen(double dt, const pd::Call& call, DataManager& data) const override {
-    watch_.look(*this, call, data, fields_.life.before(data), dt);
-    const double *x = fields_.x.of(data), *y = fields_.y.of(data), *before = before_(data);
-    double *life = fields_.life.of(data), *bondDamage = fields_.bondDamage.of(data);
-    pd::forEachBond(call, [&](int i, int j, std::size_t bond) {
-      const double length = pd::ReferenceBond(x, i, j).length;
-      const double stretch = pd::ReferenceBond(y, i, j).length / length - 1.0;
-      life[bond] = before[bond] + rate_ * stretch * stretch * dt;
-      if (life[bond] >= 1.0) bondDamage[bond] = 1.0;
-    });
-    pd::countBrokenBonds(call, bondDamage, fields_.damage.of(data));
-  }
-  void stepAccepted(const pd::Call& call, DataManager& data, double, double) const override {
-    for (int p = 0; p < call.nOwned; ++p) fields_.steps.of(data)[call.ownedIds[p]] += 1.0;
-  }
-
- protected:
-  virtual const double* before_(DataManager& data) const { return fields_.life.before(data); }
-  Fields fields_;
-
- private:
-  double rate_;
-  mutable pd::StepWatch watch_;
-};
-PD_REGISTER_DAMAGE_MODEL(Life, "Test Life", "Bonds that tire.")
 
 /// The mistake that the contract is there to find: each call takes from what the last call has left.
 class AccumulatingLife : public Life {
  public:
   using Life::Life;
-  const double* before_(DataManager& data) const override { return fields_.life.of(data); }
+  const double* lifeToStartFrom(DataManager& data) const override { return fields_.life.of(data); }
 };
 PD_REGISTER_DAMAGE_MODEL(AccumulatingLife, "Test Accumulating Life", "Bonds that tire with every call.")
 
@@ -69,19 +24,20 @@ PD_REGISTER_DAMAGE_MODEL(AccumulatingLife, "Test Accumulating Life", "Bonds that
 class RememberingLife : public Life {
  public:
   using Life::Life;
-  void worsen(double dt, const pd::Call& call, DataManager& data) const override {
-    total_ += dt;
-    Life::worsen(total_, call, data);
+  const double* lifeToStartFrom(DataManager& data) const override {
+    if (life_.empty()) life_.assign(static_cast<std::size_t>(fields_.life.length(data)), 0.0);
+    for (double& life : life_) life += 0.01;
+    return life_.data();
   }
 
  private:
-  mutable double total_ = 0.0;
+  mutable std::vector<double> life_;
 };
-PD_REGISTER_DAMAGE_MODEL(RememberingLife, "Test Remembering Life", "Bonds that tire faster and faster.")
+PD_REGISTER_DAMAGE_MODEL(RememberingLife, "Test Remembering Life", "Bonds that tire in secret.")
 
 Sample lifeSample(const std::string& plugin) {
   Sample sample{"Life", plugin, 2, Teuchos::ParameterList()};
-  sample.parameters.set("Rate", 4000.0);
+  sample.parameters.set("Loss", 400.0);
   return sample;
 }
 
