@@ -16,6 +16,37 @@
 namespace pd::test {
 namespace {
 
+/// Prepares a field, and from what its neighbours have prepared finds another one; both reach ghosts.
+class NonlocalDamage : public DamageModel, public FieldUser {
+ public:
+  struct Fields : FieldTable {
+    FieldHandle own = writes(fields::pointScalar("Test_Own", "1", "A number of the point."), Ghosts::AfterPrecompute);
+    FieldHandle sum = writes(fields::pointScalar("Test_Sum", "1", "Of the neighbours'."), Ghosts::AfterPrecompute);
+    FieldHandle x = reads(pd::fields::modelCoordinates());
+  };
+  static void declareParameters(ParameterDeclarations&) {}
+  explicit NonlocalDamage(const Teuchos::ParameterList& list) : DamageModel(list) {}
+  std::string Name() const override { return "Test Nonlocal"; }
+  const Fields& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
+  std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override {
+    return fields_.ids(Ghosts::AfterPrecompute);
+  }
+  void precompute(const double, const int n, const int* owned, const int*, DataManager& data) const override {
+    for (int k = 0; k < n; ++k) fields_.own.of(data)[owned[k]] = 1.0 + fields_.x.of(data)[3 * owned[k]];
+  }
+  void computeDamage(const double, const int n, const int* owned, const int* list, DataManager& data) const override {
+    for (int k = 0; k < n; ++k) {
+      double& sum = fields_.sum.of(data)[owned[k]] = 0.0;
+      for (int nNeighbors = *list++; nNeighbors > 0; --nNeighbors) sum += fields_.own.of(data)[*list++];
+    }
+  }
+
+ private:
+  Fields fields_;
+};
+PD_REGISTER_DAMAGE_MODEL(NonlocalDamage, "Test Nonlocal", "Looks at what neighbours have prepared.")
+
 class ModelMpiTest : public ::testing::Test {
  protected:
   static constexpr int side = 6;
@@ -48,6 +79,25 @@ class ModelMpiTest : public ::testing::Test {
     return sum;
   }
 };
+
+TEST_F(ModelMpiTest, DamageModelsPrepareAndWhatTheyDeclareReachesGhosts) {
+  const Deck deck = deckOf(
+      "Materials: {Springs: {Material Model: Test Springs, Stiffness: 1.0}}\n"
+      "Damage Models: {Nonlocal: {Damage Model: Test Nonlocal}}\n"
+      "Blocks: {All: {Block Names: default, Material: Springs, Damage Model: Nonlocal, Horizon: 1.0}}\n");
+  Model model(deck, comm, square(1), {});
+  model.initialize();
+  model.evaluateDamage(1.0);
+  for (int i = 0; i < model.nPoints(); ++i) {
+    const double* x = model.discretization().x.data() + 3 * i;
+    double expected = 0.0;  // 1 + x of up to four neighbours
+    for (const double step : {-1.0, 1.0}) {
+      if (x[0] + step >= 0.0 && x[0] + step < side) expected += 1.0 + x[0] + step;
+      if (x[1] + step >= 0.0 && x[1] + step < side) expected += 1.0 + x[0];
+    }
+    EXPECT_EQ(model.field("Test_Sum")[i], expected) << "point " << i;
+  }
+}
 
 TEST_F(ModelMpiTest, ForcesAndFluxesSumOverRanksAndBlocks) {
   for (const int nBlocks : {1, 2}) {
