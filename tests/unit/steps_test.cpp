@@ -4,6 +4,7 @@
 
 #include "../solver_scene.hpp"
 #include "../support/life_damage.hpp"
+#include "../test_folder.hpp"
 #include "driver/output/checkpoint.hpp"
 #include "driver/output/output.hpp"
 
@@ -53,7 +54,8 @@ TEST_P(Steps, EachTakesItsPartOnce) {
 }
 
 TEST_P(Steps, ARunGoesOnFromACheckpointToTheLastBit) {
-  const TemporaryFolder folder;
+  const TestFolder folder("pd_steps_test_" + std::to_string(comm.size()), comm.isRoot());
+  comm.barrier();
   Row whole(comm), first(comm), second(comm);
   const auto& [name, parameters] = GetParam();
   const auto ofWhole = whole.scene.make(name, parameters), ofFirst = first.scene.make(name, parameters),
@@ -71,11 +73,11 @@ TEST_P(Steps, ARunGoesOnFromACheckpointToTheLastBit) {
   advance(first, *ofFirst, 0, nBefore);
   const Discretization& points = first.scene.model().discretization();
   const GlobalOrder order(comm, points.globalIds, points.nOwned, points.nGlobal);
-  writeCheckpoint(first.scene.model(), order, folder.file("steps.h5"), nBefore, timeOf(nBefore),
+  writeCheckpoint(first.scene.model(), order, folder / "steps.h5", nBefore, timeOf(nBefore),
                   ofFirst->restartState(), "");
 
   second.start();
-  const Checkpoint checkpoint = readCheckpoint(second.scene.model(), folder.file("steps.h5"));
+  const Checkpoint checkpoint = readCheckpoint(second.scene.model(), folder / "steps.h5");
   second.scene.simulation().conditions.resume(checkpoint.time);
   ofSecond->initialize(second.scene.simulation());
   ofSecond->setRestartState(checkpoint.solverState);
