@@ -4,7 +4,7 @@
 #   ./setup.sh run         install packages, build, run decks/hydrogen_plate and draw its pictures
 #   ./setup.sh test        install packages, build, run all tests
 #   ./setup.sh sanitize    install packages, build with address and undefined-behaviour sanitizers, run the tests with them
-#   ./setup.sh benchmark   install packages, build, measure; writes build/benchmark.json (--quick: tiny bodies)
+#   ./setup.sh benchmark   install packages, build, measure; writes build/benchmark.json and .md (--quick: tiny bodies)
 #   ./setup.sh build       install packages, build
 set -euo pipefail
 

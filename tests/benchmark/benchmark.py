@@ -1,6 +1,11 @@
 #!/usr/bin/python3
 """Measures pdrun: kernels and whole runs. Writes a list of {name, value, unit, machine}.
 
+First and between its parts it measures bare loops of its own (yardstick.hpp), since the same code runs 1.7 times faster
+on one machine than on another and a shared machine is not always the same. Rates have a ratio to the loop that fits
+them, of the same minutes; what is measured several times is a median with lowest and highest. At the end it prints the
+tables of README.md (speed_table.py), and writes them beside its results.
+
   benchmark.py BUILD_FOLDER            everything, some minutes on an idle machine; into BUILD_FOLDER/benchmark.json
   PERIDIGM_EXECUTABLE=... benchmark.py BUILD_FOLDER    the same, with that Peridigm on the block beside pdrun
   benchmark.py BUILD_FOLDER --whole-crevice    72 h of the crevice at steps of 5 s too, ten minutes more
@@ -10,6 +15,7 @@ import argparse
 import json
 import os
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -25,6 +31,8 @@ sys.path[:0] = [str(Path(__file__).resolve().parent), str(SOURCE / "decks" / "cr
 import block  # noqa: E402
 import scenes  # noqa: E402
 import time_steps  # noqa: E402
+from speed_table import speed_tables  # noqa: E402
+from yardstick import UNITS, Yardstick, fitting, program_rates  # noqa: E402
 
 SCENE = SOURCE / "decks" / "hydrogen_plate"
 
@@ -38,50 +46,88 @@ def machine():
     return f"{model}, {os.cpu_count()} cores"
 
 
+def show(result):
+    spread = f"  ({result['lowest']:.4g} to {result['highest']:.4g})" if "lowest" in result else ""
+    ratio = f"  {result['ratio']:.3g} x {result['yardstick'].split('_')[1]}" if "ratio" in result else ""
+    print(f"{result['name']:<58} {result['value']:>14.6g} {result['unit']}{ratio}{spread}", flush=True)
+
+
 class Benchmark:
     def __init__(self, build, folder, is_quick, is_crevice_whole):
         self.build, self.folder, self.is_quick, self.is_crevice_whole = build, folder, is_quick, is_crevice_whole
         self.pdrun = str(build / "pdrun")
         self.machine = machine() + (", --quick: tiny bodies" if is_quick else "")
-        self.results = []
+        self.yardstick = Yardstick(self._program("yardstick_benchmark"), is_quick)
+        self._results = []
+
+    @property
+    def results(self):
+        """Those of the bare loops first."""
+        loops = [self._result(name, self.yardstick.samples[name], UNITS[name]) for name in self.yardstick.samples]
+        return loops + self._results
+
+    def _result(self, name, values, unit):
+        result = {"name": name, "value": float(statistics.median(values)), "unit": unit, "machine": self.machine}
+        if len(values) > 1:
+            result.update(lowest=float(min(values)), highest=float(max(values)), samples=len(values))
+        return result
 
     def add(self, name, value, unit):
-        self.results.append({"name": name, "value": float(value), "unit": unit, "machine": self.machine})
-        print(f"{name:<58} {value:>14.6g} {unit}", flush=True)
+        self._add(self._result(name, [value], unit), [value / self.yardstick.now[fitting(name)]])
+
+    def _add(self, result, ratios):
+        """With the median of `ratios`, where it is a rate."""
+        if result["unit"] == "1/s":
+            result.update(ratio=float(statistics.median(ratios)), yardstick=fitting(result["name"]))
+        self._results.append(result)
+        show(result)
+
+    def measure_yardstick(self):
+        """Shows this measurement alone; the results have all of them."""
+        self.yardstick.measure()
+        for name, rate in self.yardstick.now.items():
+            show(self._result(name, [rate], UNITS[name]))
 
     def own_run(self, counts, content, **options):
         scenes.write_lattice(self.folder / "lattice.txt", counts)
         return scenes.run_own(self.pdrun, content, self.folder, **options)
 
     def kernels(self):
-        """Rates of single evaluations; the first four are those the project holds itself to."""
-        command = [str(self._kernels_program()), "--benchmark_format=json"]
-        if self.is_quick:
-            command += ["--benchmark_min_time=0.01", "--benchmark_filter=large:0"]
-        output = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-        rates = {}
-        for entry in json.loads(output)["benchmarks"]:
-            kernel, *arguments = entry["name"].split("/")
-            values = dict(argument.split(":") for argument in arguments)
-            name = "_".join([kernel, "2d" if values["plane"] == "1" else "3d",
-                             "large" if values["large"] == "1" else "small",
-                             "lattice" if values["jitter"] == "0" else "jittered", "nu" + values["nu"]])
-            rates[name] = entry["bond_updates_per_s"]
+        """Rates of single evaluations, in rounds with the yardstick; the first five are those the project holds itself
+        to."""
+        rates, ratios = {}, {}
+        for round_number in range(1 if self.is_quick else 3):
+            if round_number > 0:
+                self.measure_yardstick()
+            for name, rate in self._kernel_rates().items():
+                rates.setdefault(name, []).append(rate)
+                ratios.setdefault(name, []).append(rate / self.yardstick.now[fitting(name)])
         aliases = {"diffusion_bond_updates_per_s": "diffusion_2d_small_lattice_nu29",
                    "diffusion_bond_updates_per_s_2d_large": "diffusion_2d_large_lattice_nu29",
                    "diffusion_bond_updates_per_s_3d": "diffusion_3d_large_lattice_nu20",
                    "mechanics_breaking_kernel_bond_updates_per_s_2d": "mechanicsBreaking_2d_small_lattice_nu29",
                    "mechanics_breaking_kernel_bond_updates_per_s_3d": "mechanicsBreaking_3d_small_lattice_nu20"}
-        for alias, name in aliases.items():
+        for alias, name in [*aliases.items(), *(("kernel_" + name, name) for name in rates)]:
             if name in rates:
-                self.add(alias, rates[name], "1/s")
-        for name, rate in rates.items():
-            self.add("kernel_" + name, rate, "1/s")
+                self._add(self._result(alias, rates[name], "1/s"), ratios[name])
 
-    def _kernels_program(self):
-        found = [path for path in self.build.rglob("kernels_benchmark") if path.is_file() and os.access(path, os.X_OK)]
+    def _kernel_rates(self):
+        options = {"filter_text": "large:0", "minimum_time": "0.01"} if self.is_quick else {"minimum_time": "0.2"}
+        found = program_rates(self._program("kernels_benchmark"), "bond_updates_per_s", **options)
+        rates = {}
+        for text, (rate,) in found.items():
+            kernel, *arguments = text.split("/")
+            values = dict(argument.split(":") for argument in arguments)
+            name = "_".join([kernel, "2d" if values["plane"] == "1" else "3d",
+                             "large" if values["large"] == "1" else "small",
+                             "lattice" if values["jitter"] == "0" else "jittered", "nu" + values["nu"]])
+            rates[name] = rate
+        return rates
+
+    def _program(self, name):
+        found = [path for path in self.build.rglob(name) if path.is_file() and os.access(path, os.X_OK)]
         if not found:
-            raise RuntimeError(f"no kernels_benchmark in {self.build}: build with the tests")
+            raise RuntimeError(f"no {name} in {self.build}: build with the tests")
         return found[0]
 
     def hydrogen_plate(self):
@@ -232,12 +278,17 @@ def main():
         for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.crevice, benchmark.mechanics,
                      benchmark.speedup, benchmark.million_points, benchmark.kernels):
             try:
+                benchmark.measure_yardstick()
                 part()
             except (RuntimeError, OSError, subprocess.CalledProcessError) as error:
                 print(f"benchmark.py: {part.__name__}: {error}", file=sys.stderr)
                 failures += 1
             output.write_text(json.dumps(benchmark.results, indent=2) + "\n")
-    print(output)
+    for result in benchmark.results[:len(benchmark.yardstick.samples)]:
+        show(result)
+    tables = speed_tables(benchmark.results)
+    output.with_suffix(".md").write_text(tables)
+    print(f"\n{tables}\n{output}\n{output.with_suffix('.md')}")
     return 1 if failures else 0
 
 
