@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "../deck/sections.hpp"
+#include "../study/check_study.hpp"
 #include "../study/run_study.hpp"
 #include "explain.hpp"
 
@@ -22,7 +23,7 @@ const char* const sampleRuns =
     "  pdrun plate.yaml --set \"Solver/Final Time=1.0\"     with another value\n"
     "  pdrun plate.yaml --restart plate.checkpoint.h5     go on from a checkpoint\n"
     "  pdrun --check plate.yaml                           look for mistakes only\n"
-    "  pdrun --study study.yaml                           error against work of many runs of a deck\n"
+    "  pdrun --study study.yaml                           a deck for many values: errors, histories\n"
     "  pdrun --list                                       materials, solvers, conditions ...\n"
     "  pdrun --explain \"Critical Stretch\"                 parameters of one of them\n"
     "\n"
@@ -51,11 +52,13 @@ void check(const RunOptions& options, const Communicator& comm) {
 }
 
 /// Throws DeckError on more than one rank: the runs of a study are processes of their own.
-void study(const CommandLine& commandLine, const Communicator& comm) {
+void performStudy(const CommandLine& commandLine, const Communicator& comm) {
   if (comm.size() > 1) throw DeckError("pdrun: a study times runs of one process each; start it without mpirun");
-  const Study runs = readStudy(commandLine.studyFile, commandLine.options.overrides);
-  if (commandLine.action == CommandLine::Action::Study) return runStudy(runs, commandLine.options.isQuiet);
-  print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(runs.runs.size()) + " runs");
+  Study study = readStudy(commandLine.studyFile, commandLine.options.overrides);
+  const bool isRun = commandLine.action == CommandLine::Action::Study;
+  checkStudy(study, comm, !isRun);
+  if (isRun) return runStudy(study, commandLine.options.isQuiet);
+  print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(study.runs.size()) + " runs");
 }
 
 int perform(int argc, const char* const* argv, const Communicator& comm) {
@@ -73,7 +76,7 @@ int perform(int argc, const char* const* argv, const Communicator& comm) {
         break;
       case CommandLine::Action::Study:
       case CommandLine::Action::CheckStudy:
-        study(commandLine, comm);
+        performStudy(commandLine, comm);
         break;
     }
     return 0;
@@ -128,7 +131,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
                  "(lenient).")
       ->type_name("strict|lenient")
       ->check(CLI::IsMember({"strict", "lenient"}));
-  app.add_option("--study", result.studyFile, "Run a deck over lists of overrides: error against time and work.")
+  app.add_option("--study", result.studyFile,
+                 "Run a deck over lists of overrides: its errors against work, its histories.")
       ->type_name("FILE");
   app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
   app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");

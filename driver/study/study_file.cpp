@@ -1,10 +1,10 @@
 #include "study_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "../deck/deck.hpp"
 #include "../deck/deck_parameters.hpp"
-#include "../deck/sections.hpp"
 
 namespace pd {
 
@@ -14,14 +14,26 @@ ParameterDeclarations declareStudy() {
   ParameterDeclarations declare;
   declare.text("Deck", "The deck that is run, seen from the folder of the study.").required();
   declare.text("Name", "Of the results (default: the name of the file).");
-  declare.text("Reference", "What the errors are taken against.").required();
-  declare.text("Error", "Part of the name of one error norm of the deck's Exact Solution.").required();
+  declare.text("Error", "Part of the name of one error norm of the deck's Exact Solution.");
+  declare.text("Reference", "What the errors are taken against, for table and picture.");
+  declare.texts("Histories",
+                "Columns of the CSV files of the runs, which table and picture show; a vector stands for its "
+                "components.");
+  declare.texts("History Values", "What the table tells of each history (default: Final).")
+      .oneOf(HistoryValue::names());
+  declare.atLeastOneOf({"Error", "Histories"});
+  declare.needs("Error", {"Reference"});
+  declare.needs("Reference", {"Error"});
+  declare.needs("History Values", {"Histories"});
   return declare;
 }
 
 ParameterDeclarations declareSeries() {
   ParameterDeclarations declare;
   declare.text("Label", "Name of the series in table and picture.").required();
+  declare.sublist("Overrides",
+                  "Paths of the deck, as in \"Solver/Final Time: 1.0\", that all runs of the series share.");
+  declare.sublist("Sweep", "Paths of the deck with a list of values, one for each run; several lists go side by side.");
   return declare;
 }
 
@@ -49,90 +61,164 @@ std::string flowYaml(const DeckNode& value) {
   return value.isQuoted() ? quoted(value.text()) : value.text();
 }
 
-/// The overrides of each run of a series.
-std::vector<std::vector<std::string>> overridesOfRuns(const DeckNode& series, Mistakes& mistakes) {
-  std::vector<std::string> common;
-  for (const auto& [path, value] : series["Overrides"].entries()) common.push_back(path + "=" + flowYaml(value));
-  const auto sweeps = series["Sweep"].entries();
-  if (sweeps.empty()) return {common};
-  const std::size_t nRuns = sweeps.front().second.items().size();
-  std::vector<std::vector<std::string>> runs(nRuns, common);
-  for (const auto& [path, list] : sweeps) {
-    const std::vector<DeckNode> values = list.items();
-    if (!list.isSequence() || values.empty()) {
-      mistakes.add(list.place(), list.path() + " must be a list of values, one for each run");
-    } else if (nRuns > 0 && values.size() != nRuns) {
-      mistakes.add(list.place(), list.path() + " has " + std::to_string(values.size()) + " values, but \"" +
-                                     sweeps.front().first + "\" has " + std::to_string(nRuns) +
-                                     ": lists of one Sweep go side by side");
+StudyOverride overrideOf(const std::string& path, const DeckNode& value) {
+  return {path, flowYaml(value), value.place()};
+}
+
+/// Keys without a value are empty maps to a deck, and no value of an override.
+bool isMissing(const DeckNode& value) { return value.isMap() && value.entries().empty(); }
+
+class StudyReader {
+ public:
+  StudyReader(const std::string& fileName, const std::vector<std::string>& overrides)
+      : file_(Deck::read(fileName)), overrides_(overrides) {
+    study_.fileName = fileName;
+  }
+
+  Study read() {
+    head();
+    const DeckNode series = file_["Series"];
+    if (!series.isSequence() || series.items().empty()) {
+      mistakes_.add(series ? series.place() : file_.root().place(),
+                    "Series must be a list, each with a Label, Overrides and a Sweep of values");
     } else {
-      for (std::size_t i = 0; i < nRuns; ++i) runs[i].push_back(path + "=" + flowYaml(values[i]));
+      for (const DeckNode& entry : series.items()) addSeries(entry, ++nSeries_);
+    }
+    mistakes_.sort(file_.fileName());
+    mistakes_.report();
+    return study_;
+  }
+
+ private:
+  void head() {
+    Mistakes own;
+    const Teuchos::ParameterList list = readParameters(file_.root(), studyDeclarations(), own, {{"Series"}, {}});
+    for (const std::string& line : own.lines()) addOfRoot(line);
+    study_.name = file_.root().isMap() && list.isParameter("Name")
+                      ? list.get<std::string>("Name")
+                      : std::filesystem::path(file_.fileName()).stem().string();
+    const auto text = [&](const char* key) { return list.isParameter(key) ? list.get<std::string>(key) : ""; };
+    study_.reference = text("Reference");
+    study_.errorNorm = text("Error");
+    study_.errorPlace = file_["Error"].place();
+    histories();
+    if (!list.isParameter("Deck")) return;
+    study_.deckFile = file_.resolvePath(text("Deck"));
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(study_.deckFile, error))
+      mistakes_.add(file_["Deck"].place(),
+                    "Deck: there is no file \"" + study_.deckFile + "\" (names start at the folder of the study)");
+  }
+
+  /// Those of the file as a whole lack a path that says where they are.
+  void addOfRoot(const std::string& line) {
+    const std::string place = file_.root().keyPlace() + ": ";
+    const bool lacksPath =
+        line.compare(0, place.size(), place) == 0 && (line[place.size()] == ' ' || line[place.size()] == ':');
+    mistakes_.add("", lacksPath ? place + "the study" + line.substr(place.size()) : line);
+  }
+
+  void histories() {
+    for (const DeckNode& item : file_["Histories"].items())
+      if (item.isScalar()) study_.histories.push_back({item.text(), item.place(), {}});
+    const std::vector<std::string>& names = HistoryValue::names();
+    for (const DeckNode& item : file_["History Values"].items()) {
+      const auto found = std::find(names.begin(), names.end(), item.isScalar() ? item.text() : "");
+      if (found != names.end()) study_.historyValues.push_back(static_cast<HistoryValue::Kind>(found - names.begin()));
+    }
+    if (study_.historyValues.empty()) study_.historyValues = {HistoryValue::Final};
+  }
+
+  void addSeries(const DeckNode& series, int number) {
+    // Overrides and Sweep hold paths of the deck, which no declaration knows.
+    ParameterDeclarations own;
+    own.text("Label", "") = *studySeriesDeclarations().find("Label");
+    const auto list = readParameters(series, own, mistakes_, {{"Overrides", "Sweep"}, {}});
+    bool isGood = series.isMap();
+    for (const char* key : {"Overrides", "Sweep"}) {
+      const DeckNode section = series[key];
+      if (!section || section.isMap()) continue;
+      mistakes_.add(section.place(),
+                    section.path() + " must be a section of deck paths, as in \"Solver/Final Time: 1.0\"");
+      isGood = false;
+    }
+    if (!isGood || !list.isParameter("Label")) return;
+    int run = 0;
+    for (StudyRun& added : runsOf(series)) {
+      added.label = list.get<std::string>("Label");
+      added.place = series.place();
+      added.outputName = study_.name + ".study/" + std::to_string(number) + "_" + std::to_string(++run);
+      addCommandLine(added);
+      study_.runs.push_back(std::move(added));
     }
   }
-  return runs;
-}
 
-void addSeries(const DeckNode& series, int number, Study& study, Mistakes& mistakes) {
-  const auto list = readParameters(series, declareSeries(), mistakes, {{"Overrides", "Sweep"}, {}});
-  bool isGood = series.isMap();
-  for (const char* key : {"Overrides", "Sweep"}) {
-    const DeckNode section = series[key];
-    if (!section || section.isMap()) continue;
-    mistakes.add(section.place(),
-                 section.path() + " must be a section of deck paths, as in \"Solver/Final Time: 1.0\"");
-    isGood = false;
-  }
-  if (!isGood || !list.isParameter("Label")) return;
-  const auto label = list.get<std::string>("Label");
-  int run = 0;
-  for (std::vector<std::string>& overrides : overridesOfRuns(series, mistakes))
-    study.runs.push_back({label, series.place(), std::move(overrides),
-                          study.name + ".study/" + std::to_string(number) + "_" + std::to_string(++run)});
-}
-
-/// The mistakes of the decks of all runs, each said once, with the label of the first series that has it.
-void checkDecks(const Study& study, Mistakes& mistakes) {
-  Mistakes seen;
-  for (const StudyRun& run : study.runs) {
-    try {
-      const Deck deck = Deck::read(study.deckFile, run.overrides);
-      checkDeck(deck);
-      if (!deck["Exact Solution"])
-        deck.mistakes().add(study.deckFile, "the deck has no section Exact Solution, so a study finds no error");
-      deck.mistakes().report();
-    } catch (const DeckError& error) {
-      const std::size_t nSeen = seen.lines().size();
-      seen.add("", error.what());
-      if (seen.lines().size() > nSeen)
-        mistakes.add("", std::string(error.what()) + "\n  (" + run.place + ": series \"" + run.label + "\")");
+  void addCommandLine(StudyRun& run) const {
+    for (const std::string& text : overrides_) {
+      const std::size_t equals = text.find('=');
+      if (equals == std::string::npos)
+        throw DeckError("--set \"" + text + "\": write it as path=value, as in --set \"Solver/Final Time=1.0\"");
+      run.overrides.push_back({text.substr(0, equals), text.substr(equals + 1), ""});
     }
   }
-}
+
+  std::vector<StudyRun> runsOf(const DeckNode& series) {
+    StudyRun common;
+    for (const auto& [path, value] : series["Overrides"].entries())
+      if (hasValue(value)) common.overrides.push_back(overrideOf(path, value));
+    const auto sweeps = series["Sweep"].entries();
+    if (sweeps.empty()) return {common};
+    std::vector<StudyRun> runs(sweeps.front().second.items().size(), common);
+    for (const auto& [path, list] : sweeps) {
+      const std::vector<DeckNode> values = list.items();
+      if (!list.isSequence() || values.empty()) {
+        mistakes_.add(list.place(), list.path() + " must be a list of values, one for each run");
+      } else if (!runs.empty() && values.size() != runs.size()) {
+        mistakes_.add(list.place(), list.path() + " has " + std::to_string(values.size()) + " values, but \"" +
+                                        sweeps.front().first + "\" has " + std::to_string(runs.size()) +
+                                        ": lists of one Sweep go side by side");
+      } else {
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+          if (!hasValue(values[i])) continue;
+          runs[i].overrides.push_back(overrideOf(path, values[i]));
+          runs[i].swept.emplace_back(path, runs[i].overrides.back().value);
+        }
+      }
+    }
+    return runs;
+  }
+
+  bool hasValue(const DeckNode& value) {
+    if (isMissing(value)) mistakes_.add(value.place(), value.path() + " has no value");
+    return !isMissing(value);
+  }
+
+  const Deck file_;
+  const std::vector<std::string>& overrides_;
+  Mistakes mistakes_;
+  Study study_;
+  int nSeries_ = 0;
+};
 
 }  // namespace
 
+const std::vector<std::string>& HistoryValue::names() {
+  static const std::vector<std::string> names{"Final", "Maximum", "Minimum", "Time Of Maximum"};
+  return names;
+}
+
+const ParameterDeclarations& studyDeclarations() {
+  static const ParameterDeclarations declarations = declareStudy();
+  return declarations;
+}
+
+const ParameterDeclarations& studySeriesDeclarations() {
+  static const ParameterDeclarations declarations = declareSeries();
+  return declarations;
+}
+
 Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides) {
-  const Deck file = Deck::read(fileName);
-  Mistakes mistakes;
-  Teuchos::ParameterList list = readParameters(file.root(), declareStudy(), mistakes, {{"Series"}, {}});
-  Study study;
-  study.name = list.get("Name", std::filesystem::path(fileName).stem().string());
-  study.reference = list.get("Reference", std::string());
-  study.errorNorm = list.get("Error", std::string());
-  const DeckNode series = file["Series"];
-  if (!series.isSequence() || series.items().empty()) {
-    mistakes.add(series ? series.place() : fileName,
-                 "Series must be a list, each with a Label, Overrides and a Sweep of values");
-  } else {
-    int number = 0;
-    for (const DeckNode& entry : series.items()) addSeries(entry, ++number, study, mistakes);
-  }
-  mistakes.report();
-  study.deckFile = file.resolvePath(list.get<std::string>("Deck"));
-  for (StudyRun& run : study.runs) run.overrides.insert(run.overrides.end(), overrides.begin(), overrides.end());
-  checkDecks(study, mistakes);
-  mistakes.report();
-  return study;
+  return StudyReader(fileName, overrides).read();
 }
 
 }  // namespace pd

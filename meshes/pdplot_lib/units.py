@@ -9,9 +9,10 @@ _UNITS = {
     "Saturation_Concentration": "mol/m³", "Dissolution_Rate": "mol/(m³ s)",
 }
 _HISTORY_UNITS = [("reaction", "N"), ("crack_length", "m"), ("crack_tip", "m"), ("crack_area", "m²"), ("energy", "J"),
-                  ("j_integral", "J/m²"), ("mass_loss", "kg"), ("volume_loss", "m³"), ("dissolved_amount", "mol"),
-                  ("depth", "m"), ("deepest_place", "m"), ("pit_width", "m"), ("front_speed", "m/s"),
-                  ("current_density", "A/m²"), ("current_place", "m"), ("total_current", "A")]
+                  ("work", "J"), ("j_integral", "J/m²"), ("mass_loss", "kg"), ("volume_loss", "m³"),
+                  ("dissolved_amount", "mol"), ("depth", "m"), ("deepest_place", "m"), ("pit_width", "m"),
+                  ("front_speed", "m/s"), ("current_density", "A/m²"), ("current_place", "m"),
+                  ("total_current", "A")]
 _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
 
 
