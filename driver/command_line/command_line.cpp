@@ -9,6 +9,7 @@
 #include "../study/check_study.hpp"
 #include "../study/run_study.hpp"
 #include "explain.hpp"
+#include "markdown.hpp"
 
 namespace pd {
 
@@ -25,7 +26,8 @@ const char* const sampleRuns =
     "  pdrun --check plate.yaml                           look for mistakes only\n"
     "  pdrun --study study.yaml                           a deck for many values: errors, histories\n"
     "  pdrun --list                                       materials, solvers, conditions ...\n"
-    "  pdrun --explain \"Critical Stretch\"                 parameters of one of them\n"
+    "  pdrun --explain \"Critical Stretch\"                 keys of one of them, or of a section of the deck\n"
+    "  pdrun --explain --all --markdown reference         the whole reference, pages in a folder\n"
     "\n"
     "Exit codes: 0 done; 2 a mistake in deck, mesh or arguments; 3 the run could not go on; 4 a fault of pdrun.";
 
@@ -78,6 +80,10 @@ int perform(int argc, const char* const* argv, const Communicator& comm) {
       case CommandLine::Action::CheckStudy:
         performStudy(commandLine, comm);
         break;
+      case CommandLine::Action::WriteReference:
+        if (comm.isRoot())
+          for (const std::string& page : writeReference(commandLine.referenceFolder)) print(comm, stdout, page);
+        break;
     }
     return 0;
   } catch (const DeckError& error) {
@@ -111,13 +117,35 @@ int leaveTogether(int code, MPI_Comm ranks) {
   }
 }
 
+/// What --explain and the options beside it ask for.
+struct Explanation {
+  std::string topic, folder;
+  bool isAll = false, isMarkdown = false;
+};
+
+/// Throws DeckError where they do not fit each other.
+CommandLine explanation(const Explanation& asked) {
+  if (asked.topic.empty() != asked.isAll)
+    throw DeckError("pdrun: --explain takes a NAME, or --all in its place; pdrun --list has the names");
+  if (!asked.folder.empty() && !asked.isAll) throw DeckError("pdrun: pages go to a folder with --all alone");
+  CommandLine result;
+  result.action = asked.folder.empty() ? CommandLine::Action::Print : CommandLine::Action::WriteReference;
+  result.referenceFolder = asked.folder;
+  if (asked.isMarkdown)
+    result.text = markdown(asked.isAll ? reference() : chaptersAbout(asked.topic));
+  else
+    result.text = asked.isAll ? explainEverything() : explain(asked.topic);
+  return result;
+}
+
 }  // namespace
 
 CommandLine parseCommandLine(int argc, const char* const* argv) {
   CommandLine result;
   RunOptions& options = result.options;
   bool isCheck = false, isList = false;
-  std::string topic, peridigmKeys = "strict";
+  std::string peridigmKeys = "strict";
+  Explanation explained;
   CLI::App app{"Peridynamic degradation of materials: runs a deck in YAML, or one of Peridigm.", "pdrun"};
   app.footer(sampleRuns);
   app.add_option("deck", options.deckFile, "The deck to run (YAML, or Peridigm's XML).");
@@ -136,7 +164,16 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
       ->type_name("FILE");
   app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
   app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");
-  app.add_option("--explain", topic, "Tell the parameters of one of these.")->type_name("NAME");
+  const CLI::Option* const explainOption =
+      app.add_option("--explain", explained.topic, "Tell the keys of one of these, or with --all of everything.")
+          ->type_name("[NAME]")
+          ->expected(0, 1);
+  app.add_flag("--all", explained.isAll, "With --explain: everything.")->needs("--explain");
+  const CLI::Option* const markdownOption =
+      app.add_option("--markdown", explained.folder, "With --explain: as Markdown; with --all as pages of a folder.")
+          ->type_name("[FOLDER]")
+          ->expected(0, 1)
+          ->needs("--explain");
   app.add_flag("--quiet", options.isQuiet, "Print nothing on the terminal but errors.");
   app.set_version_flag("--version", std::string("pdrun ") + PD_VERSION);
 
@@ -156,7 +193,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   }
   if (peridigmKeys == "lenient") options.unknownKeys = UnknownKeys::AreWarnings;
   if (isList) return printing(listEverything());
-  if (!topic.empty()) return printing(explain(topic));
+  explained.isMarkdown = markdownOption->count() > 0;
+  if (explainOption->count() > 0) return explanation(explained);
   if (!result.studyFile.empty()) {
     if (!options.deckFile.empty() || !options.restartFile.empty())
       throw DeckError("pdrun: a study names its deck itself and starts it anew; leave out the deck and --restart");

@@ -10,11 +10,12 @@
 namespace pd {
 
 struct CommandLine {
-  enum class Action { Run, Check, Study, CheckStudy, Print };
+  enum class Action { Run, Check, Study, CheckStudy, Print, WriteReference };
   Action action = Action::Run;
   RunOptions options;
-  std::string studyFile;  ///< of Study and CheckStudy
-  std::string text;       ///< of Print: help, version, list or explanation
+  std::string studyFile;        ///< of Study and CheckStudy
+  std::string text;             ///< of Print: help, version, list or explanation
+  std::string referenceFolder;  ///< of WriteReference
 };
 
 /// Throws DeckError, with the remedy, for arguments that make no sense.

@@ -94,6 +94,24 @@ class Pdrun(unittest.TestCase):
         self.assertIn("Young's Modulus: a number > 0 Pa", explained)
         self.assertIn('Give at most one of "Plane Stress", "Plane Strain", "One Dimensional".', explained)
 
+    def test_the_whole_reference_is_pages_of_a_folder_or_text(self):
+        done = self.run_pdrun("--explain", "--all", "--markdown", "reference")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        pages = done.stdout.split()
+        self.assertEqual(sorted(os.listdir(self.path("reference"))), sorted(page.split("/")[1] for page in pages))
+        with open(self.path("reference/README.md")) as file:
+            linked = re.findall(r"\]\((\w+\.md)\)", file.read())
+        self.assertEqual(["reference/README.md"] + [f"reference/{page}" for page in linked], pages)
+        everything = self.run_pdrun("--explain", "--all", "--markdown").stdout
+        for page in linked:
+            with open(self.path(f"reference/{page}")) as file:
+                self.assertIn(file.read(), everything)
+        self.assertIn(self.run_pdrun("--explain", "PDHE").stdout, self.run_pdrun("--explain", "--all").stdout)
+        self.assertTrue(self.run_pdrun("--explain", "PDHE", "--markdown").stdout.startswith("# Materials\n\n## PDHE\n"))
+        for arguments in (["--explain"], ["--explain", "PDHE", "--all"], ["--explain", "PDHE", "--markdown", "folder"],
+                          ["--markdown"]):
+            self.assertEqual(self.run_pdrun(*arguments).returncode, 2, arguments)
+
     def test_a_run_ends_well_and_writes_the_resolved_deck(self):
         done = self.run_pdrun("deck.yaml", "--set", "Solver/Verlet/Safety Factor=0.4")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,0 +1,133 @@
+#include "markdown.hpp"
+
+#include <cctype>
+#include <filesystem>
+
+#include "../output/atomic_file.hpp"
+
+namespace pd {
+
+namespace {
+
+/// A cell of a table, whose columns "|" would end.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return " " + (result.empty() ? "–" : result) + " |";
+}
+
+std::string valueText(ParameterType type) {
+  switch (type) {
+    case ParameterType::Real:
+      return "number";
+    case ParameterType::Integer:
+      return "integer";
+    case ParameterType::Flag:
+      return "true or false";
+    case ParameterType::Text:
+      return "text";
+    case ParameterType::Function:
+      return "number, function of x, y, z, t, or table";
+    case ParameterType::Reals:
+      return "list of numbers";
+    case ParameterType::Texts:
+      return "list of names";
+  }
+  return "";
+}
+
+std::string rangeText(const Parameter& parameter) {
+  std::string names;
+  for (const std::string& choice : parameter.choices) names += (names.empty() ? "`" : ", `") + choice + "`";
+  if (!names.empty()) return names;
+  Parameter bare = parameter;
+  bare.unit.clear();
+  const std::string range = bare.allowedText();
+  return range.empty() ? "any" : range;
+}
+
+std::string defaultCell(const Parameter& parameter) {
+  if (parameter.isRequired) return "required";
+  const std::string text = parameter.defaultText();
+  return text.empty() ? "none" : "`" + text + "`";
+}
+
+std::string row(const Parameter& parameter) {
+  const std::string source = parameter.source.empty() ? "" : " [" + parameter.source + "]";
+  return "|" + cell("`" + parameter.name + "`") + cell(valueText(parameter.type)) + cell(parameter.unit) +
+         cell(rangeText(parameter)) + cell(defaultCell(parameter)) + cell(parameter.meaning + source) + "\n";
+}
+
+/// `path` names the section that the keys stand in, where that is one below the topic.
+std::string keys(const ParameterDeclarations& declarations, const std::string& path) {
+  std::string result;
+  if (!declarations.parameters().empty())
+    result += "| Key | Value | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n";
+  for (const Parameter& parameter : declarations.parameters()) result += row(parameter);
+  if (!result.empty()) result += "\n";
+  for (const auto& rule : declarations.rules()) result += "* " + ruleText(rule) + "\n";
+  if (!declarations.rules().empty()) result += "\n";
+  for (const auto& sublist : declarations.sublists()) {
+    const std::string below = path + sublist.name;
+    result +=
+        "**Section `" + below + "`** – " + sublist.meaning + "\n\n" + keys(sublist.declarations.front(), below + "/");
+  }
+  return result;
+}
+
+std::string fileName(const ReferenceChapter& chapter) {
+  std::string result;
+  for (const char c : chapter.name())
+    result += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result + ".md";
+}
+
+std::string indexPage(const std::vector<ReferenceChapter>& chapters) {
+  std::string result =
+      "# Reference of decks and studies\n\n"
+      "Made by `pdrun --explain --all --markdown` from what the program itself checks decks with.\n\n"
+      "| Page | What it is | Names |\n|---|---|---|\n";
+  for (const ReferenceChapter& chapter : chapters) {
+    std::string names;
+    for (const ReferenceTopic& topic : chapter.topics) names += (names.empty() ? "`" : ", `") + topic.name + "`";
+    result +=
+        "|" + cell("[" + chapter.name() + "](" + fileName(chapter) + ")") + cell(chapter.brief) + cell(names) + "\n";
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string markdownPage(const ReferenceChapter& chapter) {
+  std::string result = "# " + chapter.name() + "\n\n";
+  if (!chapter.brief.empty()) result += chapter.brief + "\n\n";
+  result += keys(chapter.declarations, "");
+  for (const ReferenceTopic& topic : chapter.topics) {
+    const std::string topicKeys = keys(topic.declarations, "");
+    result += "## " + topic.name + "\n\n" + (topic.brief.empty() ? "" : topic.brief + " ") +
+              "In a deck: " + chapter.useOf(topic) + ".\n\n" +
+              (topicKeys.empty() ? "It takes no keys.\n\n" : topicKeys);
+  }
+  return result;
+}
+
+std::string markdown(const std::vector<ReferenceChapter>& chapters) {
+  std::string result;
+  for (const ReferenceChapter& chapter : chapters) result += markdownPage(chapter);
+  return result;
+}
+
+std::vector<std::string> writeReference(const std::string& folder) {
+  const std::vector<ReferenceChapter> chapters = reference();
+  std::vector<std::string> names;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    names.push_back((std::filesystem::path(folder) / name).string());
+    makeFolderOf(names.back());
+    writeFileAtomically(names.back(), text);
+  };
+  write("README.md", indexPage(chapters));
+  for (const ReferenceChapter& chapter : chapters) write(fileName(chapter), markdownPage(chapter));
+  return names;
+}
+
+}  // namespace pd
