@@ -144,10 +144,10 @@ def _draw_values(panel, table, name, path, kinds):
             rows = [row for row in rows if row[path] and math.isfinite(table.number(row, column))]
             numbers = [table.number(row, path) for row in rows]
             is_numeric = all(math.isfinite(number) for number in numbers)
-            text = ", ".join(part for part in (label if several else "", kind.lower() if len(kinds) > 1 else "") if part)
+            words = [label] * several + [kind.lower()] * (len(kinds) > 1)
             panel.plot(numbers if is_numeric else [row[path] for row in rows],
                        [table.number(row, column) for row in rows], marker=marker, markersize=5, linewidth=1.2,
-                       label=text)
+                       label=", ".join(words))
             if is_numeric and numbers and min(numbers) > 0.0 and max(numbers) / min(numbers) >= 30.0:
                 panel.set_xscale("log")
     panel.set_xlabel(_short(path))
@@ -183,7 +183,7 @@ def _draw(options):
     stem = stem[:-len(".study")] if stem.endswith(".study") else stem
     has_errors, has_histories = "error" in table.columns, bool(table.value_columns)
     if options.output and has_errors and has_histories:
-        raise PlotError(f"-o {options.output}: {table.path} has errors and histories, which are two pictures; leave -o out")
+        raise PlotError(f"-o {options.output}: {table.path} has errors and histories, two pictures; leave -o out")
     if has_errors:
         _save(draw_errors(table, options.error, options.reference), options.output or stem + ".study.png")
     if has_histories:
@@ -196,8 +196,8 @@ def main(arguments=None):
     parser.add_argument("table", help="NAME.study.csv, which pdrun --study writes")
     parser.add_argument("--reference", default="", help="what the errors are taken against, for the title")
     parser.add_argument("--error", default="", help="name of the error norm, for the axis")
-    parser.add_argument("-o", "--output", help="picture to write (.png, .pdf, .svg); default: NAME.study.png for errors, "
-                                               "NAME.histories.png for histories")
+    parser.add_argument("-o", "--output", help="picture to write (.png, .pdf, .svg); default: NAME.study.png for "
+                                               "errors, NAME.histories.png for histories")
     try:
         _draw(parser.parse_args(arguments))
     except PlotError as error:

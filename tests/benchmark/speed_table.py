@@ -107,7 +107,8 @@ def _block_rows(f):
             if not (f.has(one) and f.has(speedup)):
                 cells += ["", "", ""]
                 continue
-            cells += [f.rate(one), f.ratio(one), f"{_short(f.number(one) * f.number(speedup))}, {f.number(speedup):.2f} ×"]
+            two = f"{_short(f.number(one) * f.number(speedup))}, {f.number(speedup):.2f} ×"
+            cells += [f.rate(one), f.ratio(one), two]
         if any(cells[1:]):
             yield cells
 

@@ -151,10 +151,12 @@ class StudyOfErrors(StudyTest):
         self.assert_mistakes(['study.yaml:1:1: the study: give at least one of "Error", "Histories"',
                               'study.yaml:1:1: the study: "Reference" needs "Error" beside it',
                               'study.yaml:1:7: Deck: there is no file "pear.yaml"',
-                              'study.yaml:5:5: unknown key "Labl"', "study.yaml:9:58: Series[2]/Overrides/Solver/Diffusion/Sub Steps has no value"])
+                              'study.yaml:5:5: unknown key "Labl"',
+                              "study.yaml:9:58: Series[2]/Overrides/Solver/Diffusion/Sub Steps has no value"])
 
     def test_mistakes_of_any_run_are_told_by_their_places_in_the_study(self):
-        self.write("study.yaml", STUDY.replace("[4, 8, 16]", "[4, 8, -16]").replace("Method: Implicit Euler", "Methd: RKL"))
+        self.write("study.yaml", STUDY.replace("[4, 8, 16]", "[4, 8, -16]")
+                   .replace("Method: Implicit Euler", "Methd: RKL"))
         self.assert_mistakes(["study.yaml:8:48: Solver/Diffusion/Sub Steps is -16", 'series "Euler"',
                               "study.yaml:10:41: unknown key \"Methd\"", 'series "Implicit, first order"'])
 
@@ -230,8 +232,8 @@ class StudyOfHistories(StudyTest):
         self.write("study.yaml", HISTORIES_STUDY.replace("Highest", "Higest").replace("Minimum", "Mean"))
         self.assert_mistakes(['study.yaml:4:34: History Values', '"Mean" is not allowed here'])
         self.write("study.yaml", HISTORIES_STUDY.replace("Highest", "Higest"))
-        self.assert_mistakes(['study.yaml:3:13: Histories: no run writes "Higest" (did you mean "Highest"?); there are: '
-                              '"Highest", "Lowest", "Corner"'], "--check")
+        self.assert_mistakes(['study.yaml:3:13: Histories: no run writes "Higest" (did you mean "Highest"?); '
+                              'there are: "Highest", "Lowest", "Corner"'], "--check")
         self.write("study.yaml", HISTORIES_STUDY)
         self.write("pair.yaml", HISTORIES_DECK + "Output2: {Output Filename: two, Output Variables: [Lowest]}\n")
         self.assert_mistakes(['study.yaml:3:22: Histories: no run writes "Lowest"'], "--check")
