@@ -1,4 +1,4 @@
-// main() of tests that need MPI: all ranks run all tests, the root rank prints. Link pd_parallel and Trilinos.
+// main() of tests that need MPI: all ranks run all tests, the root rank prints.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 
-PDRUN = None
+PDRUN = os.path.abspath(os.environ["PDRUN"])
 
 NX, NY, SPACING = 12, 7, 1e-3
 DECK = """\
@@ -140,5 +140,4 @@ class ParaView(Scene):
 
 
 if __name__ == "__main__":
-    PDRUN = os.path.abspath(sys.argv.pop(1))
     unittest.main()

@@ -4,12 +4,11 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 
-PDRUN = None
+PDRUN = os.path.abspath(os.environ["PDRUN"])
 
 DECK = """\
 Discretization:
@@ -217,5 +216,4 @@ class Pdrun(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PDRUN = os.path.abspath(sys.argv.pop(1))
     unittest.main()

@@ -12,7 +12,7 @@ import h5py
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
-PDRUN = None
+PDRUN = os.path.abspath(os.environ["PDRUN"])
 
 
 class Readme(unittest.TestCase):
@@ -46,7 +46,6 @@ class Readme(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PDRUN = os.path.abspath(sys.argv.pop(1))
     if shutil.which("gmsh") is None:
         sys.exit("no gmsh: ./setup.sh test installs it")
     unittest.main()

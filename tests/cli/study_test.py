@@ -3,11 +3,10 @@ import csv
 import math
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
-PDRUN = None
+PDRUN = os.path.abspath(os.environ["PDRUN"])
 
 DIFFUSIVITY, SPACING, HORIZON, THICKNESS = 1e-9, 1e-3, 1.6e-3, 1e-3
 # Two points: their mean stays, their difference decays at twice the rate of the one bond,
@@ -242,5 +241,4 @@ class StudyOfHistories(StudyTest):
 
 
 if __name__ == "__main__":
-    PDRUN = os.path.abspath(sys.argv.pop(1))
     unittest.main()

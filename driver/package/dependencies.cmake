@@ -1,0 +1,8 @@
+# What links the libraries of this project needs these, here and in a project that finds it installed.
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(Trilinos REQUIRED COMPONENTS Teuchos Tpetra Belos Ifpack2 MueLu Amesos2 Zoltan2 Pamgen)
+find_package(yaml-cpp REQUIRED)
+find_package(tinyxml2 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(muparser REQUIRED)

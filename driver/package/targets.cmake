@@ -1,0 +1,42 @@
+# Libraries and how they are installed: as a package that find_package(PeridynamicDegradation) finds, whose targets are
+# called PeridynamicDegradation::materials and so on, where they are pd_materials here.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(PD_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/peridynamic_degradation)
+set(PD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/PeridynamicDegradation)
+
+# pd_export(target ...)
+function(pd_export)
+  foreach(target ${ARGV})
+    string(REGEX REPLACE "^pd_" "" exported ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported})
+  endforeach()
+  install(TARGETS ${ARGV} EXPORT PeridynamicDegradationTargets)
+endfunction()
+
+# pd_add_library(name SOURCES a.cpp ... [FOLDERS of headers that are included by their names ...])
+# A library of which a program gets everything. Plug-ins register themselves and are named by nobody: of a plain archive,
+# name_archive, the linker would leave them out.
+function(pd_add_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;FOLDERS" ${ARGN})
+  add_library(${name}_archive STATIC ${arg_SOURCES})
+  set_target_properties(${name}_archive PROPERTIES OUTPUT_NAME ${name})
+  target_link_libraries(${name}_archive PUBLIC pd_options)
+  foreach(folder ${PROJECT_SOURCE_DIR} ${arg_FOLDERS})
+    file(RELATIVE_PATH installed ${PROJECT_SOURCE_DIR} ${folder})
+    target_include_directories(${name}_archive PUBLIC $<BUILD_INTERFACE:${folder}>
+                                                      $<INSTALL_INTERFACE:${PD_HEADER_DIR}/${installed}>)
+  endforeach()
+  add_library(${name} INTERFACE)
+  target_link_libraries(${name} INTERFACE $<LINK_LIBRARY:WHOLE_ARCHIVE,$<TARGET_NAME:${name}_archive>>)
+  pd_export(${name}_archive ${name})
+endfunction()
+
+install(DIRECTORY materials compute driver DESTINATION ${PD_HEADER_DIR} FILES_MATCHING PATTERN *.hpp PATTERN *.h
+        PATTERN driver/package EXCLUDE)
+install(EXPORT PeridynamicDegradationTargets NAMESPACE PeridynamicDegradation:: DESTINATION ${PD_PACKAGE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/PeridynamicDegradationConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES driver/package/PeridynamicDegradationConfig.cmake driver/package/dependencies.cmake
+              ${PROJECT_BINARY_DIR}/PeridynamicDegradationConfigVersion.cmake DESTINATION ${PD_PACKAGE_DIR})
+install(FILES LICENSE CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
