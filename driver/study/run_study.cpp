@@ -79,15 +79,15 @@ void print(bool isQuiet, const std::string& line) {
 
 void draw(const Study& study, const std::string& table, const std::string& program, bool isQuiet) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(program).parent_path();
-  for (const fs::path& tool :
-       {folder / "pdstudy", folder / ".." / "meshes" / "pdstudy", fs::path(PD_SOURCE_DIR) / "meshes" / "pdstudy"}) {
-    if (!fs::exists(tool)) continue;
-    if (runProgram({tool.string(), table, "--reference", study.reference, "--error", study.errorNorm}) != 0)
+  const fs::path neighbor = fs::path(program).parent_path() / "pdstudy";
+  const std::string tool = fs::exists(neighbor) ? neighbor.string() : "pdstudy";
+  try {
+    if (runProgram({tool, table, "--reference", study.reference, "--error", study.errorNorm}) != 0)
       return print(isQuiet, "pdstudy drew no picture");
     if (!study.errorNorm.empty()) print(isQuiet, "picture: " + study.name + ".study.png");
     if (!study.histories.empty()) print(isQuiet, "picture: " + study.name + ".histories.png");
-    return;
+  } catch (const RunError& error) {
+    print(isQuiet, std::string("no picture: ") + error.what());
   }
 }
 

@@ -24,6 +24,9 @@ using Mask = Vector::mask_type;
 
 /// Lanes of a vector: the number of points that a chunk of a neighbourhood holds.
 inline constexpr int lanes = static_cast<int>(Vector::size());
+#ifdef PD_LANES
+static_assert(lanes == PD_LANES, "the installed library was compiled for another processor (see PD_ARCH)");
+#endif
 
 inline Vector load(const double* values) { return Vector(values, stdx::element_aligned); }
 inline void store(const Vector& vector, double* values) { vector.copy_to(values, stdx::element_aligned); }
