@@ -66,6 +66,7 @@ def _parser():
     info.add_argument("mesh", help="text discretization (.txt) or any mesh that meshio reads")
     info.add_argument("node_sets", nargs="*", help="node set files to check against it")
     info.add_argument("--horizon", type=float, help="horizon (m) to judge the spacing by")
+    _add_reading(info)
     info.set_defaults(run=_info)
     export = commands.add_parser("export", help="write points for ParaView or any format of meshio")
     export.add_argument("mesh", help="text discretization")
@@ -80,7 +81,8 @@ def _add_convert(commands):
         "convert", help="finite element mesh to points with volumes",
         description="Points at element centroids, with exact volumes (curved second order elements too), or at nodes, "
                     "with their exact share of the adjacent elements (corner nodes of second order elements). Blocks "
-                    "are physical groups, element sets or element blocks; groups of lower dimension become node sets.")
+                    "are physical groups, element blocks, or the element sets that have a *SECTION (without sections: "
+                    "all sets that do not overlap); other groups become node sets.")
     command.add_argument("mesh", help="anything meshio reads: .msh (2.2, 4.1), .vtu, .inp (Abaqus), .e (Exodus) ...")
     command.add_argument("output", help="text discretization to write")
     command.add_argument("--at", choices=["centroids", "nodes"], default="centroids", help="where the points are")
@@ -88,11 +90,19 @@ def _add_convert(commands):
     command.add_argument("--layer-depth", action="append", default=[], metavar="[GROUP=]D",
                          help="node sets of groups take the points within D metres of the group; without it those of "
                               "the elements that have the group as a side (--at nodes: its nodes)")
-    command.add_argument("--blocks", metavar="GROUP,GROUP...",
-                         help="groups that are blocks, where groups overlap; the others become node sets")
-    command.add_argument("--block-field", metavar="NAME", help="element data that numbers the blocks")
+    _add_reading(command)
     add_common(command)
     command.set_defaults(run=_convert)
+
+
+def _add_reading(command):
+    command.add_argument("--blocks", metavar="GROUP,GROUP...",
+                         help="groups that are blocks; the others become node sets")
+    command.add_argument("--one-block", action="store_true",
+                         help="all elements are one block, and all groups become node sets")
+    command.add_argument("--block-field", metavar="NAME", help="element data that numbers the blocks")
+    command.add_argument("--skip", metavar="TYPE,TYPE...",
+                         help="types of elements that are left out, as the file calls them: COH3D8, CONN3D2 ...")
 
 
 def _add_grid(commands):
@@ -134,8 +144,7 @@ def _add_grid(commands):
 def _convert(options):
     positive(options, "scale", "thickness", "horizon")
     depths = _layer_depths(options.layer_depth)
-    blocks = None if options.blocks is None else [name.strip() for name in options.blocks.split(",")]
-    mesh = read_mesh(options.mesh, options.block_field, blocks)
+    mesh = _read(options)
     result = convert(mesh, options.at == "nodes", options.thickness, options.scale)
     points = result.points
     unknown = set(depths) - {None} - {group.name for group in mesh.groups}
@@ -159,6 +168,13 @@ def _convert(options):
         warnings.append("no --thickness given: the volumes are those of a plate 1 m thick")
     finish(options, points, facts, warnings,
             f"from {os.path.basename(options.mesh)} (points at {options.at}, scale {options.scale!r})")
+
+
+def _read(options):
+    if options.one_block and (options.blocks or options.block_field):
+        raise MeshError("--one-block has no blocks to name; leave out --blocks and --block-field")
+    blocks = [] if options.one_block else _words_of(options.blocks)
+    return read_mesh(options.mesh, options.block_field, blocks, _words_of(options.skip) or [])
 
 
 def _grid(options):
@@ -230,12 +246,15 @@ def _words(numbers):
 
 def _info(options):
     positive(options, "horizon")
-    if options.mesh.endswith(".txt"):
+    if options.mesh.lower().endswith(".txt"):
+        if options.one_block or options.blocks or options.block_field or options.skip:
+            raise MeshError(f"{options.mesh}: points have their blocks; --blocks, --one-block, --block-field and "
+                            "--skip are for meshes of elements")
         points = read_points(options.mesh)
         for file in options.node_sets:
             points.node_sets[Path(file).stem] = read_node_set(file, len(points))
     else:
-        mesh = read_mesh(options.mesh)
+        mesh = _read(options)
         for kind, connectivity, _ in mesh.cells:
             print(f"{len(connectivity)} {kind} elements")
         for group in mesh.groups:
@@ -253,6 +272,10 @@ def _export(options):
     for file in options.node_sets:
         points.node_sets[Path(file).stem] = read_node_set(file, len(points))
     export_points(points, options.output)
+
+
+def _words_of(text):
+    return None if text is None else [word.strip() for word in text.split(",") if word.strip()]
 
 
 def _layer_depths(texts):

@@ -116,7 +116,7 @@ def _adjacent_elements(mesh, group):
     incidence = coo_matrix((np.ones(len(elements), np.int32), (elements, columns)), (offset, n_nodes)).tocsr()
     incidence.data[:] = 1  # collapsed elements name a node more than once
     sides = [connectivity[:, :ELEMENTS[kind].corners] for kind, connectivity in group.parts]
-    if group.nodes is not None:
+    if not sides:
         sides.append(np.asarray(group.nodes)[:, None])
     found = []
     for corners in sides:
@@ -128,14 +128,14 @@ def _adjacent_elements(mesh, group):
 
 
 def _simplices(nodes, group):
-    """The group's elements as points, segments and triangles: list of [m, k, 3]."""
+    """The group's elements as points, segments and triangles: list of [m, k, 3]; its nodes, where it has no sides."""
+    if group.is_face or not group.parts:
+        return [nodes[group.nodes][:, None, :]]
     result = []
     for kind, connectivity in group.parts:
         kind = LINEAR.get(kind, kind)
         corners = nodes[connectivity[:, :ELEMENTS[kind].corners]]
         result += [corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]] if kind == "quad" else [corners]
-    if group.nodes is not None:
-        result.append(nodes[group.nodes][:, None, :])
     return result
 
 

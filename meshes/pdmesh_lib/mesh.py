@@ -6,11 +6,11 @@ import numpy as np
 from .elements import ELEMENTS, LINEAR
 from .errors import MeshError
 from .groups import blocks_and_groups
-from .raw import corner_keys, middles_off
+from .raw import Skip, corner_keys, middles_off
 from .reader_abaqus import read_abaqus
 from .reader_exodus import ENDINGS as EXODUS_ENDINGS
-from .reader_exodus import read_exodus
-from .reader_gmsh import read_msh2, read_msh4, version_of
+from .reader_exodus import is_piece, pieces_beside, read_exodus
+from .reader_gmsh import read_msh1, read_msh2, read_msh4, version_of
 from .reader_meshio import read_by_meshio
 
 
@@ -23,12 +23,20 @@ class Mesh:
         self.block_names, self.dimension, self.notes = block_names, dimension, list(notes)
 
 
-def read_mesh(file_name, block_field=None, blocks=None):
-    """`block_field`: element data that numbers the blocks; `blocks`: names of the groups that are blocks."""
+def read_mesh(file_name, block_field=None, blocks=None, skip=()):
+    """`block_field`: element data that numbers the blocks; `blocks`: names of the groups that are blocks, none of them
+    for one block of all elements; `skip`: types of elements that are left out, as the file calls them."""
     if not Path(file_name).is_file():
-        raise MeshError(f"{file_name}: no such file")
-    raw = _read_raw(str(file_name), block_field)
+        raise MeshError(f"{file_name}: no such file{pieces_beside(file_name)}")
+    skip = Skip(skip)
+    raw = _read_raw(str(file_name), block_field, skip)
+    absent = [name for name, count in skip.counts.items() if not count]
+    if absent:
+        raise MeshError(f"{file_name}: --skip: no elements of type {', '.join(absent)} to leave out")
+    raw.notes += [f"{count} elements of type {name} are left out" for name, count in skip.counts.items()]
     nodes = raw.nodes
+    if any(len(c) and not 0 <= c.min() <= c.max() < len(nodes) for _, c in raw.parts):
+        raise MeshError(f"{file_name}: elements name nodes that are not there")
     if not np.isfinite(nodes).all():
         raise MeshError(f"{file_name}: node {np.flatnonzero(~np.isfinite(nodes).all(axis=1))[0] + 1} is not finite")
     dimension = max((ELEMENTS[kind].dimension for kind, connectivity in raw.parts if len(connectivity)), default=-1)
@@ -47,23 +55,26 @@ def read_mesh(file_name, block_field=None, blocks=None):
     return Mesh(nodes, cells, groups, names, dimension, notes)
 
 
-def _read_raw(file_name, block_field):
-    if file_name.endswith(".geo"):
+def _read_raw(file_name, block_field, skip):
+    ending = Path(file_name).suffix.lower()
+    if ending == ".geo":
         raise MeshError(f"{file_name}: this is a drawing, not a mesh; mesh it first: `gmsh -2 {file_name}` (plane) or "
                         f"`gmsh -3 {file_name}` (solid) writes {file_name[:-4]}.msh")
-    if file_name.endswith(EXODUS_ENDINGS) and not block_field:
-        return read_exodus(file_name)
-    if file_name.endswith(".inp"):
-        return read_abaqus(file_name)
+    if is_piece(file_name) or (ending in EXODUS_ENDINGS and not block_field):
+        return read_exodus(file_name, skip)
+    if ending == ".inp" and not block_field:
+        return read_abaqus(file_name, skip)
     version, is_text = version_of(file_name)
+    if version and block_field and b"$PartitionedEntities" in Path(file_name).read_bytes():
+        raise MeshError(f"{file_name}: --block-field: the mesh is cut into partitions; save it whole (Gmsh: Mesh > "
+                        "Unpartition)")
     if version and not block_field:
-        if version >= 4:
-            raw = read_msh4(file_name)
-            if raw is not None:
-                return raw
-        elif is_text:
-            return read_msh2(file_name)
-    return read_by_meshio(file_name, block_field)
+        raw = read_msh4(file_name) if version >= 4 else None
+        if raw is None and version < 4 and is_text:
+            raw = read_msh1(file_name) if version < 2 else read_msh2(file_name)
+        if raw is not None:
+            return raw
+    return read_by_meshio(file_name, block_field, skip)
 
 
 def _check_node_order(file_name, nodes, cells):

@@ -7,10 +7,11 @@ from .errors import MeshError
 
 class RawGroup:
     """Elements that a file names together. members: part index -> indices of elements in it; number: that of the
-    block it would make, or None."""
+    block it would make, or None; nodes: those that the file names likewise, where they belong to the elements."""
 
     def __init__(self, name, number=None):
         self.name, self.number, self.members = name, number, {}
+        self.nodes = None
 
     def add(self, part, indices):
         indices = np.asarray(indices, dtype=np.int64).ravel()
@@ -20,15 +21,47 @@ class RawGroup:
 
 class RawMesh:
     """nodes [n, 3]; parts: list of (element type, connectivity [m, k], counted from 0); groups: RawGroup; node_sets:
-    name -> node indices."""
+    name -> node indices; sections: those groups that the file itself says are the blocks."""
 
     def __init__(self, nodes, parts, groups=(), node_sets=None):
         self.nodes, self.parts, self.groups = nodes, list(parts), list(groups)
         self.node_sets = node_sets or {}
+        self.sections = []
         self.notes = []  # what was left out, for the report
 
 
-def known_part(file_name, kind, connectivity):
+class Skip:
+    """Types of elements that a user leaves out, by the names that the file gives them."""
+
+    def __init__(self, names=()):
+        self.counts = {name.upper(): 0 for name in names}
+
+    def wants(self, name):
+        return name.upper() in self.counts
+
+    def count(self, name, n_elements):
+        self.counts[name.upper()] += n_elements
+
+
+def places_of(labels, file_name):
+    """A function from labels of nodes to their places among `labels`; -1 where there is none."""
+    order = np.argsort(labels, kind="stable")
+    ordered = labels[order]
+    twice = np.flatnonzero(np.diff(ordered) == 0)
+    if len(twice):
+        raise MeshError(f"{file_name}: node {ordered[twice[0]]} is defined twice")
+    if len(ordered) and 0 <= ordered[0] and ordered[-1] < 8 * len(ordered) + 1000:  # a table is faster than a search
+        table = np.full(int(ordered[-1]) + 2, -1, dtype=np.int64)
+        table[labels] = np.arange(len(labels))
+        return lambda wanted: table[np.where((wanted < 0) | (wanted >= len(table)), len(table) - 1, wanted)]
+
+    def search(wanted):
+        found = np.minimum(np.searchsorted(ordered, wanted), len(ordered) - 1)
+        return np.where(ordered[found] == wanted, order[found], -1)
+    return search
+
+
+def known_part(file_name, kind, connectivity, remedy=""):
     """(element type, connectivity) in terms of ELEMENTS; refuses what is not there."""
     if kind in COLLAPSED:
         kind, order = COLLAPSED[kind]
@@ -36,7 +69,7 @@ def known_part(file_name, kind, connectivity):
     if kind not in ELEMENTS:
         raise MeshError(f"{file_name}: elements of type {kind} are not supported (known: "
                         f"{', '.join(sorted(list(ELEMENTS) + list(COLLAPSED)))}); mesh with first or second order "
-                        "elements, in Gmsh Mesh.ElementOrder = 1 or 2")
+                        f"elements, in Gmsh Mesh.ElementOrder = 1 or 2{remedy}")
     return kind, connectivity
 
 
@@ -60,9 +93,10 @@ def middles_off(kind, nodes, connectivity):
     return np.median(np.abs(expected - nodes[sample]).max(axis=(1, 2)) / size)
 
 
-def groups_of_tags(file_name, parts, tags, names):
-    """(parts, groups) from one tag an element, 0 for none. Formats of this kind write an element once for each of its
-    groups: it is kept once, and belongs to all of them. names: (dimension, tag) -> name."""
+def groups_of_tags(file_name, parts, tags, names, zero_is_none=True):
+    """(parts, groups) from one tag an element. Formats of this kind write an element once for each of its groups: it is
+    kept once, and belongs to all of them. names: (dimension, tag) -> name; zero_is_none: tags of 0 and below are none.
+    """
     merged, groups = [], {}
     for index, ((kind, connectivity), tag) in enumerate(zip(parts, tags)):
         dimension = ELEMENTS[kind].dimension
@@ -77,7 +111,7 @@ def groups_of_tags(file_name, parts, tags, names):
             place = np.searchsorted(order, first)[place]
             connectivity = connectivity[order]
         merged.append((kind, connectivity))
-        for number in np.unique(tag[tag > 0]).tolist():
+        for number in np.unique(tag[tag > 0] if zero_is_none else tag).tolist():
             name = names.get((dimension, number))
             group = groups.setdefault((dimension, number), RawGroup(name or default_name(dimension, number), number))
             group.add(index, np.sort(place[tag == number]))

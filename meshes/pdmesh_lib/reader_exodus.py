@@ -5,6 +5,7 @@ Format: Schoof & Yarberry, EXODUS II: A Finite Element Data Model, SAND92-2137 (
 """
 import re
 import warnings
+from pathlib import Path
 
 import numpy as np
 
@@ -23,9 +24,11 @@ _SHAPES = {"TRIANGLE": "TRI", "TRISHELL": "TRI", "SHELL": "QUAD", "TETRA": "TET"
 _ORDERS = {"wedge15": [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11],
            "hexahedron20": [*range(12), 16, 17, 18, 19, 12, 13, 14, 15],
            "hexahedron27": [*range(12), 16, 17, 18, 19, 12, 13, 14, 15, 23, 24, 25, 26, 21, 22, 20]}
-# Corners of side 1, 2 ... of an element.
+# Corners of side 1, 2 ... of an element. The first two sides of shells are themselves.
 _SIDES = {
     "TRI": [(0, 1), (1, 2), (2, 0)], "QUAD": [(0, 1), (1, 2), (2, 3), (3, 0)],
+    "TRISHELL": [(0, 1, 2), (0, 2, 1), (0, 1), (1, 2), (2, 0)],
+    "SHELL": [(0, 1, 2, 3), (0, 3, 2, 1), (0, 1), (1, 2), (2, 3), (3, 0)],
     "TET": [(0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)],
     "WEDGE": [(0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2), (0, 2, 1), (3, 4, 5)],
     "PYRAMID": [(0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 4, 3), (0, 3, 2, 1)],
@@ -33,7 +36,34 @@ _SIDES = {
 _SIDE_KINDS = {2: "line", 3: "triangle", 4: "quad"}
 
 
-def read_exodus(file_name):
+_PIECE = re.compile(r"\.(\d+)\.(\d+)$")
+
+
+def is_piece(file_name):
+    """Whether a name is that of a piece of a mesh that was cut for several processes, as mesh.g.2.0."""
+    return _PIECE.search(str(file_name)) is not None
+
+
+def pieces_beside(file_name):
+    """What to say of a mesh that is not there, but in pieces; empty where it is not."""
+    path = Path(file_name)
+    pieces = sorted(found.name for found in path.parent.glob(path.name + ".*") if is_piece(found.name))
+    return f", but its pieces are, {pieces[0]} ...: {_JOIN.format(pieces[0])}" if pieces else ""
+
+
+_JOIN = "join them by SEACAS' program, `epu -auto {}`"
+
+
+def _refuse_piece(file_name, data):
+    sizes = {name: len(dimension) for name, dimension in data.dimensions.items()}
+    found = _PIECE.search(file_name)
+    n_pieces = max(sizes.get("num_processors", 1), int(found.group(1)) if found else 1)
+    if n_pieces > 1 or sizes.get("num_elems_global", 0) > sizes.get("num_elem", 0):
+        raise MeshError(f"{file_name}: a piece of a mesh that was cut for {n_pieces} processes, not the whole; "
+                        + _JOIN.format(Path(file_name).name))
+
+
+def read_exodus(file_name, skip):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of another numpy at its build
@@ -44,7 +74,8 @@ def read_exodus(file_name):
     try:
         with netCDF4.Dataset(file_name) as data:
             data.set_auto_mask(False)
-            return _Reader(file_name, data).mesh()
+            _refuse_piece(file_name, data)
+            return _Reader(file_name, data, skip).mesh()
     except (OSError, KeyError, IndexError) as error:
         raise MeshError(f"{file_name}: not a whole Exodus file: {error}") from None
 
@@ -58,9 +89,9 @@ def _in_order(kind, nodes, connectivity):
 
 
 class _Reader:
-    def __init__(self, file_name, data):
-        self.file_name, self.data = file_name, data
-        self.blocks = []  # (shape, connectivity as in the file)
+    def __init__(self, file_name, data, skip):
+        self.file_name, self.data, self.skip = file_name, data, skip
+        self.blocks = []  # (shape, connectivity as in the file, number of the part; None where it is left out)
 
     def mesh(self):
         nodes = self._nodes()
@@ -72,22 +103,38 @@ class _Reader:
             if variable is None or not len(variable):
                 continue
             connectivity = variable[:].astype(np.int64) - 1
+            if self.skip.wants(variable.elem_type.strip()):
+                self.skip.count(variable.elem_type.strip(), len(connectivity))
+                self.blocks.append(("", connectivity, None))
+                continue
             shape, kind = self._kind(variable.elem_type, connectivity.shape[1])
-            self.blocks.append((shape, connectivity))
+            self.blocks.append((shape, connectivity, len(parts)))
             ordered = _in_order(kind, nodes, connectivity)
             group = RawGroup(name, number)
             group.add(len(parts), np.arange(len(connectivity)))
             parts.append(known_part(self.file_name, kind, ordered))
             groups.append(group)
-        sets = {name: self.data.variables[f"node_ns{i + 1}"][:].astype(np.int64) - 1
-                for i, name in enumerate(self._named("ns", "nodelist")[1]) if f"node_ns{i + 1}" in self.data.variables}
+        sections = list(groups)
         for i, (_, name) in enumerate(zip(*self._named("ss", "surface"))):
             group = RawGroup(name)
-            for sides in self._sides(i + 1):
+            for sides in self._sides(i + 1, group):
                 group.add(len(parts), np.arange(len(sides)))
                 parts.append((_SIDE_KINDS[sides.shape[1]], sides))
             groups.append(group)
-        return RawMesh(nodes, parts, groups, sets)
+        mesh = RawMesh(nodes, parts, [group for group in groups if group.members], self._node_sets(len(nodes)))
+        mesh.sections = sections
+        return mesh
+
+    def _node_sets(self, n_nodes):
+        sets = {}
+        for i, (number, name) in enumerate(zip(*self._named("ns", "nodelist"))):
+            if f"node_ns{i + 1}" not in self.data.variables:
+                continue
+            nodes = self.data.variables[f"node_ns{i + 1}"][:].astype(np.int64) - 1
+            if len(nodes) and not 0 <= nodes.min() <= nodes.max() < n_nodes:
+                raise MeshError(f"{self.file_name}: node set {name} names nodes that are not there")
+            sets[f"{name}_{number}" if name in sets else name] = nodes
+        return sets
 
     def _nodes(self):
         variables = self.data.variables
@@ -112,28 +159,41 @@ class _Reader:
         return numbers, [name or f"{default}_{number}" for name, number in zip(names, numbers)]
 
     def _kind(self, text, n_nodes):
-        shape = re.sub(r"[\d_]+$", "", text.strip().upper())
-        shape = _SHAPES.get(shape, shape)
+        """(shape, as its sides are numbered, element type of ELEMENTS)"""
+        name = re.sub(r"[\d_]+$", "", text.strip().upper())
+        shape = _SHAPES.get(name, name)
         if shape == "QUAD" and n_nodes in (3, 6):  # shells with three sides
             shape = "TRI"
         if (shape, n_nodes) not in _KINDS:
             raise MeshError(f"{self.file_name}: elements {text} with {n_nodes} nodes are not supported; mesh with "
-                            "first or second order triangles, quads, tetrahedra, wedges, pyramids or hexahedra")
-        return shape, _KINDS[shape, n_nodes]
+                            "first or second order triangles, quads, tetrahedra, wedges, pyramids or hexahedra, or "
+                            f"leave these out by --skip {text.strip()}")
+        kind = _KINDS[shape, n_nodes]
+        # In space the sides of triangles are those of shells; quads have edges alone (ex_get_side_set_node_list).
+        if shape == "TRI" and (name in ("SHELL", "TRISHELL") or len(self.data.dimensions["num_dim"]) == 3):
+            return "TRISHELL", kind
+        return ("SHELL" if name == "SHELL" else shape), kind
 
-    def _sides(self, number):
-        """Corner nodes of a side set: [m, 2], [m, 3] and [m, 4], those that there are."""
+    def _sides(self, number, group):
+        """Corner nodes of a side set: [m, 2], [m, 3] and [m, 4], those that there are. Faces of shells are the shells:
+        they go to the group."""
         if f"elem_ss{number}" not in self.data.variables:
             return []
         elements = self.data.variables[f"elem_ss{number}"][:].astype(np.int64) - 1
         sides = self.data.variables[f"side_ss{number}"][:].astype(np.int64) - 1
         first, found = 0, {}
-        for shape, connectivity in self.blocks:
+        for shape, connectivity, part in self.blocks:
             mine = (elements >= first) & (elements < first + len(connectivity))
-            for side in np.unique(sides[mine]):
-                if shape not in _SIDES or side >= len(_SIDES[shape]):
-                    raise MeshError(f"{self.file_name}: side set {number} names side {side + 1} of a {shape} element")
+            for side in np.unique(sides[mine]) if part is not None else []:
+                if not 0 <= side < len(_SIDES.get(shape, [])):
+                    raise MeshError(f"{self.file_name}: side set {group.name} names side {side + 1} of a {shape} "
+                                    "element")
+                if shape in ("SHELL", "TRISHELL") and side < 2:
+                    group.add(part, elements[mine & (sides == side)] - first)
+                    continue
                 corners = connectivity[elements[mine & (sides == side)] - first][:, _SIDES[shape][side]]
                 found.setdefault(corners.shape[1], []).append(corners)
             first += len(connectivity)
+        if len(elements) and not 0 <= elements.min() <= elements.max() < first:
+            raise MeshError(f"{self.file_name}: side set {group.name} names elements that are not there")
         return [np.concatenate(corners) for corners in found.values()]

@@ -7,14 +7,22 @@ import numpy as np
 from .errors import MeshError
 from .raw import RawGroup, RawMesh, groups_of_tags, known_part
 
-_BLOCK_FIELDS = ("gmsh:physical", "block", "medit:ref", "CellEntityIds", "MaterialIds", "cell_tags", "subdomain")
+# Element data that numbers the blocks: that where 0 says "none", and that where it is a number as any other.
+_BLOCK_FIELDS = ("gmsh:physical", "medit:ref", "block", "CellEntityIds", "MaterialIds", "cell_tags", "subdomain")
+_ZERO_IS_NONE = _BLOCK_FIELDS[:2]
 
 
-def read_by_meshio(file_name, block_field=None):
+def read_by_meshio(file_name, block_field, skip):
     raw = _read(file_name)
     nodes = np.zeros((len(raw.points), 3))
     nodes[:, :raw.points.shape[1]] = raw.points
-    parts = [known_part(file_name, block.type, np.asarray(block.data, int)) for block in raw.cells]
+    kept = [index for index, block in enumerate(raw.cells) if not skip.wants(block.type)]
+    for block in raw.cells:
+        if skip.wants(block.type):
+            skip.count(block.type, len(block.data))
+    parts = [known_part(file_name, block.type, np.asarray(block.data, int),
+                        f", or leave these out by --skip {block.type}")
+             for block in (raw.cells[index] for index in kept)]
     field = block_field or next((name for name in _BLOCK_FIELDS if name in raw.cell_data), None)
     if block_field and block_field not in raw.cell_data:
         raise MeshError(f"{file_name}: no element data `{block_field}` (there are: "
@@ -22,11 +30,25 @@ def read_by_meshio(file_name, block_field=None):
     if field:
         names = {(int(tag[1]), int(tag[0])): name
                  for name, tag in raw.field_data.items() if len(np.atleast_1d(tag)) == 2}
-        parts, groups = groups_of_tags(file_name, parts, raw.cell_data[field], names)
+        tags = [_whole(file_name, field, raw.cell_data[field][index], len(raw.cells[index].data)) for index in kept]
+        parts, groups = groups_of_tags(file_name, parts, tags, names, field in _ZERO_IS_NONE)
     else:
-        groups = [_group(name, members) for name, members in (raw.cell_sets or {}).items()]
+        groups = [_group(name, [members[index] for index in kept]) for name, members in (raw.cell_sets or {}).items()]
     node_sets = {str(name): np.asarray(members, int).ravel() for name, members in (raw.point_sets or {}).items()}
     return RawMesh(nodes, parts, groups, node_sets)
+
+
+def _whole(file_name, field, values, n_elements):
+    """Element data as whole numbers, one an element."""
+    values = np.asarray(values)
+    if values.size != n_elements or not np.issubdtype(values.dtype, np.number):
+        raise MeshError(f"{file_name}: element data `{field}` is not one number an element; it cannot number blocks")
+    values = values.ravel()
+    bad = np.flatnonzero(~np.isfinite(values) | (values != np.floor(values)))
+    if len(bad):
+        raise MeshError(f"{file_name}: element data `{field}` is {values[bad[0]]:g} at element {bad[0] + 1}, and "
+                        "blocks have whole numbers; choose another by --block-field")
+    return values.astype(np.int64)
 
 
 def _group(name, members):
@@ -51,6 +73,7 @@ def _read(file_name):
     except (Exception, SystemExit) as error:  # meshio raises many kinds, and exits on unknown formats
         detail = str(error) if not isinstance(error, SystemExit) else ""
         detail = " ".join((detail or chatter.getvalue() or type(error).__name__).split())
-        remedy = "" if file_name.endswith(".msh") else (
-            f"; where Gmsh can, make a .msh file of it: `gmsh {file_name} -save -format msh41 -o mesh.msh`")
+        remedy = f"; where Gmsh can, make a .msh file of it: `gmsh {file_name} -save -format msh41 -o mesh.msh`"
+        if file_name.lower().endswith(".msh"):
+            remedy = "; save it in Gmsh's format 4.1 (Mesh.MshFileVersion = 4.1)"
         raise MeshError(f"{file_name}: meshio cannot read it: {detail.rstrip('.')}{remedy}") from None

@@ -6,7 +6,7 @@ import unittest
 
 import meshio
 import numpy as np
-from pdmesh_case import BALL, BENT, BOX, PDMESH, SQUARE, TOLERANCE, PdmeshCase
+from pdmesh_case import BALL, BOX, PDMESH, SQUARE, PdmeshCase
 
 
 class Groups(PdmeshCase):
@@ -109,100 +109,143 @@ class Groups(PdmeshCase):
                 solid.write(self.folder / name)
                 np.testing.assert_allclose(self.convert(name).table, expected, rtol=1e-12, atol=1e-12)
 
-    def test_exodus_blocks_node_sets_and_side_sets(self):
-        import netCDF4
-        # Two hexahedra of second order side by side along x, in Exodus' order of nodes: the upright edges before those
-        # of the top.
-        corners = np.array([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
-        edges = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 5), (2, 6), (3, 7), (4, 5), (5, 6), (6, 7), (7, 4)]
-        one = np.vstack([corners, [(corners[i] + corners[j]) / 2 for i, j in edges]])
-        with netCDF4.Dataset(self.folder / "two.exo", "w", format="NETCDF3_64BIT") as data:
-            sizes = dict(num_dim=3, num_nodes=40, num_el_blk=2, side=1, node=8, twenty=20, one=1, two=2, len_name=33)
-            for name, size in sizes.items():
-                data.createDimension(name, size)
-            for i, name in enumerate(("coordx", "coordy", "coordz")):
-                data.createVariable(name, "f8", ("num_nodes",))[:] = np.concatenate([one, one + [1, 0, 0]])[:, i]
-            names = data.createVariable("eb_names", "S1", ("two", "len_name"))
-            names[:] = np.array([list(name.ljust(33, "\0")) for name in ("steel", "weld")], "S1")
-            data.createVariable("eb_prop1", "i4", ("two",))[:] = [30, 10]
-            for i in (1, 2):
-                connect = data.createVariable(f"connect{i}", "i4", ("one", "twenty"))
-                connect.elem_type = "HEX20"
-                connect[:] = np.arange(20)[None] + 20 * (i - 1) + 1
-            data.createVariable("ss_prop1", "i4", ("one",))[:] = [5]
-            data.createVariable("elem_ss1", "i4", ("side",))[:] = [2]
-            data.createVariable("side_ss1", "i4", ("side",))[:] = [2]  # the face at the far end along x
-            data.createVariable("ns_prop1", "i4", ("one",))[:] = [4]
-            data.createVariable("node_ns1", "i4", ("node",))[:] = [1, 4, 5, 8, 12, 13, 16, 20]
-        result = self.convert("two.exo")
-        np.testing.assert_array_equal(result.block, [30, 10])
-        np.testing.assert_allclose(result.x, [[0.5, 0.5, 0.5], [1.5, 0.5, 0.5]], atol=1e-14)
-        np.testing.assert_array_equal(self.node_set("surface_5"), [1])
-        np.testing.assert_array_equal(self.node_set("nodelist_4"), [0])
-        self.assertIn("block_30: steel", (self.folder / "points.txt").read_text())
-        result = self.convert("two.exo", "--at", "nodes")
-        np.testing.assert_array_equal(np.sort(result.x[self.node_set("surface_5"), 0]), [2, 2, 2, 2])
 
-    def test_abaqus_element_sets_become_blocks_and_node_sets_stay(self):
-        (self.folder / "two.inp").write_text(
-            "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 2, 0, 0\n4, 0, 1, 0\n5, 1, 1, 0\n6, 2, 1, 0\n"
-            "*ELEMENT, TYPE=CPS4, ELSET=LEFT\n1, 1, 2, 5, 4\n*ELEMENT, TYPE=CPS4, ELSET=RIGHT\n2, 2, 3, 6, 5\n"
-            "*NSET, NSET=ENDS\n1, 4\n")
-        result = self.convert("two.inp")
-        np.testing.assert_array_equal(result.block, [1, 2])
-        np.testing.assert_allclose(result.x, [[0.5, 0.5, 0], [1.5, 0.5, 0]], atol=1e-15)
-        np.testing.assert_array_equal(self.node_set("ENDS"), [0])
+class Numbers(PdmeshCase):
+    """What people and programs write into text files."""
 
-    def test_abaqus_sets_surfaces_and_parts(self):
-        nodes = "*NODE\n" + "".join(f"{10 + i}, {x}, {y}\n" for i, (x, y) in enumerate(
-            [(0, 0), (1, 0), (2, 0), (3, 0), (0, 1), (1, 1), (2, 1), (3, 1)]))
-        # Two kinds of elements in one set, and a first block in none.
-        elements = ("*ELEMENT, TYPE=CPS4\n1, 10, 11, 15, 14\n*ELEMENT, TYPE=CPE3, ELSET=Right\n2, 11, 12, 16\n"
-                    "3, 11, 16, 15\n*ELEMENT, TYPE=CPS4R,\n ELSET=Right\n4, 12, 13,\n 17, 16\n")
-        sets = ("** a comment\n*ELSET, ELSET=Ends\n1, 4\n*ELSET, ELSET=All, GENERATE\n1, 4, 1\n*NSET, NSET=Low, "
-                "GENERATE\n10, 13, 1\n*NSET, NSET=Both\nLow, 14\n*SURFACE, NAME=Far, TYPE=ELEMENT\nEnds, S2\n2, S3\n")
-        (self.folder / "flat.inp").write_text("*HEADING\nx\n" + nodes + elements + sets)
-        part = "*PART, NAME=P\n" + nodes + elements + "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=P-1, PART=P\n"
-        (self.folder / "part.inp").write_text(part + "*END INSTANCE\n" + sets.replace("\n2, S3", "\nP-1.2, S3"))
-        (self.folder / "nodes.inc").write_text(nodes)
-        (self.folder / "more.inp").write_text("*INCLUDE, INPUT=nodes.inc\n" + elements + sets)
-        for name in ("flat.inp", "part.inp", "more.inp"):
-            with self.subTest(name=name):
-                result = self.convert(name, "--blocks", "Right")
-                np.testing.assert_array_equal(result.block, [2, 1, 1, 1])
-                np.testing.assert_allclose(result.x[:, 0], [0.5, 5 / 3, 4 / 3, 2.5])
-                self.check(result, 3.0, [4.5, 1.5])
-                np.testing.assert_array_equal(self.node_set("Ends"), [0, 3])
-                np.testing.assert_array_equal(self.node_set("All"), [0, 1, 2, 3])
-                # Far: the edges 11-15 and 13-17, and 16-11 within the middle.
-                np.testing.assert_array_equal(self.node_set("Far"), [0, 1, 2, 3])
-                self.convert(name, "--at", "nodes", "--blocks", "Right")
-                np.testing.assert_array_equal(self.node_set("Both"), [0, 1, 2, 3, 4])
-                np.testing.assert_array_equal(self.node_set("Far"), [1, 3, 5, 6, 7])
-        for text, message in ((part + "1, 0, 0\n*END INSTANCE\n", "several or moved instances"),
-                              (nodes + elements.replace("CPS4\n", "CAX4\n"), "axisymmetric elements CAX4"),
-                              (nodes + nodes + elements, "node 10 is defined twice"),
-                              (nodes + elements.replace("1, 10,", "1, 99,"), "nodes that are not there, as 99"),
-                              (nodes + elements.replace("4, 12, 13,", "4, 12, 13, 14,"), "do not hold whole elements"),
-                              (nodes.replace("3, 1\n", "3, one\n"), "bad.inp:1: a line of *NODE"),
-                              (nodes + elements + "*ELSET, ELSET=B\nNone\n", "no set None")):
-            with self.subTest(message=message):
-                (self.folder / "bad.inp").write_text(text)
-                self.assertIn(message, self.pdmesh("convert", "bad.inp", "p.txt", expect=2)[1])
+    def info(self, text, *more, name="p.txt", expect=0):
+        (self.folder / name).write_text(text)
+        output, errors = self.pdmesh("info", name, *more, expect=expect)
+        return output if expect == 0 else errors
 
-    def test_what_gmsh_writes_for_abaqus(self):
-        mesh = self.gmsh(SQUARE, 2, "-order", "2", "-format", "inp", name="mesh.inp")
-        result = self.convert(mesh)
-        self.check(result, 2.0, [2.0, 1.0])
-        names = dict(re.findall(r"# block_(\d): (\w+)", (self.folder / "points.txt").read_text()))
-        soft = next(int(number) for number, name in names.items() if name == "soft")
-        np.testing.assert_array_equal(result.x[:, 0] < 1, result.block == soft)
-        self.assertGreater(result.x[self.node_set("top"), 1].min(), 0.9)
-        mesh = self.gmsh(BENT, 3, "-order", "2", "-setnumber", "Mesh.SecondOrderIncomplete", "1", "-format", "inp",
-                         name="mesh.inp")
-        total = self.convert(mesh).total
-        self.assertLess(abs(total / self.convert(self.gmsh(
-            BENT, 3, "-order", "2", "-setnumber", "Mesh.SecondOrderIncomplete", "1")).total - 1), TOLERANCE)
+    def test_points_are_read_as_pdrun_reads_them(self):
+        plain = "0 0 0 1 0.5\n1 0 0 2 1.5\n"
+        for text in (plain, "\ufeff" + plain, plain.replace("\n", " # a comment\n"), "/ a\n* b\n\n" + plain,
+                     plain.replace("1.5", "1.5D0").replace("2 ", "2.000e+00 "), plain.replace("\n", "\r\n")):
+            with self.subTest(text=text):
+                self.assertIn("volume 2 m3", self.info(text, name="P.TXT"))
+        for text, message in (("0 0 0 1 0,5\n", "p.txt:1: `0,5` is not a number; write 0.5"),
+                              (plain + "2 0 0 1.5 1\n", "p.txt:3: the block number (fourth column) is a whole number"),
+                              (plain + "2 0 0 0 1\n", "p.txt:3: the block number"),
+                              (plain + "2 0 0 1 nan\n", "p.txt:3: not all numbers are finite"),
+                              # All blocks are where volumes should be.
+                              ("0 0 0 0.5 1\n1 0 0 1.5 2\n", "p.txt: columns 4 and 5 look exchanged")):
+            with self.subTest(text=text):
+                self.assertIn(message, self.info(text, expect=2))
+
+    def test_node_sets_say_whose_they_are(self):
+        grid = ["grid", "box", "--size", 1, 1, "--spacing", 0.1, "--node-set", "top: y > 0.9", "--quiet", "-o"]
+        self.pdmesh(*grid, "plate.txt")
+        self.assertTrue((self.folder / "top.txt").read_text().startswith("# top: 10 of the 100 points of plate.txt\n"))
+        self.assertEqual(self.pdmesh(*grid, "plate.txt")[1], "")
+        grid[6] = 0.05
+        self.assertIn("top.txt was the node set of plate.txt and now is that of fine.txt",
+                      self.pdmesh(*grid, "fine.txt")[1])
+        self.assertIn("a node set of the 400 points of fine.txt, and this mesh has 100",
+                      self.pdmesh("info", "plate.txt", "top.txt", expect=2)[1])
+        self.pdmesh("info", "fine.txt", "top.txt")
+        # By hand, and by programs that write all numbers alike.
+        (self.folder / "hand.txt").write_text("\ufeff1.000e+00 2 # two\n/ none\n3.0\n")
+        self.assertIn("node set hand: 3 points", self.pdmesh("info", "plate.txt", "hand.txt")[0])
+        for text, message in (("1\n0.5\n", "hand.txt:2: `0.5` is not a whole number"),
+                              ("1\n101\n", "hand.txt:2: node 101 is not in the mesh"), ("1,\n", "hand.txt:1: `1,`")):
+            (self.folder / "hand.txt").write_text(text)
+            self.assertIn(message, self.pdmesh("info", "plate.txt", "hand.txt", expect=2)[1])
+
+    def test_numbers_in_files_of_gmsh(self):
+        self.gmsh(SQUARE, 2, "-format", "msh22")
+        expected = self.convert("mesh.msh").table
+        text = (self.folder / "mesh.msh").read_text()
+        nodes, at, elements = text.partition("$Elements")
+
+        def with_node(line):
+            return re.sub(r"^2 2 0 0$", line, nodes, flags=re.M)
+
+        high = [row.split() for row in elements.split("\n")]  # number, type, 2, two tags, nodes
+        high = "\n".join(" ".join(row[:5] + ["9999999999" if word == "2" else word for word in row[5:]])
+                         for row in high)
+        for changed in ("\ufeff" + text, with_node("2.0 2.0D0 0 0") + at + elements, text.replace("\n", "\r\n"),
+                        with_node("9999999999 2 0 0") + at + high):
+            (self.folder / "mesh.msh").write_text(changed)
+            np.testing.assert_array_equal(self.convert("mesh.msh").table, expected)
+        line = text[:re.search(r"^2 2 0 0$", text, re.M).start()].count("\n") + 1
+        (self.folder / "mesh.msh").write_text(with_node("2 2,0 0 0") + at + elements)
+        self.assertIn(f"mesh.msh:{line}: $Nodes: `2,0` is not a number; write 2.0",
+                      self.pdmesh("convert", "mesh.msh", "p.txt", expect=2)[1])
+
+    def test_element_data_that_numbers_blocks(self):
+        nodes = np.array([(x, y, 0) for y in (0, 1) for x in range(5)], float)
+        quads = np.array([(i, i + 1, i + 6, i + 5) for i in range(4)])
+
+        def write(values, name="block"):
+            data = {name: [np.array(values)]}
+            meshio.write(self.folder / "a.vtu", meshio.Mesh(nodes, [("quad", quads)], cell_data=data))
+
+        write([0, -1, 2, 2], "mat")
+        output, _ = self.pdmesh("convert", "a.vtu", "points.txt", "--block-field", "mat")
+        np.testing.assert_array_equal(np.loadtxt(self.folder / "points.txt")[:, 3], [2, 1, 3, 3])
+        self.assertIn("blocks are numbered 1, 2 ...", output)
+        self.assertIn("block_1 (group_2d_-1): 1 points", output)
+        write([0, 7, 2.0, 2], "block")  # a name that is looked for without being asked
+        np.testing.assert_array_equal(self.convert("a.vtu").block, [1, 3, 2, 2])
+        write([4, 7, 4, 7], "mat")
+        np.testing.assert_array_equal(self.convert("a.vtu", "--block-field", "mat").block, [4, 7, 4, 7])
+        for values, message in (([1, 1.5, 2, 2], "`mat` is 1.5 at element 2"),
+                                ([1, np.nan, 2, 2], "is nan at element 2"),
+                                ([[1, 2]] * 4, "not one number an element")):
+            write(values, "mat")
+            self.assertIn(message, self.pdmesh("convert", "a.vtu", "p.txt", "--block-field", "mat", expect=2)[1])
+        (self.folder / "a.inp").write_text("*NODE\n1, 0., 0.\n")
+        self.assertNotEqual(self.pdmesh("convert", "a.inp", "p.txt", "--block-field", "mat", expect=2)[1], "")
+
+
+def in_order(table):
+    """Rows by their places, which files in binary and in text hold with different last digits."""
+    return table[np.lexsort(np.round(table[:, :3], 6).T)]
+
+
+class Partitions(PdmeshCase):
+    def test_a_mesh_that_was_cut_is_whole_or_refused(self):
+        whole = self.convert(self.gmsh(BOX % ("", ""), 3)).table
+        top = self.node_set("top")
+        for options in ([], ["-part_ghosts"], ["-part_ghosts", "-bin"], ["-format", "msh40"],
+                        ["-part_ghosts", "-format", "msh22"]):
+            with self.subTest(options=options):
+                result = self.convert(self.gmsh(BOX % ("", ""), 3, "-part", "3", *options, name="cut.msh"))
+                np.testing.assert_allclose(in_order(result.table), in_order(whole), rtol=1e-12, atol=1e-12)
+                self.assertEqual(len(self.node_set("top")), len(top))
+                self.assertFalse((self.folder / "group_2d_1.txt").exists())  # what lies between partitions
+        for options in ([], ["-part_ghosts"], ["-format", "msh22"]):
+            with self.subTest(split=options):
+                subprocess.run(["gmsh", "-3", "mesh.geo", "-part", "3", "-part_split", "-o", "split.msh", *options],
+                               cwd=self.folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                self.assertIn("one piece (partition 2) of a mesh that was cut",
+                              self.pdmesh("convert", "split_2.msh", "p.txt", expect=2)[1])
+
+    def test_old_and_rare_formats_of_gmsh(self):
+        expected = self.convert(self.gmsh(SQUARE, 2)).table
+        for options in (["-format", "msh1"], ["-format", "msh22", "-save_parametric"], ["-save_parametric"]):
+            with self.subTest(options=options):
+                result = self.convert(self.gmsh(SQUARE, 2, *options))
+                np.testing.assert_allclose(in_order(result.table), in_order(expected), rtol=1e-12, atol=1e-12)
+        self.gmsh(SQUARE, 2, "-part", "2", "-part_split", "-format", "msh22", "-bin", name="split.msh")
+        self.assertIn("save it in Gmsh's format 4.1", self.pdmesh("convert", "split_1.msh", "p.txt", expect=2)[1])
+
+
+class Names(PdmeshCase):
+    def test_groups_of_one_name_keep_apart(self):
+        text = SQUARE.replace('Physical Point("corner", 13)', 'Physical Point("top", 13)')
+        output, _ = self.pdmesh("convert", self.gmsh(text, 2), "points.txt")
+        self.assertIn("two groups are called top", output)
+        sizes = sorted([len(self.node_set("top")), len(self.node_set("top_1d"))])
+        self.assertGreater(sizes[1], 4 * sizes[0])  # a corner, and a side of twenty elements
+
+    def test_upper_case_endings(self):
+        self.gmsh(SQUARE, 2)
+        (self.folder / "mesh.msh").rename(self.folder / "MESH.MSH")
+        self.check(self.convert("MESH.MSH"), 2.0, [2.0, 1.0])
+        (self.folder / "MESH.GEO").write_text(SQUARE)
+        self.assertIn("this is a drawing", self.pdmesh("convert", "MESH.GEO", "p.txt", expect=2)[1])
 
 
 class Refusals(PdmeshCase):

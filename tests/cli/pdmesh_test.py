@@ -273,7 +273,8 @@ class Lattices(PdmeshCase):
         self.assertEqual(exported.point_data["top"].sum(), 16)
         self.assertAlmostEqual(exported.point_data["volume"].sum(), 2.0, delta=1e-12)
         (self.folder / "beyond.txt").write_text("129\n")
-        self.assertIn("points 1 to 128", self.pdmesh("info", "grid.txt", "beyond.txt", expect=2)[1])
+        self.assertIn("beyond.txt:1: node 129 is not in the mesh, which has points 1 to 128",
+                      self.pdmesh("info", "grid.txt", "beyond.txt", expect=2)[1])
 
 
 if __name__ == "__main__":
