@@ -187,10 +187,14 @@ class ExodusReader {
     std::sort(nodeToPoints_.begin(), nodeToPoints_.end());
     for (std::size_t set = 0; set < count; ++set) {
       const std::string name = setNames[set].empty() ? "nodelist_" + std::to_string(numbers[set]) : setNames[set];
+      if (points_.nodeSets.count(name) != 0)
+        problems += fmt::format("{}: two node sets are called \"{}\"; rename one of them\n", points_.fileName, name);
       std::vector<int>& members = points_.nodeSets[name];
       const std::string variable = numbered("node_ns", set + 1);
       if (!file_.hasVariable(variable)) continue;  // a set without nodes
       for (const long long node : file_.integers(variable)) {
+        if (node < 1 || node > static_cast<long long>(nNodes_))
+          throw std::runtime_error("node set \"" + name + "\" has a node that is not there");
         auto it = std::lower_bound(nodeToPoints_.begin(), nodeToPoints_.end(), std::make_pair(node, 0));
         for (; it != nodeToPoints_.end() && it->first == node; ++it) members.push_back(it->second);
       }
@@ -241,6 +245,7 @@ MeshPoints readExodusMesh(const std::string& fileName, const std::string& place,
   std::string failure, problems, notes;
   if (comm.isRoot()) {
     try {
+      refusePieces(fileName);
       ExodusReader reader(fileName);
       points = reader.read();
       problems = reader.problems;

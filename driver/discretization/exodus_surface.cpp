@@ -53,6 +53,7 @@ std::vector<double> readExodusSurface(const std::string& fileName, const std::st
   std::string failure;
   if (comm.isRoot()) {
     try {
+      refusePieces(fileName);
       triangles = trianglesOf(NetcdfFile(fileName));
     } catch (const std::exception& error) {
       failure = error.what();

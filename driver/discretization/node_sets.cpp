@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <limits>
+#include <regex>
 
 #include "../deck/deck_data.hpp"
 #include "../deck/function.hpp"
@@ -44,9 +47,18 @@ class NodeSetReader {
   /// Rows that could not be read would be missing from a geometric set.
   bool meshIsSound() const { return points_.size() == points_.nRows; }
 
+  /// Programs write whole numbers as 1.000e+00, too.
+  static std::optional<int> nodeNumber(std::string_view word) {
+    const std::string text(word);
+    if (const std::optional<int> number = parseInteger(text)) return number;
+    const std::optional<double> real = parseReal(text);
+    if (!real || *real != std::floor(*real) || std::abs(*real) > std::numeric_limits<int>::max()) return std::nullopt;
+    return static_cast<int>(*real);
+  }
+
   /// What is wrong with a node number; empty where it is one of the mesh's.
   std::string complaint(std::string_view word) const {
-    const std::optional<int> number = parseInteger(std::string(word));
+    const std::optional<int> number = nodeNumber(word);
     if (!number) return quoted(word) + " is not a node number";
     if (*number >= 1 && *number <= points_.nRows) return "";
     return "node " + std::to_string(*number) + " is not in the mesh, whose nodes are 1 to " +
@@ -71,7 +83,7 @@ class NodeSetReader {
   void addNumber(const std::string& place, std::string_view word, std::vector<int>& ids) {
     const std::string problem = complaint(word);
     if (problem.empty())
-      ids.push_back(*parseInteger(std::string(word)) - 1);
+      ids.push_back(*nodeNumber(word) - 1);
     else
       mistakes().add(place, problem);
   }
@@ -79,6 +91,10 @@ class NodeSetReader {
   void readFile(const std::string& fileName, const std::string& place, std::vector<int>& ids) {
     const std::optional<std::string> text = readTextFile(fileName, place, comm_, mistakes());
     if (!text) return;
+    if (const std::string problem = ofAnotherMesh(*text); !problem.empty()) {
+      mistakes().add(fileName, problem);
+      return;
+    }
     FileMistakes fileMistakes(fileName, mistakes());
     DataLines lines(*text);
     int nWords = 0;
@@ -86,11 +102,23 @@ class NodeSetReader {
       for (std::string_view word = lines.word(); !word.empty(); word = lines.word(), ++nWords) {
         const std::string problem = complaint(word);
         if (problem.empty())
-          ids.push_back(*parseInteger(std::string(word)) - 1);
+          ids.push_back(*nodeNumber(word) - 1);
         else
           fileMistakes.add(lines.number(), problem);
       }
     if (nWords == 0) mistakes().add(fileName, "the node set has no node numbers (named in " + place + ")");
+  }
+
+  /// What is wrong where the file says ("# top: 9 of the 400 points of plate.txt", as pdmesh writes it) that its mesh
+  /// has another number of points; empty where it does not.
+  std::string ofAnotherMesh(const std::string& text) const {
+    static const std::regex heading(R"(# .*: \d+ of the (\d+) points of (\S+))");
+    const std::string line = text.substr(0, std::min<std::size_t>(text.find('\n'), 500));
+    std::smatch match;
+    if (!std::regex_search(line, match, heading, std::regex_constants::match_continuous)) return "";
+    if (parseInteger(match[1].str()) == points_.nRows) return "";
+    return "the node set was made for the " + match[1].str() + " points of " + match[2].str() + ", and the mesh has " +
+           std::to_string(points_.nRows) + "; make it again with its mesh, in a folder of their own";
   }
 
   static std::array<double, 3> corner(const DeckNode& node) {

@@ -26,6 +26,7 @@ std::string readOnThisRank(const std::string& fileName, std::string& text) {
   text.resize(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)));
   file.seekg(0);
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);  // byte order mark of UTF-8
   return file ? "" : "cannot be read to its end";
 }
 

@@ -39,10 +39,14 @@ std::string readRow(DataLines& lines, Row& row) {
   return problem;
 }
 
+bool isBlockNumber(double value) {
+  return value >= 1.0 && value == std::floor(value) && value <= std::numeric_limits<int>::max();
+}
+
 /// What is wrong with the values of a row; empty where nothing is.
 std::string complaint(const Row& row) {
   const double block = row[3], volume = row[4];
-  if (block < 1.0 || block != std::floor(block) || block > std::numeric_limits<int>::max())
+  if (!isBlockNumber(block))
     return "the block number (fourth column) must be an integer of 1 or more; the columns are x y z block_id volume";
   if (!(volume > 0.0)) return "the volume (fifth column) must be greater than 0; the columns are x y z block_id volume";
   return "";
@@ -94,14 +98,17 @@ MeshPoints parseTextMesh(const std::string& text, const std::string& fileName, M
   points.blockId.reserve(nLines);
   points.line.reserve(nLines);
 
+  std::vector<std::pair<int, std::string>> problems;  // (line, what is wrong)
+  bool areExchanged = true;                           // volumes stand where the block numbers should, in every row
   DataLines lines(text);
   while (lines.next()) {
     ++points.nRows;
     Row row{};
     std::string problem = readRow(lines, row);
+    areExchanged = areExchanged && problem.empty() && isBlockNumber(row[4]) && row[3] > 0.0;
     if (problem.empty()) problem = complaint(row);
     if (!problem.empty()) {
-      mistakes.add(lines.number(), problem);
+      problems.emplace_back(lines.number(), problem);
       continue;
     }
     points.x.insert(points.x.end(), row.begin(), row.begin() + 3);
@@ -109,6 +116,10 @@ MeshPoints parseTextMesh(const std::string& text, const std::string& fileName, M
     points.volume.push_back(row[4]);
     points.line.push_back(lines.number());
   }
+  if (areExchanged && !problems.empty())
+    allMistakes.add(fileName, "columns 4 and 5 look exchanged; the columns are x y z block_id volume");
+  else
+    for (const auto& [line, problem] : problems) mistakes.add(line, problem);
   if (points.nRows == 0) allMistakes.add(fileName, "the mesh has no points (one a line: x y z block_id volume)");
   findDuplicates(points, mistakes);
   return points;

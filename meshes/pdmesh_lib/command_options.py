@@ -7,7 +7,7 @@ import numpy as np
 
 from .errors import MeshError
 from .expressions import named, select, variables_of
-from .points import report, write_node_set, write_points
+from .points import mesh_of_node_set, report, write_node_set, write_points
 
 
 def add_common(command):
@@ -37,8 +37,13 @@ def finish(options, points, facts, warnings, heading, from_grid=False):
         if file == Path(options.output) or file in files.values():
             raise MeshError(f"node set {name}: its file {file} is already taken; rename the group or the mesh")
         files[name] = file
+    mesh = Path(options.output).name
     for name, file in files.items():
-        write_node_set(points.node_sets[name], file, name)
+        _, other = mesh_of_node_set(file)
+        if other not in ("", mesh) and (folder / other).is_file():
+            warnings = warnings + [f"{file} was the node set of {other} and now is that of {mesh}; write each mesh "
+                                   "into a folder of its own"]
+        write_node_set(points.node_sets[name], file, name, len(points), mesh)
     more_facts, more_warnings = report(points, options.horizon)
     if not options.quiet:
         print("\n".join([f"{options.output}: pdmesh {heading}"] + ["  " + fact for fact in facts + more_facts]))

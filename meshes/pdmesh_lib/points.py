@@ -1,11 +1,11 @@
 """A text discretization: points with block and volume, and node sets. Reading, writing, statistics."""
 import re
-from pathlib import Path
 
 import numpy as np
 from scipy.spatial import cKDTree
 
 from .errors import MeshError
+from .text import number_of, read_text
 
 
 class Points:
@@ -54,9 +54,21 @@ def write_points(points, file_name, heading):
     write_lines(file_name, lines + rows)
 
 
-def write_node_set(indices, file_name, name):
+def write_node_set(indices, file_name, name, n_points, mesh):
+    """The heading says whose points they are: pdrun refuses a node set of a mesh with another number of points."""
     numbers = (np.asarray(indices) + 1).tolist()
-    write_lines(file_name, [f"# {name}: {len(numbers)} points\n"] + [f"{i}\n" for i in numbers])
+    write_lines(file_name, [f"# {name}: {len(numbers)} of the {n_points} points of {mesh}\n"]
+                + [f"{i}\n" for i in numbers])
+
+
+def mesh_of_node_set(file_name):
+    """(number of points, name) of the mesh that a node set was written for; (None, "") where it does not say."""
+    try:
+        with open(file_name, encoding="utf-8", errors="replace") as file:
+            found = re.match(r"# .*: \d+ of the (\d+) points of (.*)", file.readline())
+    except OSError:
+        found = None
+    return (int(found.group(1)), found.group(2)) if found else (None, "")
 
 
 def write_lines(file_name, lines):
@@ -69,50 +81,67 @@ def write_lines(file_name, lines):
 
 def read_points(file_name):
     """Reads `x y z block volume` lines; the thickness (cross section) from the heading that pdmesh writes."""
-    try:
-        with open(file_name, encoding="utf-8") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise MeshError(f"{file_name}: cannot be read as text: {error}") from None
+    text = read_text(file_name)
     heading = "".join(line for line in text[:2000].splitlines(True) if line.startswith("#"))
     found = re.search(r"(?:thickness|cross section) ([0-9.eE+-]+)", heading)
     measure = float(found.group(1)) if found else 1.0
-    rows = [(number, line.split()) for number, line in enumerate(text.splitlines(), 1)
-            if line.strip() and line.lstrip()[0] not in "#*"]
+    rows = _data_lines(text)
     for number, row in rows:
         if len(row) != 5:
             raise MeshError(f"{file_name}:{number}: expected 5 numbers `x y z block volume`, found {len(row)} words")
-    try:
-        table = np.array([row for _, row in rows], dtype=float).reshape(-1, 5)
-    except ValueError:
-        for number, row in rows:
-            for word in row:
-                try:
-                    float(word)
-                except ValueError:
-                    raise MeshError(f"{file_name}:{number}: `{word}` is not a number") from None
-        raise
-    if len(table) == 0:
+    if not rows:
         raise MeshError(f"{file_name}: no points")
+    try:
+        table = np.array([row for _, row in rows], dtype=float)
+    except ValueError:
+        table = np.array([[_number(file_name, number, word, float) for word in row] for number, row in rows])
+    _check_columns(file_name, [number for number, _ in rows], table)
     points = Points(table[:, :3], table[:, 3].astype(int), table[:, 4], dimension_of(table[:, :3]), measure)
     points.block_names = {int(number): name for number, name in re.findall(r"^# block_(\d+): (.*)$", heading, re.M)}
     return points
 
 
-def read_node_set(file_name, n_points):
+def _data_lines(text):
+    """[(line number, words)] of the lines with data, as pdrun takes them: what follows a # is a comment, and so are
+    lines that begin with * or /."""
+    lines = enumerate((line.partition("#")[0] for line in text.split("\n")), 1)
+    return [(number, line.split()) for number, line in lines if line.strip() and line.lstrip()[0] not in "*/"]
+
+
+def _number(file_name, line, word, kind):
     try:
-        text = Path(file_name).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise MeshError(f"{file_name}: cannot be read as text: {error}") from None
-    words = " ".join(line for line in text.splitlines() if not line.lstrip().startswith(("#", "*", "/"))).split()
-    try:
-        numbers = np.array(words, dtype=int)
+        return number_of(word, kind)
     except ValueError as error:
-        raise MeshError(f"{file_name}: {error}") from None
-    if len(numbers) and (numbers.min() < 1 or numbers.max() > n_points):
-        raise MeshError(f"{file_name}: node numbers from {numbers.min()} to {numbers.max()}, "
-                        f"but the mesh has points 1 to {n_points}")
-    return numbers - 1
+        raise MeshError(f"{file_name}:{line}: {error}") from None
+
+
+def _check_columns(file_name, lines, table):
+    def is_block(values):
+        return (values >= 1) & (values == np.floor(values)) & (values <= np.iinfo(np.int32).max)
+
+    bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
+    if len(bad):
+        raise MeshError(f"{file_name}:{lines[bad[0]]}: not all numbers are finite")
+    bad = np.flatnonzero(~is_block(table[:, 3]))
+    if len(bad) and is_block(table[:, 4]).all() and (table[:, 3] > 0).all():
+        raise MeshError(f"{file_name}: columns 4 and 5 look exchanged: a line is `x y z block volume`")
+    if len(bad):
+        raise MeshError(f"{file_name}:{lines[bad[0]]}: the block number (fourth column) is a whole number of 1 or "
+                        f"more, not {table[bad[0], 3]:g}; a line is `x y z block volume`")
+
+
+def read_node_set(file_name, n_points):
+    """Indices of its points. Refuses one that says it was written for a mesh of another number of points."""
+    made_for, mesh = mesh_of_node_set(file_name)
+    numbers = [(line, _number(file_name, line, word, int)) for line, words in _data_lines(read_text(file_name))
+               for word in words]
+    if made_for not in (None, n_points):
+        raise MeshError(f"{file_name}: a node set of the {made_for} points of {mesh}, and this mesh has {n_points}; "
+                        "write each mesh and its node sets into a folder of their own")
+    for line, number in numbers:
+        if not 1 <= number <= n_points:
+            raise MeshError(f"{file_name}:{line}: node {number} is not in the mesh, which has points 1 to {n_points}")
+    return np.array([number for _, number in numbers], dtype=int) - 1
 
 
 def export_points(points, file_name):

@@ -66,6 +66,14 @@ TEST(MeshMistakes, AllBadRowsAreReportedWithTheirLines) {
   EXPECT_THAT(text, Not(HasSubstr("mesh.txt:15")));
 }
 
+TEST(MeshMistakes, ExchangedColumnsAreOneMistake) {
+  const std::string text = complaints("0 0 0 0.5 1\n1 0 0 0.5 1\n2 0 0 0.25 2\n", deckText("3.0"));
+  EXPECT_THAT(text, AllOf(HasSubstr("mesh.txt: columns 4 and 5 look exchanged"), Not(HasSubstr("mesh.txt:1:"))));
+  // A row that is wrong otherwise: each is reported by itself.
+  EXPECT_THAT(complaints("0 0 0 0.5 1\n1 0 0 0.5 0.7\n", deckText("3.0")),
+              AllOf(HasSubstr("mesh.txt:1: the block number"), HasSubstr("mesh.txt:2:"), Not(HasSubstr("exchanged"))));
+}
+
 TEST(MeshMistakes, VeryManyAreCut) {
   std::string mesh;
   for (int i = 0; i < 1000; ++i) mesh += "oops\n";
@@ -74,9 +82,9 @@ TEST(MeshMistakes, VeryManyAreCut) {
 }
 
 TEST(MeshMistakes, CommentsBlankLinesAndLineEndsOfOtherSystemsAreFine) {
-  EXPECT_EQ(
-      complaints("* a\r\n/ b\r\n  # c\r\n\r\n0 0 0 1 1.0\r\n\t1\t0 0 1 +1.0 # end\r\n2 0 0 1.0 1", deckText("3.0")),
-      "no error");
+  EXPECT_EQ(complaints("\xEF\xBB\xBF* a\r\n/ b\r\n  # c\r\n\r\n0 0 0 1 1.0\r\n\t1\t0 0 1 +1.0 # end\r\n2 0 0 1.0 1",
+                       deckText("3.0")),
+            "no error");
 }
 
 TEST(MeshMistakes, EmptyOrMissingFile) {
@@ -91,6 +99,20 @@ TEST(MeshMistakes, PointsNearlyAtTheSamePlace) {
   // As where two parts of a mesh meet and a generator computed the shared points twice.
   EXPECT_THAT(complaints(latticeMesh(4, 4, 1) + "2.00000000000001 1 0 1 1.0\n", deckText("2.0")),
               HasSubstr("mesh.txt:8: the point of line 18 is only"));
+}
+
+TEST(NodeSetMistakes, OneOfAnotherMesh) {
+  const auto checked = [](const std::string& nodeSet) {
+    const SceneFiles files("node_set_of_another_mesh");
+    files.write("top.txt", nodeSet);
+    return complaints(latticeMesh(3, 3, 1), deckText("2.0", "", "  Top Node Set: top.txt\n"), files);
+  };
+  EXPECT_THAT(checked("# top: 2 of the 16 points of other.txt\n1\n2\n"),
+              HasSubstr("top.txt: the node set was made for the 16 points of other.txt, and the mesh has 9"));
+  EXPECT_EQ(checked("# top: 2 of the 9 points of mesh.txt\n1\n2\n"), "no error");
+  EXPECT_EQ(checked("# made by hand of the 16 points\n1\n2\n"), "no error");
+  EXPECT_EQ(checked("1.000e+00\n+2.0\n"), "no error");
+  EXPECT_THAT(checked("1.5\n"), HasSubstr("top.txt:1: \"1.5\" is not a node number"));
 }
 
 TEST(NodeSetMistakes, AllAreReportedTogetherWithThoseOfTheMesh) {

@@ -179,6 +179,37 @@ TEST(Exodus, AFileOfAnotherKindSaysSo) {
   }
 }
 
+TEST(Exodus, PiecesAreNotTheWhole) {
+  const auto failureOf = [](const SceneFiles& files, const std::string& name) -> std::string {
+    std::string deck = exodusDeck;
+    deck.replace(deck.find("mesh.g"), 6, name);
+    try {
+      pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+    } catch (const pd::DeckError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const SceneFiles files("exodus");
+  pd_test::writeExodus(files.path("mesh.g.2.0"), cubes(1, 1, 1));
+  pd_test::writeExodus(files.path("mesh.g.1.0"), cubes(2, 1, 1));
+  EXPECT_THAT(failureOf(files, "mesh.g"), HasSubstr("it is not there, but pieces of it are, as mesh.g."));
+  EXPECT_THAT(failureOf(files, "mesh.g.2.0"),
+              HasSubstr("it is one of 2 pieces of a mesh; pdrun reads the whole mesh from one file"));
+  EXPECT_THAT(failureOf(files, "other.g"), HasSubstr("it cannot be read as NetCDF"));
+  EXPECT_EQ(failureOf(files, "mesh.g.1.0"), "no error");
+  // Whatever a piece is called, Nemesis' dimensions in it tell.
+  for (const char* dimension : {"num_processors", "num_elems_global"}) {
+    pd_test::writeExodus(files.path("piece.g"), cubes(2, 1, 1));
+    int file = 0, id = 0;
+    ASSERT_EQ(nc_open(files.path("piece.g").c_str(), NC_WRITE, &file), NC_NOERR);
+    ASSERT_EQ(nc_redef(file), NC_NOERR);
+    ASSERT_EQ(nc_def_dim(file, dimension, 4, &id), NC_NOERR);
+    ASSERT_EQ(nc_close(file), NC_NOERR);
+    EXPECT_THAT(failureOf(files, "piece.g"), HasSubstr("a piece of a mesh that was cut for several processes"));
+  }
+}
+
 TEST(Exodus, NodeSetsOfTheMeshServeConditions) {
   const std::string conditions = "Boundary Conditions:\n  Hold:\n    Type: Prescribed Displacement\n    Node Set: ";
   const pd::Discretization d = discretize(exodusDeck + conditions + "nodelist_7\n", cubes(3, 2, 1));
@@ -187,6 +218,15 @@ TEST(Exodus, NodeSetsOfTheMeshServeConditions) {
               HasSubstr("neither Boundary Conditions nor the mesh has a node set \"nodelist_1\" (did you mean "
                         "\"nodelist_7\"?); there are: \"nodelist_7\", \"top\""));
   EXPECT_THAT(complaints(cubes(3, 2, 1), exodusDeck + conditions + "top\n  Top Node Set: 1 2\n"), "no error");
+}
+
+TEST(Exodus, NodeSetsThatAreNotSound) {
+  ExodusMesh twice = cubes(3, 2, 1);
+  twice.nodeSets = {{1, "top", {1}}, {2, "top", {2}}};
+  EXPECT_THAT(complaints(twice), HasSubstr("two node sets are called \"top\""));
+  ExodusMesh outside = cubes(3, 2, 1);
+  outside.nodeSets = {{1, "far", {1, 999}}};
+  EXPECT_THAT(complaints(outside), HasSubstr("node set \"far\" has a node that is not there"));
 }
 
 // ---- surfaces that cut bonds ----
