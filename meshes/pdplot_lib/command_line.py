@@ -4,6 +4,7 @@ import math
 import sys
 from pathlib import Path
 
+from .components import component_of
 from .results import PlotError, Results, read_history
 
 _EPILOG = """sample runs
@@ -35,7 +36,9 @@ def _parser():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="*", help="results: NAME.h5, NAME or a folder; default: the newest here")
     parser.add_argument("--field", help="field to show; default: Damage, Concentration ... or the first there is")
-    parser.add_argument("--component", choices=["x", "y", "z"], help="of a vector; default: its magnitude")
+    parser.add_argument("--component", help="x, y, z of a vector (default: its magnitude); of a tensor xx, xy ... zz, "
+                        "von-mises, principal1 (largest), principal2, principal3 (default: von-mises of stresses, "
+                        "principal1 of strains)")
     parser.add_argument("--step", default="last", metavar="last|all|N,N...", help="one or several, side by side")
     parser.add_argument("--deformed", nargs="?", const="auto", metavar="SCALE",
                         help="show points displaced, SCALE times (default: to a twentieth of the size)")
@@ -111,9 +114,12 @@ def _view(options, results, figures):
     if field is None:
         raise PlotError(f"{results.path}: no fields in the last step")
     field = next((name for name in fields if name.lower() == field.lower()), field)
-    component = None if options.component is None else "xyz".index(options.component)
-    if component is not None and results.field(field, results.steps[-1]).ndim == 1:
-        raise PlotError(f"--component {options.component}: {field} is one number a point, not a vector")
+    component = options.component and options.component.lower()
+    values = results.field(field, results.steps[-1])
+    if component and values.ndim == 1:
+        raise PlotError(f"--component {component}: {field} is one number a point, not a vector")
+    if component:
+        component_of(field, values[:1], component)
     if options.slice and results.dimension < 3:
         raise PlotError(f"--slice {options.slice}: {results.path} is no solid; all its points are shown")
     if options.range and not options.range[0] < options.range[1]:

@@ -7,9 +7,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from .raster import Raster  # noqa: E402
+from .components import component_of, default_component, title_of  # noqa: E402
+from .raster import Raster, window_of  # noqa: E402
 from .results import PlotError  # noqa: E402
-from .units import scaled, time_text, unit_of, with_unit  # noqa: E402
+from .units import plain, scaled, time_text, unit_of, with_unit  # noqa: E402
 
 # Perceptually uniform; dark is little, so that cracks and saturation stand out.
 _MAPS = {"Damage": "inferno", "Concentration": "viridis", "Coverage": "viridis", "Temperature": "magma"}
@@ -18,8 +19,9 @@ plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "savefig.bbox": "tight",
 
 
 class View:
-    """How a field is shown. component: None, 0, 1, 2 (None: magnitude of a vector); scale: of the deformation, 0 for
-    none; crack: Damage above which points count as cracked, or None; slice: (axis, position) of a solid."""
+    """How a field is shown. component: x, y, z, of tensors xx, xy ..., von-mises, principal1 ... (None: the magnitude
+    of a vector, what people look at of a tensor); scale: of the deformation, 0 for none; crack: Damage above which
+    points count as cracked, or None; slice: (axis, position) of a solid."""
 
     def __init__(self, field, component=None, scale=0.0, crack=None, slice=None, limits=None, map=None, unit=None,
                  factor=1.0):
@@ -29,22 +31,19 @@ class View:
 
     def values(self, results, step):
         values = results.field(self.field, step) * self.factor
-        if values.ndim == 1:
-            return values
-        if self.component is not None:
-            if self.component >= values.shape[1]:
-                raise PlotError(f"{self.field} has {values.shape[1]} components, not {self.component + 1}")
-            return values[:, self.component]
-        return np.linalg.norm(values, axis=1)
+        return values if values.ndim == 1 else component_of(self.field, values, self._component(values.shape[1]))
 
     def name(self, results):
-        width = results.field(self.field, results.steps[-1]).ndim
-        if width == 1:
-            return self.field
-        return f"{self.field} " + ("magnitude" if self.component is None else "xyz"[self.component])
+        width = results.width(self.field)
+        return title_of(self.field, width, self._component(width))
 
-    def units(self):
-        return unit_of(self.field) if self.unit is None else self.unit
+    def units(self, results):
+        if self.unit is not None:
+            return self.unit
+        return results.concentration_unit() if self.field == "Concentration" else unit_of(self.field)
+
+    def _component(self, width):
+        return self.component or default_component(self.field, width)
 
 
 def auto_scale(results, steps):
@@ -55,17 +54,37 @@ def auto_scale(results, steps):
     return 0.05 * size / largest if largest > 0 else 0.0
 
 
-def plane_of(results, view):
-    """(indices of the points shown, their two axes): all points of a plane scene, a slice of a solid."""
-    if results.dimension < 3:
-        return np.arange(len(results.x)), (0, 1)
-    axis, position = slice_of(results, view)
-    along = results.x[:, axis]
-    chosen = np.flatnonzero(np.abs(along - position) <= 0.51 * results.spacing())
-    if not len(chosen):
-        raise PlotError(f"no points within half a spacing of {'xyz'[axis]} = {position:g} m "
-                        f"(the body spans {along.min():g} .. {along.max():g} m)")
-    return chosen, tuple(i for i in range(3) if i != axis)
+class Plane:
+    """What of a body is shown: all points of a plane scene; of a solid those near a plane through it, which colour its
+    places as they colour all of the solid, each place by the nearest. points: their indices; axes: the two shown."""
+
+    def __init__(self, results, view):
+        self.results, self.view = results, view
+        if results.dimension < 3:
+            self.points, self.axes, self.height = np.arange(len(results.x)), (0, 1), None
+            return
+        axis, position = slice_of(results, view)
+        along = results.x[:, axis]
+        if not along.min() - 0.5 * results.spacing() <= position <= along.max() + 0.5 * results.spacing():
+            raise PlotError(f"no points at {'xyz'[axis]} = {position:g} m (the body spans {along.min():g} .. "
+                            f"{along.max():g} m)")
+        self.points = np.flatnonzero(np.abs(along - position) <= (1.05 + results.reach()) * results.spacings())
+        self.axes = tuple(i for i in range(3) if i != axis)
+        self.height = along[self.points] - position
+
+    def places(self, step=None):
+        """[n, 2 or 3] of the points: at a step displaced as the view says; and the height above the plane."""
+        x = self.results.x[self.points][:, self.axes]
+        if self.view.scale and step is not None:
+            x = x + self.view.scale * self.results.field("Displacement", step)[self.points][:, self.axes]
+        return x if self.height is None else np.column_stack([x, self.height])
+
+    def raster(self, step):
+        raster = Raster(self.places(step), self.results.spacings()[self.points], window=self.view.window,
+                        reach=self.results.reach())
+        if raster.is_empty():
+            raise PlotError(f"no points at {'xyz'[3 - sum(self.axes)]} = {slice_of(self.results, self.view)[1]:g} m")
+        return raster
 
 
 def slice_of(results, view):
@@ -83,7 +102,7 @@ def map_panels(panels, view, columns=None):
     if panels[0][0].dimension == 1:
         return line_panels(panels, view)
     limits = view.limits or common_limits(panels, view)
-    factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units())
+    factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units(panels[0][0]))
     if view.scale and view.window is None and len({id(results) for results, _, _ in panels}) == 1:
         view.window = common_window(panels, view)
     shape = _aspect(panels[0][0], view)
@@ -116,14 +135,16 @@ def _columns(n_panels, shape):
 
 
 def draw_map(axis, results, step, view, limits, factor):
-    chosen, (first, second) = plane_of(results, view)
-    x = _places(results, step, view, chosen, [first, second])
-    raster = Raster(x, results.spacings()[chosen], window=view.window)
+    plane = Plane(results, view)
+    chosen, (first, second) = plane.points, plane.axes
+    raster = plane.raster(step)
     length, unit = scaled(np.abs(raster.extent).max(), "m")
     extent = [value * length for value in raster.extent]
     values = view.values(results, step)[chosen] * factor
-    image = axis.imshow(raster.image(values), origin="lower", extent=extent, vmin=limits[0], vmax=limits[1],
-                        cmap=view.map or _MAPS.get(view.field, "viridis"))
+    map = plt.get_cmap(view.map or _MAPS.get(view.field, "viridis"))
+    if view.field == "Damage" and not view.values(results, step).any():  # grey: black would be all there is to see
+        map, limits = map.with_extremes(under="0.8"), (max(limits[0], 1e-9 * limits[1]), limits[1])
+    image = axis.imshow(raster.image(values), origin="lower", extent=extent, vmin=limits[0], vmax=limits[1], cmap=map)
     if view.crack is not None:
         cracked = raster.image((results.field("Damage", step)[chosen] > view.crack).astype(float)).filled(0)
         if cracked.any() and not cracked.all():
@@ -134,20 +155,13 @@ def draw_map(axis, results, step, view, limits, factor):
     return image
 
 
-def _places(results, step, view, chosen, axes):
-    x = results.x[chosen][:, axes]
-    return x + view.scale * results.field("Displacement", step)[chosen][:, axes] if view.scale else x
-
-
 def common_window(panels, view):
     """(lowest corner, highest corner) of all panels, so that displaced bodies are seen to move."""
     lows, highs = [], []
     for results, step, _ in panels:
-        chosen, axes = plane_of(results, view)
-        x = _places(results, step, view, chosen, list(axes))
-        margin = results.spacing() / 2
-        lows.append(x.min(axis=0) - margin)
-        highs.append(x.max(axis=0) + margin)
+        low, high = window_of(Plane(results, view).places(step), results.spacing())
+        lows.append(low)
+        highs.append(high)
     return np.min(lows, axis=0), np.max(highs, axis=0)
 
 
@@ -157,7 +171,7 @@ def line_panels(panels, view):
         order = np.argsort(results.x[:, 0])
         axis.plot(results.x[order, 0], view.values(results, step)[order], label=title)
     axis.set_xlabel("x (m)")
-    axis.set_ylabel(with_unit(view.name(panels[0][0]), view.units()))
+    axis.set_ylabel(with_unit(view.name(panels[0][0]), view.units(panels[0][0])))
     axis.legend()
     axis.grid(alpha=0.3)
     return figure
@@ -180,8 +194,9 @@ def comparison(first, second, steps, view):
             or first.dimension == 1:
         return map_panels(panels, view, columns=2)
     limits = view.limits or common_limits(panels, view)
-    factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units())
-    chosen, (one, two) = plane_of(first, view)
+    factor, unit = scaled(max(abs(limits[0]), abs(limits[1])), view.units(first))
+    plane = Plane(first, view)
+    chosen, one = plane.points, plane.axes[0]
     difference = ((view.values(second, steps[1]) - view.values(first, steps[0])) * factor)[chosen]
     shape = _aspect(first, view)
     figure, axes = plt.subplots(1, 3, figsize=(14.5, 4.2 * shape + 1.2), constrained_layout=True)
@@ -190,7 +205,7 @@ def comparison(first, second, steps, view):
         axis.set_title(title)
     bar = {"location": "bottom", "shrink": 0.7, "aspect": 35, "pad": 0.03}
     figure.colorbar(image, ax=axes[:2], **bar).set_label(with_unit(view.name(first), unit))
-    raster = Raster(first.x[chosen][:, [one, two]], first.spacings()[chosen])
+    raster = plane.raster(steps[0])
     largest = np.abs(difference).max()
     length, length_unit = scaled(np.abs(raster.extent).max(), "m")
     image = axes[2].imshow(raster.image(difference), origin="lower", cmap="coolwarm", vmin=-(largest or 1.0),
@@ -216,11 +231,15 @@ def step_title(results, step, view=None):
         length, unit = scaled(abs(position) or np.ptp(results.x[:, axis]), "m")
         text += f", {'xyz'[axis]} = {position * length:.4g} {unit}"
     if view is not None and view.scale:
-        text += f", displaced {view.scale:.3g} ×"
+        text += f", displaced {plain(view.scale)} ×"
+    if view is not None:
+        values = view.values(results, step)
+        if values.min() == values.max():
+            text += f", {values[0] if values[0] else 0:.3g} everywhere"
     return text
 
 
 def _aspect(results, view):
-    chosen, (first, second) = plane_of(results, view)
-    extent = np.ptp(results.x[chosen], axis=0)
-    return float(np.clip(extent[second] / max(extent[first], 1e-300), 0.15, 2.0))
+    low, high = window_of(Plane(results, view).places(), results.spacing())
+    width, height = high - low
+    return float(np.clip(height / width, 0.15, 2.0))

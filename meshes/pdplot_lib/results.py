@@ -6,6 +6,8 @@ import h5py
 import numpy as np
 from scipy.spatial import cKDTree
 
+from .raster import reach_of
+
 
 class PlotError(Exception):
     """What a user of pdplot did wrong: names the file or option, and the remedy."""
@@ -30,7 +32,7 @@ class Results:
         extent = np.ptp(self.x, axis=0)
         flat = extent <= 1e-12 * max(extent.max(), 1e-300)
         self.dimension = 3 if not flat[2] else (1 if flat[1] else 2)
-        self._spacings = None
+        self._spacings = self._reach = None
         if not self.steps:
             raise PlotError(f"{self.path}: no steps have been written")
 
@@ -48,6 +50,11 @@ class Results:
                             "name it under Output Variables in the deck")
         return group[name][:]
 
+    def width(self, name):
+        """Numbers a point."""
+        values = self._group(self.steps[-1])[name]
+        return 1 if values.ndim == 1 else values.shape[1]
+
     def varies(self, name):
         """Whether a field differs between points at the last step."""
         values = self.field(name, self.steps[-1])
@@ -64,6 +71,20 @@ class Results:
             edges = self.volume ** (1 / self.dimension)
             self._spacings = edges * _spacing_by_edge(self.x[:, :self.dimension], edges)
         return self._spacings
+
+    def reach(self):
+        """That of a Raster of the points, in spacings."""
+        if self._reach is None:
+            self._reach = reach_of(self.x[:, :self.dimension], self.spacings()) if self.dimension > 1 else 0.45
+        return self._reach
+
+    def concentration_unit(self):
+        """What the deck says: metal ions are given in mol/m3; of hydrogen its user chooses."""
+        try:
+            deck = self.path.with_suffix(".resolved.yaml").read_text(encoding="utf-8", errors="replace")
+        except OSError:
+            deck = ""
+        return "mol/m³" if "Corrosion Dissolution" in deck else "in the deck's unit"
 
     def _group(self, step):
         try:

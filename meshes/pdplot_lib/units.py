@@ -17,8 +17,8 @@ _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "Â
 
 
 def unit_of(field):
-    """Empty for pure numbers and for what only the deck knows."""
-    return _UNITS.get(field, "")
+    """Empty for pure numbers and for what only the deck knows, as the names of computes."""
+    return _UNITS.get(field, "Pa" if "stress" in field.lower() else "")
 
 
 def scaled(limit, unit):
@@ -29,6 +29,12 @@ def scaled(limit, unit):
         if limit >= 0.9999 * value:
             return 1 / value, prefix + unit
     return 1.0, unit
+
+
+def plain(number):
+    """Three digits, without an exponent where people would not write one."""
+    text = f"{number:.3g}"
+    return f"{float(text):.0f}" if "e" in text and 1 <= abs(number) < 1e7 else text
 
 
 def time_text(seconds, longest=None):
