@@ -13,14 +13,14 @@ def cylindrical(x):
 def axes_of(keyword):
     """(origin, axes [3, 3] row by row) of *SYSTEM: points a (origin), b (on the x axis), c (in the xy plane, towards
     y); without c a turn about z. None where there is no data, which ends an earlier system."""
-    points = _triples(keyword, 2, (3, 6))
-    if not points:
+    rows, counts = _rows(keyword, (6, 3))
+    if not rows:
         return None
-    a, b = points[0][:3], points[0][3:]
-    if not len(b):
+    a, b = rows[0][:3], rows[0][3:]
+    if counts[0] <= 3:
         return a, np.eye(3)
     first = b - a
-    towards = points[1] - a if len(points) > 1 else np.array([-first[1], first[0], 0.0])
+    towards = rows[1] - a if len(rows) > 1 else np.array([-first[1], first[0], 0.0])
     normal = np.cross(first, towards)
     if not np.linalg.norm(normal) > 0:
         raise MeshError(f"{keyword.place}: *SYSTEM: its points lie on a line")
@@ -30,8 +30,8 @@ def axes_of(keyword):
 
 def moved(keyword):
     """The function that places the nodes of *INSTANCE: a translation, then a turn about the axis from a to b."""
-    rows = _triples(keyword, 2, (3, 7))
-    shift = rows[0][:3] if rows else np.zeros(3)
+    rows, _ = _rows(keyword, (3, 7))
+    shift = rows[0] if rows else np.zeros(3)
     if len(rows) < 2:
         return lambda x: x + shift
     a, b, angle = rows[1][:3], rows[1][3:6], np.radians(rows[1][6])
@@ -44,11 +44,10 @@ def moved(keyword):
     return lambda x: a + (x + shift - a) @ turn
 
 
-def _triples(keyword, most, widths):
-    """The data lines as arrays of numbers. Fields at the end of a line may be left out: they are 0."""
+def _rows(keyword, widths):
+    """(the data lines as arrays of these widths, how many numbers each has); what is left out at the end is 0."""
     numbers, counts = keyword.table(float)
+    if len(counts) > len(widths) or any(count > width for count, width in zip(counts, widths)):
+        raise MeshError(f"{keyword.place}: *{keyword.name}: its data lines hold {widths[0]}, then {widths[1]} numbers")
     rows = np.split(numbers, np.cumsum(counts)[:-1]) if len(counts) else []
-    if len(rows) > most or any(len(row) > widths[-1] for row in rows):
-        raise MeshError(f"{keyword.place}: *{keyword.name}: its data are not understood")
-    width = widths[0] if rows and len(rows[0]) <= 3 else widths[-1]
-    return [np.pad(row, (0, max(0, (width if i == 0 else 3) - len(row)))) for i, row in enumerate(rows)]
+    return [np.pad(row, (0, width - len(row))) for row, width in zip(rows, widths)], counts

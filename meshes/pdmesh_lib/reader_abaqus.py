@@ -14,6 +14,7 @@ from .abaqus_parts import Part
 from .errors import MeshError
 from .placement import axes_of, cylindrical
 
+_MOST_GENERATED = 10**8  # labels of a set; more are a slip, and fill the memory
 _GENERATORS = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SUBSTRUCTURE", "SYMMETRICMODELGENERATION")
 
 
@@ -185,7 +186,7 @@ def _generated(keyword, numbers, counts):
     found, at = [], 0
     for row, count in enumerate(counts):
         first, last, step = [*numbers[at:at + count], 1][:3] if count in (2, 3) else (0, 0, 0)
-        if step < 1 or last < first:
+        if step < 1 or last < first or (last - first) // step > _MOST_GENERATED:
             raise MeshError(f"{keyword.place_of(row)}: GENERATE needs lines of `first, last, step`")
         found.append(np.arange(first, last + 1, step))
         at += count

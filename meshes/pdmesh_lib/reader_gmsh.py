@@ -118,8 +118,8 @@ def _part(file_name, kind, connectivity):
 def read_msh1(file_name):
     """Format 1.0: a row of an element is `number, type, physical, elementary, number of nodes, nodes`."""
     sections = _sections(file_name, ("NOD", "ELM"))
-    nodes, place = _nodes(file_name, sections["NOD"])
-    numbers = sections["ELM"].numbers(np.int64)
+    nodes, place = _nodes(file_name, _demanded(file_name, sections, "NOD"))
+    numbers = _demanded(file_name, sections, "ELM").numbers(np.int64)
     pieces = _elements(file_name, numbers, place, counted=4, tag=2, first_node=lambda count: 5)
     return _mesh(file_name, nodes, [(kind, found, physical) for kind, found, physical, _ in pieces], {})
 
@@ -222,7 +222,7 @@ def _elements(file_name, numbers, place, counted, tag, first_node):
     while done < n_elements:
         head = numbers[at:at + 5]
         kind, count = (int(head[1]), int(head[counted])) if len(head) > counted else (0, 0)
-        if kind not in _TYPES:
+        if kind not in _TYPES or count < 0:
             raise MeshError(f"{file_name}: element {done + 1} is not whole, or of type {kind}, which is not supported; "
                             "mesh with first or second order elements (Mesh.ElementOrder = 1 or 2)")
         first = first_node(count)

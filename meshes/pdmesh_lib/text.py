@@ -48,4 +48,6 @@ def number_of(word, kind):
         return value
     if value != np.floor(value):
         raise ValueError(f"`{word.strip()}` is not a whole number")
+    if abs(value) >= 2**63:
+        raise ValueError(f"`{word.strip()}` is too large")
     return int(plain) if re.fullmatch(r"[-+]?\d+", plain) else int(value)

@@ -243,6 +243,9 @@ class Abaqus(PdmeshCase):
         self.assertIn("# block_2: P-2.Body", (self.folder / "points.txt").read_text())
         for text, message in ((part + section + "*Instance, name=Q-1, part=Q\n", "there is no *PART, NAME=Q"),
                               (part + section + two + sets.replace("P-2.3", "P-3.3"), "there is no instance P-3"),
+                              (part + section + two.replace("4., 0., 0.\n", "4., 0., 0., 1.\n"),
+                               "a.inp:26: *INSTANCE: its data lines hold 3, then 7 numbers"),
+                              (part + section + two.replace("1., 90.", "0., 90."), "the axis of the turn has no"),
                               (part + section + two + "*Element, type=CONN3D2\n1, P-1.10, P-2.10\n",
                                "--skip CONN3D2")):
             with self.subTest(message=message):
