@@ -94,7 +94,7 @@ std::map<int, DeckNode> entriesOfBlocks(const Deck& deck, const std::vector<int>
         entryOfOthers = entry;
       } else if (number != 0) {
         assign(number, entry, names);
-      } else {
+      } else if (!blockNumbers.empty()) {  // none: no row of the mesh could be read, which is said already
         mistakes.add(names.place(), "the mesh " + meshFile + " has no block \"" + name +
                                         "\"; it has: " + namesOf(blockNumbers, points));
       }
