@@ -2,7 +2,15 @@
 #ifndef PD_FAR_FIELD_HPP
 #define PD_FAR_FIELD_HPP
 
+#include <vector>
+
 namespace pd {
+
+/// What is beyond the mesh: a rate coefficient_i (value_i - field_i) at owned point i.
+struct FarField {
+  std::vector<double> coefficient;  ///< [nOwned] 1/s, 0 where there is nothing; empty without any such condition
+  std::vector<double> value;        ///< [nOwned] in the unit of the field
+};
 
 /// Rate k, 1/s, of the sink k (C_far - C) in a layer of `thickness` m at the end of the mesh, by which it draws the
 /// steady flux D (C - C_far) / (thickness + distance) from what lies before it: as if the electrolyte went on for

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "../boundary/boundary_conditions.hpp"
 #include "../deck/sections.hpp"
 #include "../study/check_study.hpp"
 #include "../study/run_study.hpp"
@@ -49,7 +50,7 @@ void check(const RunOptions& options, const Communicator& comm) {
   checkDeck(deck);
   print(comm, stderr, withPrefix("warning: ", deck.warnings()));
   deck.mistakes().report();
-  const Discretization discretization = readDiscretization(deck, comm);
+  checkConditions(deck, readDiscretization(deck, comm), comm);
   print(comm, stdout, options.deckFile + ": no mistakes found");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../../materials/registry/plugins.hpp"
+#include "../boundary/condition.hpp"
 #include "../deck/sections.hpp"
 #include "../solvers/diffusion/rate_integrator.hpp"
 #include "../solvers/solver.hpp"
@@ -94,7 +95,7 @@ std::vector<ReferenceChapter> sectionsOfConditions() {
        {},
        "Initial and boundary conditions",
        "an entry of Boundary Conditions with \"Type: {}\"",
-       typesOf(boundaryConditionTypes(), boundaryConditionDeclarations)}};
+       pluginsOf<ConditionRegistry>()}};
 }
 
 std::vector<ReferenceChapter> sectionsOfSolvers() {

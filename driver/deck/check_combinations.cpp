@@ -39,7 +39,6 @@ class CombinationCheck {
       if (set->section.node["Box"]) box(set->section.node["Box"]);
       isTimeless(set->section.node["Expression"]);
     }
-    for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) needsDamage(*condition);
     times();
     outputs();
   }
@@ -177,14 +176,6 @@ class CombinationCheck {
         mistakes_.add(items[0].items()[i].place(),
                       fmt::format("{}: the first corner has {} = {}, above {} of the second; the lowest comes first",
                                   node.path(), "xyz"[i], corners[0][i], corners[1][i]));
-  }
-
-  void needsDamage(const CheckedSection& condition) {
-    const std::string& type = condition.section.plugin;
-    if ((type != "No Failure" && type != "Saturated Crack Faces") || check_.hasDamageModel()) return;
-    if (check_.ofKind(Kind::Block).empty()) return;
-    mistakes_.add(condition.section.node.keyPlace(),
-                  condition.section.node.path() + ": " + type + " does nothing, since no block has a Damage Model");
   }
 
   void times() {

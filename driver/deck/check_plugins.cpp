@@ -1,8 +1,10 @@
 // Plug-ins refuse some values only when they are made, and only they know the fields of a run: make them all.
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "../../materials/registry/plugins.hpp"
+#include "../boundary/condition.hpp"
 #include "../solvers/solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "check_deck.hpp"
@@ -40,43 +42,52 @@ class OneRank : public PeridigmNS::Communicator {
 class PluginCheck {
  public:
   explicit PluginCheck(const DeckUnderCheck& check) : check_(check), deck_(check.deck), mistakes_(deck_.mistakes()) {
-    // The driver fills or makes these itself.
-    labels_ = {"Model_Coordinates", "Coordinates", "Displacement",          "Volume", "Block_Id", "Element_Id",
-               "Proc_Num",          "Horizon",     "External_Force_Density"};
+    labels_ = {"Displacement"};
+    labels_.insert(driverLabels_.begin(), driverLabels_.end());
+    run_.hasDamageModel = check.hasDamageModel();
   }
 
   void run() {
     isComplete_ = !check_.ofKind(Kind::Block).empty();
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
-      make(*solver, [&] {
+      makePart(*solver, [&] {
         const auto made = SolverRegistry::self().create(solver->section.plugin, solver->list);
-        for (const std::string& label : made->fieldsWithFarField()) farFields_.insert(label);
+        for (const std::string& label : made->fieldsWithFarField()) run_.fieldsWithFarField.insert(label);
+        for (const int id : made->fieldIds()) run_.solverFields.insert(FieldManager::self().getFieldSpec(id).label);
         return made->fieldIds();
       });
-    for (const CheckedSection* condition : check_.ofKind(Kind::Condition)) conditionField(*condition);
+    bool hasAllConditions = true;
+    for (const CheckedSection* checked : check_.ofKind(Kind::Condition)) hasAllConditions &= condition(*checked);
     computes();
+    isComplete_ = isComplete_ && hasAllConditions;
     for (const CheckedSection* output : check_.ofKind(Kind::Output)) outputVariables(output->section.node);
     for (const CheckedSection* entry : check_.ofKind(Kind::ExactSolution)) isKnown(entry->section.node["Field"]);
   }
 
  private:
-  /// Calls `create`, which makes the plug-in of the section and returns its fields.
+  /// Calls `create`, which makes the plug-in of the section and returns its fields. False where it cannot be made.
   template <class Create>
-  void make(const CheckedSection& checked, const Create& create) {
-    if (!checked.isGood) {
-      isComplete_ = false;
-      return;
-    }
+  bool make(const CheckedSection& checked, const Create& create) {
+    if (!checked.isGood) return false;
     try {
       for (const int id : create()) {
         const PeridigmNS::FieldSpec spec = FieldManager::self().getFieldSpec(id);
         if (spec.getRelation() != PeridigmNS::PeridigmField::BOND) labels_.insert(spec.getLabel());
       }
+      return true;
+    } catch (const DeckError& error) {
+      addAll(mistakes_, error);
     } catch (const std::exception& error) {
-      isComplete_ = false;
       mistakes_.add(checked.section.node.keyPlace(), checked.section.node.path() + ": " + error.what());
     }
+    return false;
+  }
+
+  /// The same of a plug-in without which it is not known which fields there are.
+  template <class Create>
+  void makePart(const CheckedSection& checked, const Create& create) {
+    if (!make(checked, create)) isComplete_ = false;
   }
 
   const CheckedSection* named(Kind kind, const DeckNode& name) const {
@@ -93,35 +104,84 @@ class PluginCheck {
     } else {
       const Function horizon = Function::fromDeck(node["Horizon"]);
       if (!horizon.dependsOnTime())
-        make(*material, [&] {
+        makePart(*material, [&] {
           Teuchos::ParameterList list(material->list);
           if (material->section.declarations.find("Horizon") != nullptr && horizon.isConstant())
             list.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
-          return MaterialRegistry::self().create(material->section.plugin, list)->FieldIds();
+          const auto made = MaterialRegistry::self().create(material->section.plugin, list);
+          addOrigins(*made);
+          return made->FieldIds();
         });
     }
     const DeckNode damage = node["Damage Model"];
     if (!damage.isScalar() || damage.text() == "None") return;
     if (const CheckedSection* model = named(Kind::DamageModel, damage))
-      make(*model, [&] { return DamageModelRegistry::self().create(model->section.plugin, model->list)->FieldIds(); });
+      makePart(*model, [&] {
+        const auto made = DamageModelRegistry::self().create(model->section.plugin, model->list);
+        addOrigins(*made);
+        return made->FieldIds();
+      });
     else
       isComplete_ = false;
   }
 
-  void conditionField(const CheckedSection& condition) {
-    const DeckNode field = condition.section.node["Field"];
-    if (condition.section.plugin == "No Failure") labels_.insert("No_Failure");
-    if (condition.section.plugin == "Far Field Concentration" && isComplete_ && farFields_.count("Concentration") == 0)
-      mistakes_.add(
-          condition.section.node.keyPlace(),
-          condition.section.node.path() +
-              ": no solver of this deck takes an electrolyte beyond the mesh into account, as Corrosion does; "
-              "use Prescribed Concentration");
-    if (!field.isScalar() || !isKnown(field)) return;
-    if (condition.section.plugin == "Saturated Crack Faces") labels_.insert(field.text() + "_Source");
-    if (!FieldManager::self().hasField(field.text())) return;
-    if (FieldManager::self().getFieldSpec(field.text()).getLength() != PeridigmNS::PeridigmField::SCALAR)
-      mistakes_.add(field.place(), field.path() + ": \"" + field.text() + "\" is no scalar field");
+  /// Where the values of the fields come from that a plug-in sets.
+  template <class PlugIn>
+  void addOrigins(const PlugIn& plugin) {
+    const FieldTable* table = fieldTableOf(plugin);
+    if (table == nullptr) return;
+    for (const FieldUse& use : table->uses()) {
+      std::string& origin = origins_[use.field.label];
+      if (use.access == FieldAccess::Worsens)
+        origin =
+            "damage models find it from broken bonds; a Bond Filter with \"Count In Damage: true\" breaks some at the "
+            "start";
+      else if (!use.field.rateOf.empty())
+        origin = "it is the rate of " + use.field.rateOf + ", which a material computes";
+      else if (use.access != FieldAccess::Reads)
+        origin = "a material or damage model computes it";
+    }
+  }
+
+  /// False where it cannot be made.
+  bool condition(const CheckedSection& checked) {
+    return make(checked, [&] {
+      const DeckSection& section = checked.section;
+      const auto made = ConditionRegistry::self().create(section.plugin, {section.name, section.node, checked.list});
+      const std::vector<int> ids = made->fieldIds();
+      const std::string obstacle = isComplete_ ? made->obstacle(run_) : "";
+      if (!obstacle.empty())
+        mistakes_.add(section.node.keyPlace(),
+                      section.node.path() + ": " + section.plugin + " does nothing, since " + obstacle);
+      else
+        fieldOf(*made);
+      return ids;
+    });
+  }
+
+  /// Whether it is there, has the right number of values, and is one to be set.
+  void fieldOf(const Condition& condition) {
+    const DeckNode given = condition.node()["Field"];
+    const std::string& label = condition.field();
+    const bool isThere = FieldManager::self().hasField(label);  // damage models may leave No_Failure to a condition
+    if (given && !isKnown(given)) return;
+    const std::string start = given ? given.path() + ": " : condition.node().path() + ": ";
+    const std::string place = given ? given.place() : condition.node().keyPlace();
+    if (isComplete_ && !isThere && labels_.count(label) == 0)
+      mistakes_.add(place, start + "it acts on the field \"" + label +
+                               "\", which no material, damage model or solver of this deck uses");
+    else if (condition.width() == 1 && isThere &&
+             FieldManager::self().getFieldSpec(label).getLength() != PeridigmNS::PeridigmField::SCALAR)
+      mistakes_.add(place, start + "\"" + label + "\" is no scalar field");
+    else if (const std::string origin = originOf(label); given && !origin.empty())
+      mistakes_.add(place, start + "\"" + label + "\" cannot be set, since " + origin);
+  }
+
+  /// Where the values of a field come from that no condition may set; empty of all others.
+  std::string originOf(const std::string& label) const {
+    if (driverLabels_.count(label) != 0) return "it is that of the mesh or of the motion";
+    const auto found = origins_.find(label);
+    return found == origins_.end() ? "" : found->second;
   }
 
   void computes() {
@@ -137,7 +197,7 @@ class PluginCheck {
     for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
       labels_.insert(compute->section.plugin);
       if (!isComplete_) continue;
-      make(*compute, [&] {
+      makePart(*compute, [&] {
         const auto list = Teuchos::rcp<const Teuchos::ParameterList>(new Teuchos::ParameterList(compute->list));
         return ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData)->FieldIds();
       });
@@ -195,9 +255,13 @@ class PluginCheck {
   const DeckUnderCheck& check_;
   const Deck& deck_;
   Mistakes& mistakes_;
-  std::set<std::string> labels_;
-  std::set<std::string> farFields_;  ///< that solvers take into account
-  bool isComplete_ = true;           ///< all plug-ins could be made
+  /// The driver fills or makes these itself.
+  const std::set<std::string> driverLabels_{"Model_Coordinates", "Coordinates", "Volume",  "Block_Id",
+                                            "Element_Id",        "Proc_Num",    "Horizon", "External_Force_Density"};
+  std::set<std::string> labels_;                ///< all that is known
+  std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
+  RunContents run_;
+  bool isComplete_ = true;  ///< all plug-ins could be made
 };
 
 }  // namespace

@@ -234,7 +234,7 @@ Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDe
 Teuchos::ParameterList DeckNode::parameters(const ParameterDeclarations& declarations) const {
   Mistakes mistakes;
   HostKeys hostKeys;
-  for (const char* key : {"Material Model", "Damage Model", "Compute Class"})
+  for (const char* key : {"Material Model", "Damage Model", "Compute Class", "Type"})
     if ((*this)[key]) hostKeys.known.emplace_back(key);
   if ((*this)["Material Model"]) hostKeys.injected.emplace_back("Horizon");
   Teuchos::ParameterList list = readParameters(*this, declarations, mistakes, hostKeys);

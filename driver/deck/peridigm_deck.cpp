@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "../boundary/condition.hpp"
 #include "section_walk.hpp"
 #include "sections.hpp"
 
@@ -161,11 +162,12 @@ class Translation {
   static void condition(const Data& node) {
     Data *type = node.entry("Type"), *coordinate = node.entry("Coordinate");
     if (type == nullptr) return;
-    for (const std::string& known : boundaryConditionTypes())
+    for (const std::string& known : ConditionRegistry::self().names())
       if (plainName(known) == plainName(type->scalar)) type->scalar = known;
     if (coordinate == nullptr || coordinate->scalar.size() != 1) return;
     coordinate->scalar[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(coordinate->scalar[0])));
-    const bool isScalarField = type->scalar.find("Temperature") != std::string::npos;
+    const auto* plugin = ConditionRegistry::self().find(type->scalar);
+    const bool isScalarField = plugin != nullptr && plugin->declare().find("Coordinate") == nullptr;
     if (isScalarField && coordinate->scalar == "x") coordinate->isIgnored = true;
   }
 

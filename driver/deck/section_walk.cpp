@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "../../materials/registry/plugins.hpp"
+#include "../boundary/condition.hpp"
 #include "../solvers/solver.hpp"
 #include "sections.hpp"
 
@@ -98,22 +99,26 @@ class SectionFinder {
 
   template <class Registry>
   void plugins(Kind kind, const DeckNode& list, const std::string& kindKey, const Registry& registry) {
-    for (const auto& [name, node] : list.entries()) {
-      if (!isSection(node)) continue;
-      std::string plugin =
-          kind == Kind::Compute ? withUnderscores(node[kindKey].isScalar() ? node[kindKey].text() : "") : "";
-      if (registry.find(plugin) == nullptr) plugin = choice(node, kindKey, registry.names());
-      if (plugin.empty()) continue;
-      DeckSection& section = add(kind, name, node, registry.find(plugin)->declare());
-      section.plugin = plugin;
-      if (section.declarations.find(kindKey) == nullptr) section.hostKeys.known.push_back(kindKey);
-      if (kind != Kind::Material) continue;
-      section.hostKeys.injected.emplace_back("Horizon");
-      if (!node["Horizon"]) continue;
-      mistakes_.add(node["Horizon"].keyPlace(),
-                    node.path() + " gives a Horizon, which belongs to the block alone; remove it here");
-      if (section.declarations.find("Horizon") == nullptr) section.hostKeys.known.emplace_back("Horizon");
-    }
+    for (const auto& [name, node] : list.entries())
+      if (isSection(node)) plugin(kind, name, node, kindKey, registry);
+  }
+
+  template <class Registry>
+  void plugin(Kind kind, const std::string& name, const DeckNode& node, const std::string& kindKey,
+              const Registry& registry) {
+    std::string plugin =
+        kind == Kind::Compute ? withUnderscores(node[kindKey].isScalar() ? node[kindKey].text() : "") : "";
+    if (registry.find(plugin) == nullptr) plugin = choice(node, kindKey, registry.names());
+    if (plugin.empty()) return;
+    DeckSection& section = add(kind, name, node, registry.find(plugin)->declare());
+    section.plugin = plugin;
+    if (section.declarations.find(kindKey) == nullptr) section.hostKeys.known.push_back(kindKey);
+    if (kind != Kind::Material) return;
+    section.hostKeys.injected.emplace_back("Horizon");
+    if (!node["Horizon"]) return;
+    mistakes_.add(node["Horizon"].keyPlace(),
+                  node.path() + " gives a Horizon, which belongs to the block alone; remove it here");
+    if (section.declarations.find("Horizon") == nullptr) section.hostKeys.known.emplace_back("Horizon");
   }
 
   void discretization(const DeckNode& node) {
@@ -166,8 +171,7 @@ class SectionFinder {
                              " must be a condition (a section with a Type); the names of node sets contain \"Node "
                              "Set\"");
       } else {
-        const std::string type = choice(node, "Type", boundaryConditionTypes());
-        if (!type.empty()) add(Kind::Condition, name, node, boundaryConditionDeclarations(type)).plugin = type;
+        plugin(Kind::Condition, name, node, "Type", ConditionRegistry::self());
       }
     }
   }

@@ -15,8 +15,6 @@ const ParameterDeclarations& discretizationDeclarations(const std::string& type)
 const ParameterDeclarations& bondFilterDeclarations(const std::string& type);  ///< throws for an unknown type
 const ParameterDeclarations& nodeSetDeclarations();                            ///< node sets by geometry
 const ParameterDeclarations& blockDeclarations();
-const ParameterDeclarations& boundaryConditionDeclarations(const std::string& type);
-std::vector<std::string> boundaryConditionTypes();
 std::vector<std::string> bondFilterTypes();
 const ParameterDeclarations& outputDeclarations();
 const ParameterDeclarations& exactSolutionDeclarations();  ///< an entry of "Exact Solution"

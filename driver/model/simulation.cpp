@@ -220,6 +220,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   const ErrorNorms errorNorms(deck, model);
   writeResolvedDeck(deck, comm);
   logModel(model, output, deck);
+  for (const std::string& note : conditions.notes()) output.log(note);
 
   conditions.applyInitial();
   model.initialize();

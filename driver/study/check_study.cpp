@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "../boundary/boundary_conditions.hpp"
 #include "../deck/sections.hpp"
 #include "../discretization/discretization.hpp"
 #include "../output/compute_set.hpp"
@@ -97,7 +98,8 @@ class StudyCheck {
     deck.mistakes().report();
     if (!study_.histories.empty()) histories(deck);
     deck.mistakes().report();
-    if (withMeshes_ && readMeshes_.insert(textOfMesh(deck)).second) readDiscretization(deck, comm_);
+    if (withMeshes_ && readMeshes_.insert(textOfMesh(deck)).second)
+      checkConditions(deck, readDiscretization(deck, comm_), comm_);
   }
 
   static std::string firstOutput(const Deck& deck) {

@@ -9,10 +9,26 @@
 
 #include "../model_plugins.hpp"
 #include "../mpi/lattice.hpp"
+#include "driver/boundary/condition.hpp"
 #include "driver/boundary/far_field.hpp"
 
 namespace pd::test {
 namespace {
+
+/// The smallest condition: it warms its points at each applyPrescribed(), and its one registration makes it known.
+class Warming : public Condition {
+ public:
+  static void declareParameters(ParameterDeclarations& declare) {
+    declareNodeSet(declare);
+    declare.function("Value", "unit of the field", "What is added at a time.").required();
+  }
+  explicit Warming(const ConditionSection& section) : Condition(section, "Concentration", 1) {}
+  void applyPrescribed(Model& model, double t) override {
+    const std::vector<double>& given = evaluate(model.discretization(), t);
+    for (std::size_t k = 0; k < given.size(); ++k) model.field(field())[points()[k]] += given[k];
+  }
+};
+PD_REGISTER_CONDITION(Warming, "Test Warming", "Adds to a field")
 
 class BoundaryConditionsTest : public ::testing::Test {
  protected:
@@ -110,7 +126,7 @@ TEST_F(BoundaryConditionsTest, PrescribedValuesAreSetByField) {
 
 TEST_F(BoundaryConditionsTest, ForcesAddUp) {
   const Deck deck = deckWith(
-      "  Weight: {Type: Body Force, Node Set: Middle Node Set, Coordinate: y, Value: \"-9.81*x\"}\n"
+      "  Weight: {Type: Body Force, Node Set: Middle Node Set, Coordinate: x, Value: \"-9.81*x\"}\n"
       "  Load: {Type: Traction, Node Set: Right Node Set, Value: \"3*t\", Area: 4.0}\n"
       "  More: {Type: Body Force, Node Set: Right Node Set, Value: 1.0}\n");
   Model model = modelOf(deck);
@@ -118,7 +134,7 @@ TEST_F(BoundaryConditionsTest, ForcesAddUp) {
   EXPECT_TRUE(conditions.hasExternalForce());
   std::vector<double> force(21, 0.0);
   conditions.addExternalForce(2.0, force.data());
-  EXPECT_DOUBLE_EQ(force[3 * 3 + 1], -9.81 * 3);
+  EXPECT_DOUBLE_EQ(force[3 * 3], -9.81 * 3);
   // 6 N/m2 on 4 m2 by two points of 1 m3: 12 N/m3, and 1 N/m3 beside it.
   EXPECT_DOUBLE_EQ(force[3 * 5], 13.0);
   EXPECT_DOUBLE_EQ(force[3 * 6], 13.0);
@@ -268,6 +284,42 @@ TEST_F(BoundaryConditionsTest, PeridigmsDisplacementsGoByIncrements) {
   plain.applyInitial();
   plain.applyPrescribed(2.0);
   EXPECT_DOUBLE_EQ(ours.field("Displacement")[0], 2.0);
+}
+
+TEST_F(BoundaryConditionsTest, ConflictingInitialValuesNameBothConditions) {
+  const std::string conditions =
+      "  Everywhere: {Type: Initial Concentration, Node Set: Left Node Set, Value: 2.0}\n"
+      "  Some: {Type: Initial Value, Field: Concentration, Node Set: Middle Node Set, Value: \"1 + x + t\"}\n";
+  const std::string error = errorOf(deckWith(conditions));  // 4 at x = 1, where t = 2
+  EXPECT_NE(error.find("test.yaml:12:3: conditions \"Everywhere\" and \"Some\" start from different values of the same "
+                       "Concentration where their node sets overlap"),
+            std::string::npos)
+      << error;
+
+  const Deck peridigm = deckWith(conditions, true);
+  Model model = modelOf(peridigm);
+  BoundaryConditions last(peridigm, model);
+  last.applyInitial();
+  EXPECT_DOUBLE_EQ(model.field("Concentration")[0], 2.0);
+  EXPECT_DOUBLE_EQ(model.field("Concentration")[1], 4.0);
+}
+
+TEST_F(BoundaryConditionsTest, InitialValuesMayOverlapWhereTheyAgree) {
+  // Two texts, 1 both at x = 1; an initial and a prescribed value are no conflict either.
+  EXPECT_EQ(errorOf(deckWith("  A: {Type: Initial Concentration, Node Set: Left Node Set, Value: 1.0}\n"
+                             "  B: {Type: Initial Concentration, Node Set: Middle Node Set, Value: \"x\"}\n"
+                             "  C: {Type: Prescribed Concentration, Node Set: Middle Node Set, Value: 7.0}\n")),
+            "no error");
+}
+
+TEST_F(BoundaryConditionsTest, ANewConditionNeedsNothingButItsRegistration) {
+  const Deck deck = deckWith("  Warm: {Type: Test Warming, Node Set: Left Node Set, Value: \"x*t\"}\n");
+  Model model = modelOf(deck);
+  BoundaryConditions conditions(deck, model);
+  conditions.applyPrescribed(2.0);
+  conditions.applyPrescribedValue("Concentration", 3.0);
+  EXPECT_DOUBLE_EQ(model.field("Concentration")[1], 5.0);
+  EXPECT_EQ(conditions.valueIsPrescribed("Concentration"), std::vector<char>(7, 0));
 }
 
 TEST_F(BoundaryConditionsTest, OverlapIsNoConflictWhereValuesOrComponentsAgree) {

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "driver/boundary/condition.hpp"
 #include "driver/command_line/explain.hpp"
 #include "driver/command_line/markdown.hpp"
 #include "driver/deck/sections.hpp"
@@ -87,17 +88,16 @@ TEST(Reference, HasEveryRegisteredPluginWithAllOfItsKeys) {
   expectAllPlugins<MaterialRegistry>("Materials");
   expectAllPlugins<DamageModelRegistry>("Damage Models");
   expectAllPlugins<ComputeRegistry>("Compute Class Parameters");
+  expectAllPlugins<ConditionRegistry>("Boundary Conditions");
   expectAllPlugins<SolverRegistry>("Solver");
   expectAllPlugins<RateIntegratorRegistry>("Methods of the solver Diffusion");
 }
 
-TEST(Reference, HasEveryTypeOfMeshFilterAndConditionWithAllOfItsKeys) {
+TEST(Reference, HasEveryTypeOfMeshAndFilterWithAllOfItsKeys) {
   for (const std::string& type : discretizationTypes())
     expectAllKeys(discretizationDeclarations(type), partOf("Discretization", type), type);
   for (const std::string& type : bondFilterTypes())
     expectAllKeys(bondFilterDeclarations(type), partOf("Bond Filters", type), type);
-  for (const std::string& type : boundaryConditionTypes())
-    expectAllKeys(boundaryConditionDeclarations(type), partOf("Boundary Conditions", type), type);
 }
 
 TEST(Reference, HasEverySectionOfADeckAndAStudyWithAllOfItsKeys) {

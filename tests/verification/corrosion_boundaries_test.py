@@ -44,13 +44,14 @@ class InitialConcentration(CorrosionTest):
         self.make_lattice([12e-6, 8e-6])
         deck = corrosion_deck(2, STEEL, "y > 4.0e-6", None, 1e-6, 1)
         deck["Boundary Conditions"].update({
-            "Left Node Set": {"Box": [[0.0, 0.0, -1.0], [6e-6, 4e-6, 1.0]]},
+            "Left Node Set": {"Box": [[0.0, 1e-6, -1.0], [6e-6, 4e-6, 1.0]]},
             "Left": {"Type": "Initial Concentration", "Node Set": "Left Node Set", "Value": "1.0e8*x + 2.0e8*y"},
             "Corner Node Set": "1 2",
             "Corner": {"Type": "Initial Concentration", "Node Set": "Corner Node Set", "Value": 77.0}})
         result = self.solve(deck)
         x, y = self.x[:, 0], self.x[:, 1]
-        expected = np.where(y > 4e-6, STEEL["Solid Concentration"], np.where(x < 6e-6, 1e8 * x + 2e8 * y, 0.0))
+        left = (x < 6e-6) & (y > 1e-6)
+        expected = np.where(y > 4e-6, STEEL["Solid Concentration"], np.where(left, 1e8 * x + 2e8 * y, 0.0))
         expected[:2] = 77.0
         np.testing.assert_allclose(result.field("Concentration", 0), expected, rtol=1e-12)
         np.testing.assert_array_equal(result.field("Damage", 0) >= 1.0, y < 4e-6)

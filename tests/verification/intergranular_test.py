@@ -54,9 +54,7 @@ class Layers(PhasesTest):
         self.write_mesh(self.x, self.volume, 1 + (self.x[:, 0] > 12e-6))
         atoms, current = 0.7 * STEEL["Solid Concentration"], 2.0 * float(STEEL["Current Density"])
         deck = self.phases_deck(1, STEEL, [(2, current, atoms)], 140.0, 28)
-        deck["Boundary Conditions"]["Second Node Set"] = {"Expression": "x > 1.2e-5"}
-        deck["Boundary Conditions"]["Second"] = {"Type": "Initial Concentration", "Node Set": "Second Node Set",
-                                                 "Value": atoms}
+        deck["Boundary Conditions"]["Metal"]["Value"] = f"x > 1.2e-5 ? {atoms!r} : {STEEL['Solid Concentration']!r}"
         result = self.solve(deck)
         self.assertLess(self.balance(result), 1e-10)
         t, depth = result.history()["time"], result.history()["Dissolved"]

@@ -1,0 +1,121 @@
+#include "condition_set.hpp"
+
+#include <map>
+#include <set>
+
+#include "../discretization/node_sets.hpp"
+#include "../model/collective.hpp"
+#include "../model/solver_sections.hpp"
+#include "boundary_conditions.hpp"
+
+namespace pd {
+
+namespace {
+
+Teuchos::RCP<Condition> createCondition(const std::string& name, const DeckNode& node) {
+  const DeckNode type = node["Type"];
+  if (!type) throw DeckError(node.keyPlace() + ": this condition needs the key \"Type\"");
+  const auto* plugin = ConditionRegistry::self().find(type.text());
+  if (plugin == nullptr) throw DeckError(type.place() + ": unknown type of condition \"" + type.text() + "\"");
+  try {
+    return plugin->create({name, node, node.parameters(plugin->declare())});
+  } catch (const std::invalid_argument& error) {
+    throw DeckError(node.keyPlace() + ": " + node.path() + ": " + error.what());
+  }
+}
+
+bool haveSameValue(const Condition& a, const Condition& b) {
+  const DeckNode first = a.node()["Value"], second = b.node()["Value"];
+  return first.isScalar() && second.isScalar() && first.text() == second.text();
+}
+
+/// Two conditions that want different things of one point.
+class ConflictFinder {
+ public:
+  ConflictFinder(const ConditionSet& conditions, const Discretization& mesh, double initialTime)
+      : conditions_(conditions), mesh_(mesh), initialTime_(initialTime) {}
+
+  void find(Mistakes& mistakes) {
+    for (std::size_t c = 0; c < conditions_.size(); ++c)
+      if (!conditions_[c]->claim().empty()) claim(c, mistakes);
+  }
+
+ private:
+  struct Owner {
+    int condition = -1;
+    std::size_t k = 0;  ///< of the condition's points
+  };
+
+  void claim(std::size_t c, Mistakes& mistakes) {
+    const Condition& condition = *conditions_[c];
+    const std::string component =
+        condition.width() == 3 ? std::string(" component ") + "xyz"[condition.component()] : std::string();
+    std::vector<Owner>& owners = owners_[condition.claim() + "/" + condition.field() + component];
+    owners.resize(static_cast<std::size_t>(mesh_.nOwned));
+    std::set<int> reported;
+    for (std::size_t k = 0; k < condition.points().size(); ++k) {
+      const int point = condition.points()[k];
+      if (point >= mesh_.nOwned) continue;
+      Owner& owner = owners[static_cast<std::size_t>(point)];
+      if (owner.condition >= 0 && !agree(condition, k, owner) && reported.insert(owner.condition).second)
+        mistakes.add(condition.node().keyPlace(),
+                     "conditions \"" + conditions_[static_cast<std::size_t>(owner.condition)]->name() + "\" and \"" +
+                         condition.name() + "\" " + condition.claim() + " different values of the same " +
+                         condition.field() + component +
+                         " where their node sets overlap; take those points out of one of the node sets");
+      owner = {static_cast<int>(c), k};
+    }
+  }
+
+  bool agree(const Condition& condition, std::size_t k, const Owner& owner) const {
+    const Condition& other = *conditions_[static_cast<std::size_t>(owner.condition)];
+    if (haveSameValue(condition, other)) return true;
+    return !condition.dependsOnTime() && !other.dependsOnTime() &&
+           condition.evaluate(mesh_, initialTime_)[k] == other.evaluate(mesh_, initialTime_)[owner.k];
+  }
+
+  const ConditionSet& conditions_;
+  const Discretization& mesh_;
+  double initialTime_;
+  std::map<std::string, std::vector<Owner>> owners_;  ///< of owned points, by what is claimed
+};
+
+}  // namespace
+
+ConditionSet readConditions(const Deck& deck, const Discretization& mesh, const Communicator& comm,
+                            const std::function<void(const Condition&)>& use) {
+  ConditionSet conditions;
+  collectively(comm, [&] {
+    Mistakes mistakes;
+    for (const auto& [name, node] : deck["Boundary Conditions"].entries()) {
+      if (nodeSetKey(name).find("NODE_SET") != std::string::npos || !node.isMap()) continue;
+      try {
+        conditions.push_back(createCondition(name, node));
+        conditions.back()->findPoints(mesh);
+        use(*conditions.back());
+      } catch (const DeckError& error) {
+        mistakes.add("", error.what());
+      }
+    }
+    mistakes.report();
+  });
+  Mistakes mistakes;
+  for (const auto& condition : conditions) {
+    try {
+      condition->measure(mesh, comm);
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    }
+  }
+  collectively(comm, [&] {
+    if (!deck.isPeridigmDeck()) ConflictFinder(conditions, mesh, initialTime(deck)).find(mistakes);
+    mistakes.report();
+  });
+  return conditions;
+}
+
+void checkConditions(const Deck& deck, const Discretization& mesh, const Communicator& comm) {
+  readConditions(deck, mesh, comm, [](const Condition&) {});
+}
+
+}  // namespace pd
