@@ -70,6 +70,19 @@ TEST_P(BrokenDecks, AreReportedWithPlaceAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(Table, BrokenDecks, testing::ValuesIn(pd_test::brokenDecks()),
                          [](const testing::TestParamInfo<Broken>& info) { return info.param.name; });
 
+TEST(BrokenRuns, ACheckKnowsWhatOnlyTheMeshTells) {
+  for (const Broken& broken : pd_test::brokenRuns()) {
+    if (broken.name.find("Conflicting") == std::string::npos && broken.name != "LoadOutOfThePlane") continue;
+    std::string deck = pd_test::goodDeck;
+    for (const auto& [from, to] : broken.edits) deck = replaced(deck, from, to);
+    const SceneFiles scene("checked_" + broken.name);
+    writeScene(scene, deck, pd_test::goodMesh(), pd_test::goodNodeSet);
+    const Outcome outcome = run(scene, {"--check"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.errors.find(broken.expected.front()), std::string::npos) << outcome.errors;
+  }
+}
+
 TEST(GoodScene, IsGood) {
   const SceneFiles scene("good");
   writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);

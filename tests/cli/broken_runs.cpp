@@ -107,8 +107,51 @@ std::vector<Broken> brokenRuns() {
       {"FarFieldWithoutItsSolver",
        {{"Type: Prescribed Concentration\n",
          "Type: Far Field Concentration\n    Distance: 1.0e-3\n    Diffusivity: 1.0e-9\n    Area: 1.0e-6\n"}},
-       {"deck.yaml:53:3: Boundary Conditions/Charge: no solver of this deck takes an electrolyte beyond the mesh into "
-        "account, as Corrosion does; use Prescribed Concentration"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: Far Field Concentration does nothing, since no solver of this "
+        "deck takes an electrolyte beyond the mesh into account, as Corrosion does; use Prescribed Concentration"}},
+      {"InitialValueOfTheMesh",
+       {{"Type: Prescribed Concentration\n", "Type: Initial Value\n    Field: Volume\n"}},
+       {"deck.yaml:55:12: Boundary Conditions/Charge/Field: \"Volume\" cannot be set, since it is that of the mesh or "
+        "of the motion"}},
+      {"InitialValueOfDamage",
+       {{"Type: Prescribed Concentration\n", "Type: Initial Value\n    Field: Damage\n"}},
+       {"deck.yaml:55:12: Boundary Conditions/Charge/Field: \"Damage\" cannot be set, since damage models find it from "
+        "broken bonds; a Bond Filter with \"Count In Damage: true\" breaks some at the start"}},
+      {"PrescribedRate",
+       {{"Type: Prescribed Concentration\n", "Type: Prescribed Value\n    Field: Concentration_Flux_Divergence\n"}},
+       {"deck.yaml:55:12: Boundary Conditions/Charge/Field: \"Concentration_Flux_Divergence\" cannot be set, since it "
+        "is the rate of Concentration, which a material computes"}},
+      {"ConditionOnAFieldOfNobody",
+       {{"Type: Prescribed Concentration\n", "Type: Prescribed Temperature\n"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: it acts on the field \"Temperature\", which no material, damage "
+        "model or solver of this deck uses"}},
+      {"VelocityInStatics",
+       {{"Type: Prescribed Concentration\n", "Type: Initial Velocity\n"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: Initial Velocity does nothing, since no solver of this deck moves "
+        "points by their velocity, as Verlet does"}},
+      {"LoadWithoutMechanics",
+       {{"Type: Prescribed Concentration\n", "Type: Force\n"},
+        {"  Staggered:\n    Load Steps: 2\n    Diffusion:\n      Method: Euler\n      Sub Steps: 2\n    Mechanics:\n"
+         "      Adaptive Dynamic Relaxation:\n        Iterations Per Load Step: 3\n",
+         "  Diffusion: {Method: Euler, Sub Steps: 2}\n"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: Force does nothing, since no solver of this deck moves points by "
+        "forces, as QuasiStatic does"}},
+      {"LoadOutOfThePlane",
+       {{"Type: Prescribed Concentration\n", "Type: Force\n    Coordinate: z\n"}},
+       {"deck.yaml:53:3: condition \"Charge\" pushes along z, but the points of this mesh are in one plane and move "
+        "along x and y alone"}},
+      {"PressureWithoutDirection",
+       {{"Type: Prescribed Concentration\n", "Type: Pressure\n    Area: 1.0e-5\n"}},
+       {"deck.yaml:53:3: Boundary Conditions/Charge: give one of \"Normal\", \"Center\""}},
+      {"PressureInThePlane",
+       {{"Type: Prescribed Concentration\n", "Type: Pressure\n    Area: 1.0e-5\n    Normal: [0, 1]\n"}},
+       {"deck.yaml:56:13: Boundary Conditions/Charge/Normal must be three numbers, [x, y, z]"}},
+      {"PressureAlongNothing",
+       {{"Type: Prescribed Concentration\n", "Type: Pressure\n    Area: 1.0e-5\n    Normal: [0, 0, 0]\n"}},
+       {"deck.yaml:56:13: Boundary Conditions/Charge/Normal has no length"}},
+      {"PressureOnAPartOfARound",
+       {{"Type: Prescribed Concentration\n", "Type: Pressure\n    Area: 1.0e-5\n    Center: [0.005, -0.001, 0]\n"}},
+       {"deck.yaml:53:3: condition \"Charge\": the normals of its points do not cancel: they sum to 0.75 of the area"}},
       {"TimesReversed",
        {{"Final Time: 10.0", "Final Time: -1.0"}},
        {"deck.yaml:62:15: Solver: Final Time -1 s must be after Initial Time 0 s"}},
@@ -260,6 +303,12 @@ std::vector<Broken> brokenRuns() {
          "  Hold:\n    Type: Prescribed Displacement\n    Node Set: Left Node Set\n    Value: 1.0\n  Keep:\n"}},
        {"deck.yaml:57:3: conditions \"Clamp\" and \"Hold\" prescribe different values of the same Displacement "
         "component x where their node sets overlap; take those points out of one of the node sets"}},
+      {"ConflictingInitialValues",
+       {{"  Keep:\n",
+         "  Start: {Type: Initial Concentration, Node Set: Left Node Set, Value: 1.0}\n"
+         "  Spot: {Type: Initial Concentration, Node Set: Corner Node Set, Value: 2.0}\n  Keep:\n"}},
+       {"deck.yaml:58:3: conditions \"Start\" and \"Spot\" start from different values of the same Concentration where "
+        "their node sets overlap; take those points out of one of the node sets"}},
       {"Several",
        {{"Density: 7850.0", "Density: -1"},
         {"Horizon: 3.1e-3", "Horizn: 3.1e-3"},
