@@ -55,18 +55,24 @@ std::vector<std::string> BoundaryConditions::notes() const {
   return lines;
 }
 
+void BoundaryConditions::setTimeScale(double scale) {
+  timeScale_ = scale;
+  for (const auto& condition : conditions_) condition->setTimeScale(scale);
+}
+
 void BoundaryConditions::applyInitial() {
   for (const auto& condition : conditions_) condition->applyInitial(model_, initialTime_);
 }
 
-void BoundaryConditions::applyPrescribed(double t) {
+void BoundaryConditions::applyPrescribed(double ownTime) {
+  const double t = runTime(ownTime);
   for (const auto& condition : conditions_) condition->applyPrescribed(model_, t);
   appliedAt_ = t;
 }
 
 void BoundaryConditions::applyPrescribedValue(const std::string& field, double t) {
   for (const auto& condition : conditions_)
-    if (condition->field() == field) condition->applyPrescribed(model_, t);
+    if (condition->field() == field) condition->applyPrescribed(model_, runTime(t));
 }
 
 const FarField& BoundaryConditions::farField(const std::string& field, double t) {
@@ -76,7 +82,7 @@ const FarField& BoundaryConditions::farField(const std::string& field, double t)
     if (!condition->reachesBeyond() || condition->field() != field) continue;
     farField_.coefficient.resize(static_cast<std::size_t>(model_.nOwned()), 0.0);
     farField_.value.resize(farField_.coefficient.size(), 0.0);
-    condition->addFarField(model_.discretization(), t, farField_);
+    condition->addFarField(model_.discretization(), runTime(t), farField_);
   }
   return farField_;
 }
@@ -88,7 +94,8 @@ bool BoundaryConditions::prescribedValueDependsOnTime(const std::string& field) 
 }
 
 void BoundaryConditions::addExternalForce(double t, double* forceDensity) const {
-  for (const auto& condition : conditions_) condition->addForceDensity(model_.discretization(), t, forceDensity);
+  for (const auto& condition : conditions_)
+    condition->addForceDensity(model_.discretization(), runTime(t), forceDensity);
 }
 
 bool BoundaryConditions::hasExternalForce() const {
@@ -106,7 +113,17 @@ long long BoundaryConditions::updateDamageSources() {
   return hasAny ? model_.comm().sum(nNew) : 0;
 }
 
+/// Bonds that never break are those that the deck names now, not those of the checkpoint.
+void BoundaryConditions::markNoFailure() {
+  const char* const label = "No_Failure";
+  if (!model_.hasField(label)) return;
+  std::fill_n(model_.field(label), model_.nPoints(), 0.0);
+  for (const auto& condition : conditions_)
+    if (condition->field() == label) condition->applyInitial(model_, initialTime_);
+}
+
 void BoundaryConditions::resume(double t) {
+  markNoFailure();
   for (const auto& condition : conditions_) condition->resume(model_, t, isPrescribed_[condition->field()]);
   appliedAt_ = t;
 }

@@ -29,6 +29,9 @@ class BoundaryConditions {
   /// What the log should say of them, a line each.
   std::vector<std::string> notes() const;
 
+  /// From now on the solver at work counts `scale` seconds where the run counts one. Times that it hands over are its
+  /// own; values are those of the run's time, t / scale, and velocities those in its seconds.
+  void setTimeScale(double scale);
   /// Initial displacements, velocities and values; ghosts included.
   void applyInitial();
   /// Sets prescribed displacements and values for time t in the fields' NP1, ghosts included, and, where there is a
@@ -48,7 +51,8 @@ class BoundaryConditions {
   /// are newly prescribed (all ranks). Damage of ghosts must be up to date (Model::evaluateDamage does it).
   long long updateDamageSources();
 
-  /// Takes up what conditions keep from one time to the next from fields that a restart at time t has filled.
+  /// Takes up what conditions keep from one time to the next from fields that a restart at time t has filled; marks of
+  /// No Failure are those of the deck.
   void resume(double t);
 
   /// [3 nPoints] 1 where that displacement component is prescribed.
@@ -57,9 +61,13 @@ class BoundaryConditions {
   const std::vector<char>& valueIsPrescribed(const std::string& field) const;
 
  private:
+  double runTime(double ownTime) const { return timeScale_ == 1.0 ? ownTime : ownTime / timeScale_; }
+  void markNoFailure();
+
   Model& model_;
   double initialTime_ = 0.0;
-  double appliedAt_ = 0.0;  ///< time of the last applyPrescribed()
+  double timeScale_ = 1.0;  ///< seconds of the solver at work in one of the run
+  double appliedAt_ = 0.0;  ///< time of the run at the last applyPrescribed()
   std::vector<Teuchos::RCP<Condition>> conditions_;
   std::map<std::string, std::vector<char>> isPrescribed_;  ///< [width nPoints] by field
   std::vector<char> nowhere_;                              ///< [nPoints] of a field without conditions

@@ -78,6 +78,9 @@ class Condition {
   /// What the log should say of it, after measure().
   virtual std::string note() const { return ""; }
 
+  /// Seconds of the solver at work in one of the run, in whose time the hooks below are called.
+  void setTimeScale(double scale) { timeScale_ = scale; }
+
   // What it does in a run. `isPrescribed`: [width() nPoints], of its field, shared with all conditions on that field.
   virtual void applyInitial(Model&, double) {}
   virtual void markPrescribed(std::vector<char>&) const {}
@@ -96,11 +99,13 @@ class Condition {
  protected:
   /// Sets the component of the field to `values`, one for each of points().
   void write(Model& model, const std::vector<double>& values) const;
+  double timeScale() const { return timeScale_; }
 
  private:
   std::string name_, field_;
   DeckNode node_;
   int width_ = 1, component_ = 0;
+  double timeScale_ = 1.0;
   std::vector<int> points_;
   Function value_ = Function::constant(0.0);
   mutable std::vector<double> values_;

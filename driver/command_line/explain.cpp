@@ -38,7 +38,7 @@ std::string declarationsText(const ParameterDeclarations& declarations, const st
   }
   for (const auto& rule : declarations.rules()) result += wrapped(ruleText(rule), indent);
   for (const auto& sublist : declarations.sublists()) {
-    result += wrapped(sublist.name + ": a section; optional", indent);
+    result += wrapped((sublist.name == "*" ? "(any name)" : sublist.name) + ": a section; optional", indent);
     result += wrapped(sublist.meaning, indent + "    ");
     result += declarationsText(sublist.declarations.front(), indent + "    ");
   }

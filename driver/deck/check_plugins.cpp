@@ -57,6 +57,7 @@ class PluginCheck {
         for (const int id : made->fieldIds()) run_.solverFields.insert(FieldManager::self().getFieldSpec(id).label);
         return made->fieldIds();
       });
+    for (const CheckedSection* solver : check_.ofKind(Kind::Solver)) watchedFields(*solver);
     bool hasAllConditions = true;
     for (const CheckedSection* checked : check_.ofKind(Kind::Condition)) hasAllConditions &= condition(*checked);
     computes();
@@ -182,6 +183,16 @@ class PluginCheck {
     if (driverLabels_.count(label) != 0) return "it is that of the mesh or of the motion";
     const auto found = origins_.find(label);
     return found == origins_.end() ? "" : found->second;
+  }
+
+  /// Fields whose change makes a part of a staggered run advance. (Those of computes are known for output alone.)
+  void watchedFields(const CheckedSection& solver) {
+    for (const auto& [name, part] : solver.section.node["Solvers"].entries()) {
+      const DeckNode field = part["When"]["Field"];
+      if (!isKnown(field) || !FieldManager::self().hasField(field.text())) continue;
+      if (FieldManager::self().getFieldSpec(field.text()).getRelation() == PeridigmNS::PeridigmField::GLOBAL)
+        mistakes_.add(field.place(), field.path() + ": \"" + field.text() + "\" is no field of points");
+    }
   }
 
   void computes() {

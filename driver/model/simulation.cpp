@@ -6,27 +6,20 @@
 #include <chrono>
 #include <fstream>
 #include <optional>
+#include <set>
 
 #include "../deck/sections.hpp"
-#include "../output/checkpoint.hpp"
 #include "../output/output_section.hpp"
-#include "../solvers/solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "error_norms.hpp"
 #include "field_names.hpp"
-#include "solver_sections.hpp"
+#include "restart.hpp"
+#include "stage.hpp"
 
 namespace pd {
 
 namespace {
-
-/// One Solver section of the deck.
-struct Stage {
-  std::string name;
-  Teuchos::RCP<Solver> solver;
-  double startTime = 0.0, endTime = 1.0;
-};
 
 Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
   std::optional<Deck> deck;
@@ -36,38 +29,6 @@ Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
     deck->mistakes().report();
   });
   return *deck;
-}
-
-Stage createStage(const DeckNode& section) {
-  Stage stage;
-  stage.startTime = section.real("Initial Time", 0.0);
-  stage.endTime = section.real("Final Time", 1.0);
-  for (const auto& [name, node] : section.entries()) {
-    const auto* plugin = SolverRegistry::self().find(name);
-    if (plugin == nullptr) continue;
-    stage.name = name;
-    stage.solver = plugin->create(node.parameters(plugin->declare()));
-    return stage;
-  }
-  throw DeckError(section.keyPlace() + ": this section names no solver (one of " +
-                  quotedList(SolverRegistry::self().names()) + ")");
-}
-
-std::vector<Stage> createStages(const Deck& deck) {
-  std::vector<Stage> stages;
-  Mistakes mistakes;
-  for (const DeckNode& section : solverSections(deck)) {
-    try {
-      stages.push_back(createStage(section));
-    } catch (const DeckError& error) {
-      mistakes.add("", error.what());
-    } catch (const std::invalid_argument& error) {
-      mistakes.add(section.keyPlace(), error.what());
-    }
-  }
-  if (stages.empty() && mistakes.empty()) mistakes.add(deck.fileName(), "the deck has no section Solver");
-  mistakes.report();
-  return stages;
 }
 
 /// Fields that a solver may advance: those that must stay finite.
@@ -114,42 +75,47 @@ void fillHostFields(Model& model, const BoundaryConditions& conditions, double t
 /// The loop over all stages and their increments.
 class Run {
  public:
-  Run(Simulation simulation, std::vector<Stage>& stages, const Communicator& comm)
-      : simulation_(simulation), stages_(stages), comm_(comm), labels_(advancedFields(simulation.model)) {}
+  /// `deck`: text of the resolved deck, for checkpoints.
+  Run(Simulation simulation, std::vector<Stage>& stages, const Communicator& comm, std::string deck)
+      : simulation_(simulation),
+        stages_(stages),
+        comm_(comm),
+        deck_(std::move(deck)),
+        labels_(advancedFields(simulation.model)) {}
 
-  /// From the initial state, or from `restart` (fields already filled).
-  void execute(const Checkpoint* restart) {
-    const auto first = restart == nullptr ? std::size_t(0) : static_cast<std::size_t>(restart->solverState.at(0));
+  /// From the initial state, or from `restart` (fields already filled) in the stage `first`.
+  void execute(const Restart* restart, std::size_t first) {
     for (std::size_t s = 0; s < stages_.size(); ++s) {
       if (s > 0) simulation_.output.startSolver();
       if (s < first) continue;
       Stage& stage = stages_[s];
+      const bool isRestarted = restart != nullptr && s == first;
       int nSteps = 0, done = 0;
+      double start = stage.startTime;
       orAbortUnlessShared([&] {
         stage.solver->initialize(simulation_);
-        if (restart != nullptr && s == first) {
-          done = static_cast<int>(restart->solverState.at(1));
-          firstStep_ = restart->step - done;
-          stage.solver->setRestartState({restart->solverState.begin() + 2, restart->solverState.end()});
-        }
+        if (isRestarted) restart->setState(*stage.solver);
         // After the state is set: a solver that chooses its increments must choose the same again.
         nSteps = stage.solver->numberOfIncrements(simulation_, stage.startTime, stage.endTime);
+        if (isRestarted) {
+          done = restart->incrementsDone(stage, nSteps, s + 1 == stages_.size());
+          firstStep_ = restart->step() - done;
+          start = restart->startTime(stage);
+        }
       });
-      advance(s, done, nSteps);
+      advance(s, start, done, nSteps);
       firstStep_ += nSteps;
     }
   }
 
  private:
-  void advance(std::size_t stageNumber, int done, int nSteps) {
+  /// The increments of a stage after the first `done`, from time `start`.
+  void advance(std::size_t stageNumber, double start, int done, int nSteps) {
     Model& model = simulation_.model;
     Stage& stage = stages_[stageNumber];
-    const auto timeOf = [&](int increment) {
-      return stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
-    };
     for (int increment = done + 1; increment <= nSteps; ++increment) {
       const int step = firstStep_ + increment;
-      const double start = timeOf(increment - 1), end = timeOf(increment);
+      const double end = stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
       orAbortUnlessShared([&] {
         try {
           stage.solver->advance(simulation_, start, end - start);
@@ -162,21 +128,15 @@ class Run {
       fillHostFields(model, simulation_.conditions, end);
       const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
-      simulation_.output.checkpoint(model, step, end, restartState(stageNumber, increment), isLast);
+      if (simulation_.output.isCheckpointDue(step, isLast))
+        simulation_.output.checkpoint(model, {step, end, stage.name, stage.solver->restartState(), deck_, {}}, isLast);
       simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
+      start = end;
     }
   }
 
   void requireFinite(int step) const {
     for (const std::string& label : labels_) simulation_.model.requireFinite(label, step);
-  }
-
-  /// Which stage, how many of its increments are done, and the solver's own state.
-  std::vector<double> restartState(std::size_t stageNumber, int increment) const {
-    std::vector<double> state = {static_cast<double>(stageNumber), static_cast<double>(increment)};
-    const std::vector<double> own = stages_[stageNumber].solver->restartState();
-    state.insert(state.end(), own.begin(), own.end());
-    return state;
   }
 
   /// Solvers throw DeckError and RunError on all ranks alike; anything else may have happened on one rank alone.
@@ -196,6 +156,7 @@ class Run {
   Simulation simulation_;
   std::vector<Stage>& stages_;
   const Communicator& comm_;
+  std::string deck_;
   std::vector<std::string> labels_;
   int firstStep_ = 0;  ///< increments of the stages before
 };
@@ -212,8 +173,13 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   Model model(deck, comm, std::move(discretization), {});
   model.timers().add("mesh and neighborhoods", readingTime);
   std::vector<Stage> stages = createStages(deck);
+  const std::set<std::string> ofPlugins = fieldLabels(model);
   for (const Stage& stage : stages) model.allocateFields(stage.solver->fieldIds());
+  const std::set<std::string> ofSolvers = fieldLabels(model);
   BoundaryConditions conditions(deck, model);
+  std::set<std::string> ofConditions;
+  for (const std::string& label : fieldLabels(model))
+    if (ofSolvers.count(label) == 0) ofConditions.insert(label);
   Output output(deck, comm, options.isQuiet, !options.restartFile.empty());
   model.allocateFields(output.fieldIds());
   output.initialize(model);
@@ -226,7 +192,8 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   model.initialize();
   const std::vector<std::string> notes = model.notes();
   for (const std::string& note : notes) output.log(note);
-  std::optional<Checkpoint> restart;
+  std::optional<Restart> restart;
+  std::size_t firstStage = 0;
   if (options.restartFile.empty()) {
     conditions.applyPrescribed(stages.front().startTime);
     for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
@@ -235,16 +202,15 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     model.adoptState();
     output.write(model, 0, 0, stages.front().startTime, false);
   } else {
-    restart = readCheckpoint(model, options.restartFile);
-    conditions.resume(restart->time);
+    restart.emplace(model, options.restartFile, deck);
+    firstStage = restart->findStage(stages, ofPlugins, ofConditions);
+    conditions.resume(restart->time());
     model.adoptState();
-    output.log(
-        fmt::format("going on from step {} (t = {:g} s) of {}", restart->step, restart->time, options.restartFile));
-    if (restart->deckHash != textHash(resolvedDeck(deck)))
-      output.log("note: the deck is not the one that wrote this checkpoint");
+    for (const std::string& note : restart->notes()) output.log(note);
   }
 
-  Run(Simulation{model, conditions, output}, stages, comm).execute(restart ? &*restart : nullptr);
+  Run(Simulation{model, conditions, output}, stages, comm, resolvedDeck(deck))
+      .execute(restart ? &*restart : nullptr, firstStage);
 
   std::vector<std::string> summary = notes;
   for (const Stage& stage : stages)

@@ -3,25 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <set>
+#include <sstream>
 
 #include "../model/collective.hpp"
 #include "atomic_file.hpp"
 #include "bond_order.hpp"
 #include "hdf5_file.hpp"
-#include "output.hpp"
 
 namespace pd {
 
 using namespace PeridigmNS;
-
-std::string textHash(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;  // offset and prime of FNV-1a, Fowler, Noll and Vo
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 namespace {
 
@@ -50,6 +42,9 @@ std::vector<FieldSpec> bondFields(Model& model) {
 }
 int widthOf(const FieldSpec& spec) { return PeridigmField::variableDimension(spec.length); }
 
+/// Which form of checkpoints this is.
+constexpr long long form = 2;
+
 /// Rows of a table that the root rank writes alone.
 RowRange rootRows(const Communicator& comm, std::size_t count) {
   const auto rows = static_cast<long long>(count);
@@ -58,37 +53,38 @@ RowRange rootRows(const Communicator& comm, std::size_t count) {
 
 RowRange allRows(long long count) { return {0, count, count}; }
 
-bool isSameOnAllRanks(const Communicator& comm, const std::vector<double>& state) {
-  const double length = static_cast<double>(state.size());
-  if (comm.max(length) != comm.min(length)) return false;
-  std::vector<double> ofRoot = state;
-  MPI_Bcast(ofRoot.data(), static_cast<int>(ofRoot.size()), MPI_DOUBLE, 0, comm.mpi());
-  return !comm.any(!state.empty() && std::memcmp(ofRoot.data(), state.data(), state.size() * sizeof(double)) != 0);
+void writeText(Hdf5File& file, const Communicator& comm, const std::string& name, const std::string& text) {
+  file.write(name, comm.isRoot() ? std::vector<char>(text.begin(), text.end()) : std::vector<char>(),
+             rootRows(comm, text.size()), 1);
 }
 
-void writeSolverState(Hdf5File& file, const Communicator& comm, const std::vector<double>& state) {
-  file.makeGroup("solver");
-  const int count = static_cast<int>(state.size());
-  if (isSameOnAllRanks(comm, state)) {
-    file.write("solver/count", std::vector<int>{count}, rootRows(comm, 1), 1);
-    file.write("solver/state", state, rootRows(comm, state.size()), 1);
-    return;
+std::string readText(const Hdf5File& file, const std::string& name) {
+  const std::vector<char> text = file.read<char>(name, allRows(file.nRows(name)));
+  return {text.begin(), text.end()};
+}
+
+void writeSolverState(Hdf5File& file, const Communicator& comm, const RestartState& state) {
+  std::string names;
+  std::vector<double> values;
+  for (const auto& [name, value] : state.entries()) {
+    names += name + "\n";
+    if (comm.isRoot()) values.push_back(value);
   }
-  file.write("solver/count", std::vector<int>{count}, consecutiveRows(comm, 1), 1);
-  file.write("solver/state", state, consecutiveRows(comm, count), 1);
+  file.makeGroup("solver");
+  writeText(file, comm, "solver/names", names);
+  file.write("solver/state", values, rootRows(comm, state.entries().size()), 1);
 }
 
-std::vector<double> readSolverState(const Hdf5File& file, const Communicator& comm, const std::string& fileName) {
-  const long long nStates = file.nRows("solver/count");
-  const std::vector<int> counts = file.read<int>("solver/count", allRows(nStates));
-  const long long total = file.nRows("solver/state");
-  if (nStates == 1) return file.read<double>("solver/state", allRows(total));
-  if (nStates != comm.size())
-    throw RunError(
-        fmt::format("\"{}\" holds the state of a solver on {} ranks, which cannot be handed to {}; restart "
-                    "it on {} ranks",
-                    fileName, nStates, comm.size(), nStates));
-  return file.read<double>("solver/state", consecutiveRows(comm, counts[static_cast<std::size_t>(comm.rank())]));
+RestartState readSolverState(const Hdf5File& file, const std::string& fileName) {
+  std::istringstream names(readText(file, "solver/names"));
+  const std::vector<double> values = file.read<double>("solver/state", allRows(file.nRows("solver/state")));
+  RestartState state;
+  std::size_t k = 0;
+  for (std::string name; std::getline(names, name); ++k)
+    if (k < values.size()) state.add(name, values[k]);
+  if (k != values.size())
+    throw RunError(fmt::format("\"{}\": the solver's state has {} numbers and {} names", fileName, values.size(), k));
+  return state;
 }
 
 void writeFields(Hdf5File& file, Model& model, const GlobalOrder& order) {
@@ -120,56 +116,72 @@ bool isStored(const Hdf5File& file, const std::string& table, int width, const s
 }
 
 void requireSameMesh(const Hdf5File& file, Model& model, const GlobalOrder& order, const std::string& fileName) {
-  const std::string table = "points/Model_Coordinates";
-  bool isSame = file.has(table) && file.nRows(table) == order.rows().total;
-  if (isSame) isSame = file.read<double>(table, order.rows()) == order.toRows(model.field("Model_Coordinates"), 3);
-  if (order.comm().any(!isSame)) throw RunError("\"" + fileName + "\" is a checkpoint of another mesh");
+  for (const auto& [label, width] : {std::pair("Model_Coordinates", 3), std::pair("Volume", 1)}) {
+    const std::string table = std::string("points/") + label;
+    if (!model.hasField(label)) continue;
+    if (!file.has(table)) throw RunError("\"" + fileName + "\" is damaged: it lacks " + table);
+    bool isSame = file.nRows(table) == order.rows().total;
+    if (isSame) isSame = file.read<double>(table, order.rows()) == order.toRows(model.field(label), width);
+    if (order.comm().any(!isSame)) throw RunError("\"" + fileName + "\" is a checkpoint of another mesh");
+  }
 }
 
-void readFields(const Hdf5File& file, Model& model, const GlobalOrder& order, const std::string& fileName) {
-  const GhostExchange ghosts(model.comm(), model.discretization().globalIds, model.nOwned());
-  for (const FieldSpec& spec : pointFields(model)) {
-    const std::string table = "points/" + spec.label;
-    const int width = widthOf(spec);
-    if (!isStored(file, table, width, fileName)) continue;
-    double* values = model.field(spec.label);
-    order.toPoints(file.read<double>(table, order.rows()), width, values);
-    ghosts.import(values, width);
-  }
-  for (const FieldSpec& spec : globalFields(model)) {
-    const std::string table = "globals/" + spec.label;
-    if (!file.has(table)) continue;
-    const std::vector<double> values = file.read<double>(table, allRows(widthOf(spec)));
-    std::copy(values.begin(), values.end(), model.field(spec.label));
-  }
-  const BondOrder bonds(model, order);
+void requireSameBonds(const Hdf5File& file, const BondOrder& bonds, const GlobalOrder& order,
+                      const std::string& fileName) {
   const bool isSame =
       file.nRows("bonds/neighbor") == bonds.bondRows().total &&
       bonds.isSame(file.read<int>("bonds/count", order.rows()), file.read<int>("bonds/neighbor", bonds.bondRows()));
   if (!isSame)
     throw RunError("\"" + fileName +
                    "\" was written with other neighbourhoods: horizon, influence function or bond filters differ");
-  for (const FieldSpec& spec : bondFields(model)) {
-    const std::string table = "bonds/" + spec.label;
-    if (isStored(file, table, widthOf(spec), fileName))
-      bonds.fromRows(file.read<double>(table, bonds.bondRows()), spec.id, widthOf(spec));
+}
+
+/// Returns the labels of fields that the file has not.
+std::vector<std::string> readFields(const Hdf5File& file, Model& model, const GlobalOrder& order,
+                                    const std::string& fileName) {
+  std::vector<std::string> missing;
+  const auto isThere = [&](const std::string& group, const FieldSpec& spec, int width) {
+    const bool isIt = isStored(file, group + spec.label, width, fileName);
+    if (!isIt) missing.push_back(spec.label);
+    return isIt;
+  };
+  const GhostExchange ghosts(model.comm(), model.discretization().globalIds, model.nOwned());
+  for (const FieldSpec& spec : pointFields(model)) {
+    const int width = widthOf(spec);
+    if (!isThere("points/", spec, width)) continue;
+    double* values = model.field(spec.label);
+    order.toPoints(file.read<double>("points/" + spec.label, order.rows()), width, values);
+    ghosts.import(values, width);
   }
+  for (const FieldSpec& spec : globalFields(model)) {
+    if (!isThere("globals/", spec, 1)) continue;
+    const std::vector<double> values = file.read<double>("globals/" + spec.label, allRows(widthOf(spec)));
+    std::copy(values.begin(), values.end(), model.field(spec.label));
+  }
+  const BondOrder bonds(model, order);
+  requireSameBonds(file, bonds, order, fileName);
+  for (const FieldSpec& spec : bondFields(model))
+    if (isThere("bonds/", spec, widthOf(spec)))
+      bonds.fromRows(file.read<double>("bonds/" + spec.label, bonds.bondRows()), spec.id, widthOf(spec));
+  return missing;
 }
 
 }  // namespace
 
-void writeCheckpoint(Model& model, const GlobalOrder& order, const std::string& fileName, int step, double time,
-                     const std::vector<double>& solverState, const std::string& deckHash) {
+void writeCheckpoint(Model& model, const GlobalOrder& order, const std::string& fileName,
+                     const Checkpoint& checkpoint) {
   const Communicator& comm = order.comm();
   collectively(comm, [&] {
     if (comm.isRoot()) makeFolderOf(fileName);
   });
-  Hdf5File file(unfinishedName(fileName), Hdf5File::Mode::Create, comm);
-  file.writeAttribute("/", "step", static_cast<long long>(step));
-  file.writeAttribute("/", "time", time);
-  file.writeAttribute("/", "deck", deckHash);
+  Hdf5File file(unfinishedName(fileName), Hdf5File::Mode::CreateChecked, comm);
+  file.writeAttribute("/", "checkpoint", form);
+  file.writeAttribute("/", "step", static_cast<long long>(checkpoint.step));
+  file.writeAttribute("/", "time", checkpoint.time);
+  file.writeAttribute("/", "solver", checkpoint.solver);
+  writeText(file, comm, "deck", checkpoint.deck);
   writeFields(file, model, order);
-  writeSolverState(file, comm, solverState);
+  writeSolverState(file, comm, checkpoint.state);
   file.close();
   collectively(comm, [&] {
     if (comm.isRoot()) finishFile(fileName);
@@ -179,15 +191,18 @@ void writeCheckpoint(Model& model, const GlobalOrder& order, const std::string& 
 Checkpoint readCheckpoint(Model& model, const std::string& fileName) {
   const Discretization& points = model.discretization();
   const Hdf5File file(fileName, Hdf5File::Mode::Read, model.comm());
+  if (!file.hasAttribute("/", "checkpoint") || file.integerAttribute("/", "checkpoint") != form)
+    throw RunError("\"" + fileName + "\" is no checkpoint, or one of another version of pdrun");
   const GlobalOrder order(model.comm(), points.globalIds, points.nOwned, points.nGlobal);
-  requireSameMesh(file, model, order, fileName);
-  readFields(file, model, order, fileName);
-  model.adoptState();
   Checkpoint checkpoint;
   checkpoint.step = static_cast<int>(file.integerAttribute("/", "step"));
   checkpoint.time = file.realAttribute("/", "time");
-  checkpoint.deckHash = file.textAttribute("/", "deck");
-  checkpoint.solverState = readSolverState(file, model.comm(), fileName);
+  checkpoint.solver = file.textAttribute("/", "solver");
+  checkpoint.deck = readText(file, "deck");
+  checkpoint.state = readSolverState(file, fileName);
+  requireSameMesh(file, model, order, fileName);
+  checkpoint.missingFields = readFields(file, model, order, fileName);
+  model.adoptState();
   return checkpoint;
 }
 

@@ -16,9 +16,11 @@ namespace {
 hid_t memoryType(double) { return H5T_NATIVE_DOUBLE; }
 hid_t memoryType(int) { return H5T_NATIVE_INT; }
 hid_t memoryType(long long) { return H5T_NATIVE_LLONG; }
+hid_t memoryType(char) { return H5T_NATIVE_CHAR; }
 hid_t fileType(double) { return H5T_IEEE_F64LE; }
 hid_t fileType(int) { return H5T_STD_I32LE; }
 hid_t fileType(long long) { return H5T_STD_I64LE; }
+hid_t fileType(char) { return H5T_STD_I8LE; }
 
 /// Why HDF5 failed last. Kept when it happens, since the next call of HDF5 forgets it.
 std::string& hdf5Reason() {
@@ -60,8 +62,10 @@ Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);
-  const hid_t file = mode == Hdf5File::Mode::Create ? H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
-                                                    : H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access);
+  // The latest form of a file has checksums over its tables of contents.
+  if (mode == Hdf5File::Mode::CreateChecked) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  const hid_t file = mode == Hdf5File::Mode::Read ? H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access)
+                                                  : H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   return Hdf5Id(file, H5Fclose);
 }
 
@@ -95,8 +99,8 @@ Hdf5Id selectRows(hid_t fileSpace, const RowRange& rows, const std::vector<hsize
 }  // namespace
 
 Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
-    : path_(path), comm_(comm), file_(openFile(path, mode, comm)) {
-  require(file_.isValid(), mode == Mode::Create ? "create" : "open");
+    : path_(path), comm_(comm), isChecked_(mode == Mode::CreateChecked), file_(openFile(path, mode, comm)) {
+  require(file_.isValid(), mode == Mode::Read ? "open" : "create");
 }
 
 void Hdf5File::require(bool isDone, const std::string& what) const {
@@ -115,7 +119,17 @@ void Hdf5File::makeGroup(const std::string& name) {
   require(group.isValid(), "make group " + name + " in");
 }
 
-bool Hdf5File::has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
+bool Hdf5File::has(const std::string& path) const {
+  const htri_t found = H5Lexists(file_, path.c_str(), H5P_DEFAULT);
+  require(found >= 0, "look for " + path + " in");
+  return found > 0;
+}
+
+bool Hdf5File::hasAttribute(const std::string& object, const std::string& name) const {
+  const htri_t found = H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT);
+  require(found >= 0, "look for " + name + " in");
+  return found > 0;
+}
 
 namespace {
 
@@ -170,12 +184,25 @@ std::string Hdf5File::textAttribute(const std::string& object, const std::string
   return value.c_str();
 }
 
+Hdf5Id Hdf5File::tableProperties(const std::vector<hsize_t>& extent) const {
+  Hdf5Id properties = withoutTimes(H5P_DATASET_CREATE);
+  if (!isChecked_ || extent[0] == 0) return properties;
+  // A checksum a chunk, which HDF5 reads and writes as a whole.
+  constexpr hsize_t valuesPerChunk = 1 << 17;
+  std::vector<hsize_t> chunk = extent;
+  const hsize_t width = extent.size() > 1 ? extent[1] : 1;
+  chunk[0] = std::min(extent[0], std::max<hsize_t>(1, valuesPerChunk / width));
+  H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+  H5Pset_fletcher32(properties);
+  return properties;
+}
+
 template <class T>
 void Hdf5File::write(const std::string& name, const std::vector<T>& values, const RowRange& rows, int width) {
   std::vector<hsize_t> extent = {static_cast<hsize_t>(rows.total)};
   if (width > 1) extent.push_back(static_cast<hsize_t>(width));
   const Hdf5Id fileSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
-  const Hdf5Id properties = withoutTimes(H5P_DATASET_CREATE);
+  const Hdf5Id properties = tableProperties(extent);
   const Hdf5Id dataset(H5Dcreate2(file_, name.c_str(), fileType(T()), fileSpace, H5P_DEFAULT, properties, H5P_DEFAULT),
                        H5Dclose);
   require(dataset.isValid(), "make table " + name + " in");
@@ -225,6 +252,7 @@ std::vector<T> Hdf5File::read(const std::string& name, const RowRange& rows) con
 PD_INSTANTIATE(double)
 PD_INSTANTIATE(int)
 PD_INSTANTIATE(long long)
+PD_INSTANTIATE(char)
 #undef PD_INSTANTIATE
 
 }  // namespace pd

@@ -39,14 +39,17 @@ class Hdf5Id {
 /// it fails on one. Time stamps are left out, so that equal content gives equal files.
 class Hdf5File {
  public:
-  enum class Mode { Create, Read };
+  /// CreateChecked: all that is written has checksums, which reading verifies.
+  enum class Mode { Create, CreateChecked, Read };
   Hdf5File(const std::string& path, Mode mode, const Communicator& comm);
 
   /// Writes what HDF5 still holds back and closes the file. The destructor only closes.
   void close();
 
   void makeGroup(const std::string& name);
+  /// Whether the object is there; its group must be.
   bool has(const std::string& path) const;
+  bool hasAttribute(const std::string& object, const std::string& name) const;
 
   // Attributes of a group or dataset ("/" for the file itself). Every rank gives the same value.
   void writeAttribute(const std::string& object, const std::string& name, double value);
@@ -57,7 +60,7 @@ class Hdf5File {
   std::string textAttribute(const std::string& object, const std::string& name) const;
 
   /// A table [rows.total x width] (one-dimensional where the width is 1) of which this rank gives the rows of `rows`.
-  /// T is double, int or long long.
+  /// T is double, int, long long or char (a byte).
   template <class T>
   void write(const std::string& name, const std::vector<T>& values, const RowRange& rows, int width);
   template <class T>
@@ -68,10 +71,12 @@ class Hdf5File {
 
  private:
   void require(bool isDone, const std::string& what) const;
+  Hdf5Id tableProperties(const std::vector<hsize_t>& extent) const;
   std::vector<hsize_t> extent(const std::string& name) const;
 
   std::string path_;
   const Communicator& comm_;
+  bool isChecked_;
   Hdf5Id file_;
 };
 

@@ -8,7 +8,6 @@
 #include "../model/collective.hpp"
 #include "Peridigm_Field.hpp"
 #include "atomic_file.hpp"
-#include "checkpoint.hpp"
 #include "compute_set.hpp"
 #include "output_files.hpp"
 #include "output_section.hpp"
@@ -55,7 +54,6 @@ struct Output::Implementation {
   const Communicator& comm;
   const std::vector<OutputSection> sections;
   const std::string mainName;
-  std::string deckHash;
   // Of the root rank alone.
   std::unique_ptr<RunLog> log;
   std::unique_ptr<Progress> progress;
@@ -152,7 +150,6 @@ std::vector<int> Output::fieldIds() {
 
 void Output::initialize(Model& model) {
   Implementation& self = *implementation_;
-  self.deckHash = textHash(resolvedDeck(self.deck));
   Mistakes mistakes;
   for (const OutputSection& section : self.sections)
     self.filesNamed(section.fileName).add(section, self.sortLabels(model, section, mistakes));
@@ -189,13 +186,18 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
     });
 }
 
-void Output::checkpoint(Model& model, int step, double time, const std::vector<double>& solverState, bool isLast) {
+bool Output::isCheckpointDue(int step, bool isLast) const {
+  const auto& files = implementation_->files;
+  return std::any_of(files.begin(), files.end(),
+                     [&](const OutputFiles& each) { return each.isCheckpointDue(step, isLast); });
+}
+
+void Output::checkpoint(Model& model, const Checkpoint& checkpoint, bool isLast) {
   Implementation& self = *implementation_;
   for (const OutputFiles& files : self.files) {
-    if (!files.isCheckpointDue(step, isLast)) continue;
+    if (!files.isCheckpointDue(checkpoint.step, isLast)) continue;
     const Timers::Scope timer(model.timers(), "checkpoint");
-    writeCheckpoint(model, self.orderOf(model), files.fileName() + ".checkpoint.h5", step, time, solverState,
-                    self.deckHash);
+    writeCheckpoint(model, self.orderOf(model), files.fileName() + ".checkpoint.h5", checkpoint);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "../deck/deck.hpp"
 #include "../model/model.hpp"
+#include "checkpoint.hpp"
 
 namespace pd {
 
@@ -31,8 +32,9 @@ class Output {
   /// first call is not for step 0, the files of the restarted run are continued from that step on.
   void write(Model& model, int step, int nSteps, double time, bool isLast);
 
-  /// Checkpoint with `solverState` when due (Output key "Checkpoint Frequency").
-  void checkpoint(Model& model, int step, double time, const std::vector<double>& solverState, bool isLast);
+  bool isCheckpointDue(int step, bool isLast) const;
+  /// Writes the checkpoint of the files that are due (Output key "Checkpoint Frequency").
+  void checkpoint(Model& model, const Checkpoint& checkpoint, bool isLast);
 
   /// A line in the log (and on the terminal unless quiet). Root rank only.
   void log(const std::string& line);
@@ -47,19 +49,6 @@ class Output {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// State read from a checkpoint.
-struct Checkpoint {
-  int step = 0;
-  double time = 0.0;
-  std::vector<double> solverState;
-  std::string deckHash;  ///< of the deck that wrote it
-};
-
-/// Fills all fields of the model from the checkpoint `fileName`, which may have been written on another number of
-/// ranks. Call after Model::initialize. Throws RunError where the file is not a checkpoint of this mesh and these
-/// neighbourhoods. Collective.
-Checkpoint readCheckpoint(Model& model, const std::string& fileName);
 
 }  // namespace pd
 

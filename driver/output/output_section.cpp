@@ -59,7 +59,8 @@ bool OutputSection::isHistoryDue(int step, bool isLast) const {
 }
 
 bool OutputSection::isCheckpointDue(int step, bool isLast) const {
-  return checkpointFrequency > 0 && step > 0 && (isLast || isMultiple(step, checkpointFrequency));
+  return checkpointFrequency > 0 && step > 0 && isInRange(step + nStarts) &&
+         (isLast || isMultiple(step, checkpointFrequency));
 }
 
 std::vector<OutputSection> readOutputSections(const Deck& deck) {

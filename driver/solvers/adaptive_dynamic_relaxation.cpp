@@ -63,15 +63,18 @@ void AdaptiveDynamicRelaxation::initialize(Simulation& simulation) {
   requireMechanics(simulation.model, "Adaptive Dynamic Relaxation");
 }
 
-std::vector<double> AdaptiveDynamicRelaxation::restartState() const {
-  return {hasMasses_ ? 1.0 : 0.0, isMoving_ ? 1.0 : 0.0, largestScale_, static_cast<double>(loadStep_)};
+RestartState AdaptiveDynamicRelaxation::restartState() const {
+  return {{"has masses", hasMasses_ ? 1.0 : 0.0},
+          {"is moving", isMoving_ ? 1.0 : 0.0},
+          {"largest force", largestScale_},
+          {"load steps", static_cast<double>(loadStep_)}};
 }
 
-void AdaptiveDynamicRelaxation::setRestartState(const std::vector<double>& state) {
-  hasMasses_ = state.at(0) != 0.0;
-  isMoving_ = state.at(1) != 0.0;
-  largestScale_ = state.at(2);
-  loadStep_ = static_cast<int>(state.at(3));
+void AdaptiveDynamicRelaxation::setRestartState(const RestartState& state) {
+  hasMasses_ = state["has masses"] != 0.0;
+  isMoving_ = state["is moving"] != 0.0;
+  largestScale_ = state["largest force"];
+  loadStep_ = static_cast<int>(state["load steps"]);
 }
 
 void AdaptiveDynamicRelaxation::prepareMasses(Simulation& simulation) {

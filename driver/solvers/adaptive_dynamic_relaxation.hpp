@@ -32,8 +32,9 @@ class AdaptiveDynamicRelaxation : public Solver {
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override;
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void modelHasChanged() override { hasMasses_ = false; }
 
  private:
   struct Norms {

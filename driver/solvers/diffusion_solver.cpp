@@ -59,8 +59,8 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given) {
   field_ = parameters.get<std::string>("Field");
   nIncrements_ = parameters.get<int>("Load Steps");
 
-  const auto method = parameters.get<std::string>("Method");
-  const ParameterDeclarations own = RateIntegratorRegistry::self().find(method)->declare();
+  method_ = parameters.get<std::string>("Method");
+  const ParameterDeclarations own = RateIntegratorRegistry::self().find(method_)->declare();
   std::string mistakes;
   for (auto it = parameters.begin(); it != parameters.end(); ++it) {
     const std::string& name = parameters.name(it);
@@ -68,11 +68,12 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given) {
     if (isCommon || own.find(name) != nullptr || own.findSublist(name) != nullptr) continue;
     const Parameter* parameter = declarations.find(name);
     if (parameter != nullptr && isDefault(*parameter, parameters)) continue;
-    mistakes += (mistakes.empty() ? "" : "\n") + ("Diffusion: \"" + name + "\" has no meaning with Method: " + method) +
-                " (it belongs to " + joined(methodsWith(name)) + ")";
+    mistakes += (mistakes.empty() ? "" : "\n") +
+                ("Diffusion: \"" + name + "\" has no meaning with Method: " + method_) + " (it belongs to " +
+                joined(methodsWith(name)) + ")";
   }
   if (!mistakes.empty()) throw std::invalid_argument(mistakes);
-  integrator_ = RateIntegratorRegistry::self().create(method, entriesKnownTo(own, parameters));
+  integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters));
 }
 
 std::vector<int> Diffusion::fieldIds() const {
@@ -92,6 +93,12 @@ void Diffusion::initialize(Simulation& simulation) {
 void Diffusion::advance(Simulation& simulation, double t, double dt) {
   integrator_->advance(simulation, field_, t, dt);
   simulation.model.acceptStep(t + dt, dt);
+}
+
+RestartState Diffusion::restartState() const {
+  RestartState state;
+  state.addPart(method_, integrator_->restartState());
+  return state;
 }
 
 std::vector<std::string> Diffusion::summary() const {

@@ -24,11 +24,12 @@ class Diffusion : public Solver {
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override { return integrator_->restartState(); }
-  void setRestartState(const std::vector<double>& state) override { integrator_->setRestartState(state); }
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override { integrator_->setRestartState(state.part(method_)); }
+  void modelHasChanged() override { integrator_->modelHasChanged(); }
 
  private:
-  std::string field_;
+  std::string field_, method_;
   int nIncrements_;
   Teuchos::RCP<RateIntegrator> integrator_;
 };

@@ -117,6 +117,19 @@ void QuasiStatic::findSupports(Simulation& simulation) {
       loadStep_, held_.nLooseParts, held_.nPointsOfLooseParts, held_.nPointsWithoutBonds));
 }
 
+void QuasiStatic::takeUpBreakage(Simulation& simulation) {
+  const bool hasBroken = looksForBreakage_ && simulation.model.hasDamage() &&
+                         totalBondDamage(simulation.model) > bondDamage_ * (1.0 + 1e-12);
+  if (hasBroken) {
+    newton_.dropTangent();
+    mustRestoreTangent_ = false;
+    lastLength_ = 0.0;
+  }
+  if (supports_ && !hasBroken) return;
+  if (!supports_) supports_ = std::make_unique<Supports>(simulation.model);
+  findSupports(simulation);
+}
+
 void QuasiStatic::extrapolate(Simulation& simulation, double dt) {
   double* displacement = simulation.model.field("Displacement");
   const double* increment = simulation.model.field(incrementField);
@@ -138,6 +151,7 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
     model.evaluateDamage(dt);
     const double after = totalBondDamage(model);
     if (!(after > before * (1.0 + 1e-12))) {
+      bondDamage_ = after;
       mostPasses_ = std::max<long long>(mostPasses_, pass);
       return;
     }
@@ -199,10 +213,7 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
 void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
   simulation.model.fieldAtN("Displacement");  // kept from now on: where each part of the load step starts
-  if (!supports_) {
-    supports_ = std::make_unique<Supports>(simulation.model);
-    findSupports(simulation);
-  }
+  takeUpBreakage(simulation);
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);
@@ -229,15 +240,20 @@ void QuasiStatic::fail(double t, const std::string& when) const {
       loadStep_, t, when, outcome_.trouble, outcome_.scale, residuals));
 }
 
-std::vector<double> QuasiStatic::restartState() const {
-  return {static_cast<double>(loadStep_), largestScale_, lastLength_, newton_.hasTangent() ? 1.0 : 0.0};
+RestartState QuasiStatic::restartState() const {
+  return {{"load steps", static_cast<double>(loadStep_)},
+          {"largest force", largestScale_},
+          {"length of the last load step", lastLength_},
+          {"has a tangent", newton_.hasTangent() ? 1.0 : 0.0},
+          {"bond damage", bondDamage_}};
 }
 
-void QuasiStatic::setRestartState(const std::vector<double>& state) {
-  loadStep_ = static_cast<int>(state.at(0));
-  largestScale_ = state.at(1);
-  lastLength_ = state.at(2);
-  mustRestoreTangent_ = state.at(3) != 0.0;
+void QuasiStatic::setRestartState(const RestartState& state) {
+  loadStep_ = static_cast<int>(state["load steps"]);
+  largestScale_ = state["largest force"];
+  lastLength_ = state["length of the last load step"];
+  mustRestoreTangent_ = state["has a tangent"] != 0.0;
+  bondDamage_ = state["bond damage"];
 }
 
 std::vector<std::string> QuasiStatic::summary() const {

@@ -29,11 +29,15 @@ class QuasiStatic : public Solver {
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override;
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void modelHasChanged() override { mustRestoreTangent_ = false; }
+  void fieldsHaveChanged() override { looksForBreakage_ = true; }
 
  private:
   void findSupports(Simulation& simulation);
+  /// Finds supports, anew where other solvers have broken bonds since the last load step.
+  void takeUpBreakage(Simulation& simulation);
   /// Adds the increment of the load step before, in proportion to the length.
   void extrapolate(Simulation& simulation, double dt);
   /// Equilibrium at constant damage, from the present displacements. False where there is none.
@@ -54,7 +58,8 @@ class QuasiStatic : public Solver {
   int loadStep_ = 0;
   double largestScale_ = 0.0;  ///< N
   double lastLength_ = 0.0;    ///< of the increment that the next one is predicted from, s; 0: none
-  bool mustRestoreTangent_ = false;
+  double bondDamage_ = 0.0;    ///< sum over all bonds after the last load step
+  bool mustRestoreTangent_ = false, looksForBreakage_ = false;
   long long nPasses_ = 0, nHalvings_ = 0, mostPasses_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../materials/registry/registry.hpp"
+#include "../model/restart_state.hpp"
 #include "../model/simulation.hpp"
 
 namespace pd {
@@ -20,7 +21,7 @@ class Solver {
   virtual std::vector<int> fieldIds() const { return {}; }
   /// Fields whose far field (BoundaryConditions::farField) this solver takes into account.
   virtual std::vector<std::string> fieldsWithFarField() const { return {}; }
-  /// Called once when the model is initialised; `dt` is the length of an increment (0: the solver chooses).
+  /// Called once when the model is initialised.
   virtual void initialize(Simulation&) {}
   /// Number of increments from t0 to t1 (a load step, a time step: what output frequencies count).
   virtual int numberOfIncrements(Simulation&, double t0, double t1) = 0;
@@ -35,9 +36,15 @@ class Solver {
   /// Lines for the log at the end of the run ("critical time step 1.2e-8 s, used 0.85 of it").
   virtual std::vector<std::string> summary() const { return {}; }
 
-  // State beyond the fields that a bit-identical restart needs (velocities of a relaxation, step history).
-  virtual std::vector<double> restartState() const { return {}; }
-  virtual void setRestartState(const std::vector<double>&) {}
+  /// State beyond the fields that a bit-identical restart needs.
+  virtual RestartState restartState() const { return {}; }
+  /// After initialize(); `state` has the names of restartState(). The increments that follow may be others than before.
+  virtual void setRestartState(const RestartState& /*state*/) {}
+  /// After setRestartState(): materials, conditions or bonds of the deck are others now. What was estimated from them
+  /// (a critical step, an eigenvalue, a tangent) is to be found anew.
+  virtual void modelHasChanged() {}
+  /// Other solvers have worked on the fields since this one last advanced.
+  virtual void fieldsHaveChanged() {}
 };
 
 using SolverRegistry = PluginRegistry<Solver, const Teuchos::ParameterList&>;

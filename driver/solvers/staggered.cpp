@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "declarations.hpp"
 
 namespace pd {
 
 namespace {
-
-/// What the run as a whole says, and its parts therefore do not.
-const std::vector<std::string> namesOfTheRun = {"Load Steps", "Number of Load Steps", "Time Steps"};
 
 /// The solvers of static mechanics that this build has.
 std::vector<std::string> mechanicsSolvers() {
@@ -23,14 +22,21 @@ std::vector<std::string> mechanicsSolvers() {
 
 void Staggered::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run, each of the same physical time.").required().atLeast(1);
-  addDeclarations(declare.sublist("Diffusion", "How the diffusing field is advanced."),
-                  SolverRegistry::self().find("Diffusion")->declare(), namesOfTheRun);
-  ParameterDeclarations& mechanics = declare.sublist("Mechanics", "How equilibrium is found: one of its lists.");
+  ParameterDeclarations& solvers =
+      declare.sublist("Solvers", "Solvers by names of your choice, which run in this order within each load step.");
+  StaggeredPart::declareParameters(solvers.sublist("*", "One of its solvers, and when it runs."));
+  addDeclarations(declare.sublist("Diffusion",
+                                  "With Mechanics, in place of Solvers: how the diffusing field is "
+                                  "advanced, in each load step."),
+                  SolverRegistry::self().find("Diffusion")->declare(), StaggeredPart::keysOfTheRun());
+  ParameterDeclarations& mechanics =
+      declare.sublist("Mechanics", "How equilibrium is found, after Diffusion in each load step: one of its lists.");
   for (const std::string& name : mechanicsSolvers())
     addDeclarations(mechanics.sublist(name, SolverRegistry::self().find(name)->brief),
-                    SolverRegistry::self().find(name)->declare(), namesOfTheRun);
+                    SolverRegistry::self().find(name)->declare(), StaggeredPart::keysOfTheRun());
   mechanics.exactlyOneOf(mechanicsSolvers());
-  declare.needs("Load Steps", {"Diffusion", "Mechanics"});
+  declare.exactlyOneOf({"Solvers", "Diffusion"});
+  declare.exactlyOneOf({"Solvers", "Mechanics"});
 }
 
 Staggered::Staggered(const Teuchos::ParameterList& given) {
@@ -38,51 +44,89 @@ Staggered::Staggered(const Teuchos::ParameterList& given) {
   declareParameters(declarations);
   const auto parameters = declarations.complete(given, "Staggered");
   nLoadSteps_ = parameters.get<int>("Load Steps");
-  diffusion_ = SolverRegistry::self().create("Diffusion", parameters.sublist("Diffusion"));
-  const Teuchos::ParameterList& mechanics = parameters.sublist("Mechanics");
-  for (const std::string& name : mechanicsSolvers())
-    if (mechanics.isSublist(name)) mechanics_ = SolverRegistry::self().create(name, mechanics.sublist(name));
+  hasNames_ = parameters.isSublist("Solvers");
+  if (!hasNames_) {
+    parts_.emplace_back("Diffusion", "Diffusion", parameters.sublist("Diffusion"));
+    const Teuchos::ParameterList& mechanics = parameters.sublist("Mechanics");
+    for (const std::string& name : mechanicsSolvers())
+      if (mechanics.isSublist(name)) parts_.emplace_back("Mechanics", name, mechanics.sublist(name));
+    return;
+  }
+  const Teuchos::ParameterList& solvers = parameters.sublist("Solvers");
+  if (solvers.numParams() == 0)
+    throw std::invalid_argument("Solvers is empty; it holds solvers by names of your choice");
+  for (auto it = solvers.begin(); it != solvers.end(); ++it) {
+    const std::string& name = solvers.name(it);
+    try {
+      parts_.emplace_back(name, solvers.sublist(name));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("Solvers/" + name + ": " + error.what());
+    }
+    for (std::size_t other = 0; other + 1 < parts_.size(); ++other)
+      if (parts_[other].isLike(parts_.back()))
+        throw std::invalid_argument("Solvers: \"" + parts_[other].name() + "\" and \"" + name +
+                                    "\" are the same solver of the same fields; remove one of them");
+  }
 }
 
 std::vector<int> Staggered::fieldIds() const {
-  std::vector<int> ids = diffusion_->fieldIds();
-  for (const int id : mechanics_->fieldIds()) ids.push_back(id);
+  std::vector<int> ids;
+  for (const StaggeredPart& part : parts_)
+    for (const int id : part.fieldIds()) ids.push_back(id);
   return ids;
 }
 
+std::vector<std::string> Staggered::fieldsWithFarField() const {
+  std::vector<std::string> labels;
+  for (const StaggeredPart& part : parts_)
+    for (const std::string& label : part.solver().fieldsWithFarField()) labels.push_back(label);
+  return labels;
+}
+
 void Staggered::initialize(Simulation& simulation) {
-  diffusion_->initialize(simulation);
-  mechanics_->initialize(simulation);
+  for (const StaggeredPart& part : parts_) part.solver().initialize(simulation);
+}
+
+int Staggered::numberOfIncrements(Simulation&, double, double t1) {
+  endTime_ = t1;
+  return nLoadSteps_;
 }
 
 void Staggered::advance(Simulation& simulation, double t, double dt) {
-  diffusion_->advance(simulation, t, dt);
-  mechanics_->advance(simulation, t, dt);
-  nNewSources_ += simulation.conditions.updateDamageSources();
+  if (loadStep_ == 0)
+    for (StaggeredPart& part : parts_) part.remember(simulation.model);
+  ++loadStep_;
+  const bool isLast = t + 1.5 * dt > endTime_;
+  for (StaggeredPart& part : parts_) {
+    const bool hasRun = part.advance(simulation, loadStep_, isLast, t, dt);
+    if (hasRun && part.changesDamage()) nNewSources_ += simulation.conditions.updateDamageSources();
+  }
 }
 
 std::vector<std::string> Staggered::summary() const {
-  std::vector<std::string> lines = diffusion_->summary();
-  for (const std::string& line : mechanics_->summary()) lines.push_back(line);
+  std::vector<std::string> lines;
+  for (const StaggeredPart& part : parts_)
+    for (const std::string& line : hasNames_ ? part.summary(loadStep_) : part.solver().summary()) lines.push_back(line);
   lines.push_back(fmt::format("Staggered: {} points of crack faces became sources", nNewSources_));
   return lines;
 }
 
-std::vector<double> Staggered::restartState() const {
-  const std::vector<double> first = diffusion_->restartState(), second = mechanics_->restartState();
-  std::vector<double> state = {static_cast<double>(nNewSources_), static_cast<double>(first.size())};
-  state.insert(state.end(), first.begin(), first.end());
-  state.insert(state.end(), second.begin(), second.end());
+RestartState Staggered::restartState() const {
+  RestartState state = {{"load steps", static_cast<double>(loadStep_)}, {"sources", static_cast<double>(nNewSources_)}};
+  for (const StaggeredPart& part : parts_) state.addPart(part.name(), part.restartState());
   return state;
 }
 
-void Staggered::setRestartState(const std::vector<double>& state) {
-  nNewSources_ = static_cast<long long>(state.at(0));
-  const auto middle = state.begin() + 2 + static_cast<std::ptrdiff_t>(state.at(1));
-  diffusion_->setRestartState({state.begin() + 2, middle});
-  mechanics_->setRestartState({middle, state.end()});
+void Staggered::setRestartState(const RestartState& state) {
+  loadStep_ = static_cast<long long>(state["load steps"]);
+  nNewSources_ = static_cast<long long>(state["sources"]);
+  for (StaggeredPart& part : parts_) part.setRestartState(state.part(part.name()));
 }
 
-PD_REGISTER_SOLVER(Staggered, "Staggered", "Diffusion and mechanics in turn, with sources on new crack faces")
+void Staggered::modelHasChanged() {
+  for (const StaggeredPart& part : parts_) part.solver().modelHasChanged();
+}
+
+PD_REGISTER_SOLVER(Staggered, "Staggered", "Several solvers in turn, each with its own steps, scale or criterion")
 
 }  // namespace pd

@@ -1,35 +1,41 @@
-// Two physics in turn, load step by load step: diffusion for the physical time, then mechanics at the new load.
+// Several solvers in turn, load step by load step.
 #ifndef PD_STAGGERED_HPP
 #define PD_STAGGERED_HPP
 
-#include <Teuchos_RCP.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "solver.hpp"
+#include "staggered_part.hpp"
 
 namespace pd {
 
-/// A load step: (1) `Diffusion` advances its field by the physical time of the step; (2) the solver named in
-/// `Mechanics` finds equilibrium at the load of the end of the step; (3) points of new crack faces become sources for
-/// the next step. The parts are the registered solvers themselves.
+/// In a load step each of `Solvers` runs in the order of the deck: any registered solvers, each with its own
+/// increments, time scale and criterion (StaggeredPart). After one that moves or damages the body, points of new crack
+/// faces become sources. `Diffusion` and `Mechanics` in place of `Solvers` are the two that run in each load step, in
+/// this order.
 class Staggered : public Solver {
  public:
   static void declareParameters(ParameterDeclarations& declare);
   explicit Staggered(const Teuchos::ParameterList& given);
 
   std::vector<int> fieldIds() const override;
+  std::vector<std::string> fieldsWithFarField() const override;
   void initialize(Simulation& simulation) override;
-  int numberOfIncrements(Simulation&, double, double) override { return nLoadSteps_; }
+  int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override;
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void modelHasChanged() override;
 
  private:
   int nLoadSteps_;
-  long long nNewSources_ = 0;
-  Teuchos::RCP<Solver> diffusion_, mechanics_;
+  bool hasNames_;  ///< the parts have names that the deck gave them
+  double endTime_ = std::numeric_limits<double>::infinity();
+  long long loadStep_ = 0, nNewSources_ = 0;
+  std::vector<StaggeredPart> parts_;
 };
 
 }  // namespace pd

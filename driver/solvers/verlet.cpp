@@ -46,9 +46,18 @@ Verlet::Verlet(const Teuchos::ParameterList& given) {
 
 std::vector<int> Verlet::fieldIds() const { return mechanicsFieldIds(true); }
 
-void Verlet::setRestartState(const std::vector<double>& state) {
-  step_ = static_cast<int>(state.at(0));
-  criticalStep_ = state.at(1);
+RestartState Verlet::restartState() const {
+  return {{"steps", static_cast<double>(step_)}, {"critical step", criticalStep_}};
+}
+
+void Verlet::setRestartState(const RestartState& state) {
+  step_ = static_cast<int>(state["steps"]);
+  criticalStep_ = state["critical step"];
+  forceIsCurrent_ = false;
+  damageIsCurrent_ = true;
+}
+
+void Verlet::fieldsHaveChanged() {
   forceIsCurrent_ = false;
   damageIsCurrent_ = true;
 }
@@ -82,6 +91,7 @@ double Verlet::stepToUse() const {
 void Verlet::initialize(Simulation& simulation) {
   requireMechanics(simulation.model, "Verlet");
   estimateCriticalStep(simulation);
+  estimatedStep_ = criticalStep_;
   forceIsCurrent_ = false;
   const double step = stepToUse();
   if (!std::isfinite(step))

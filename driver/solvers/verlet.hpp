@@ -23,8 +23,10 @@ class Verlet : public Solver {
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override { return {static_cast<double>(step_), criticalStep_}; }
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void modelHasChanged() override { criticalStep_ = estimatedStep_; }
+  void fieldsHaveChanged() override;
 
  private:
   void estimateCriticalStep(Simulation& simulation);
@@ -36,10 +38,11 @@ class Verlet : public Solver {
   double safetyFactor_, damping_;
   bool allowUnstableStep_, usesBulkModulus_;
   double criticalStep_ = 0.0, usedStep_ = 0.0;
-  std::string warning_;  ///< of a body that is unstable at the start; empty otherwise
+  double estimatedStep_ = 0.0;  ///< critical step as it was found in this process
+  std::string warning_;         ///< of a body that is unstable at the start; empty otherwise
   int step_ = 0;
   bool forceIsCurrent_ = false;
-  bool damageIsCurrent_ = false;        ///< that of the end of the last step, from a checkpoint
+  bool damageIsCurrent_ = false;        ///< that of the end of the last step
   std::vector<double> inverseDensity_;  ///< [3 nOwned] 0 where held
   std::vector<double> externalForce_;   ///< [3 nOwned]
 };

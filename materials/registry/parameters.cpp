@@ -299,9 +299,12 @@ const Parameter* ParameterDeclarations::find(const std::string& name) const {
 }
 
 const ParameterDeclarations::Sublist* ParameterDeclarations::findSublist(const std::string& name) const {
-  for (const Sublist& sublist : sublists_)
+  const Sublist* ofAnyName = nullptr;
+  for (const Sublist& sublist : sublists_) {
     if (sublist.name == name) return &sublist;
-  return nullptr;
+    if (sublist.name == "*") ofAnyName = &sublist;
+  }
+  return find(name) == nullptr ? ofAnyName : nullptr;
 }
 
 std::vector<std::pair<std::string, std::string>> ParameterDeclarations::mistakes(
@@ -377,10 +380,13 @@ Teuchos::ParameterList ParameterDeclarations::complete(const Teuchos::ParameterL
     else
       parameter.setDefault(result);
   }
-  for (const Sublist& sublist : sublists_)
-    if (result.isSublist(sublist.name))
-      result.sublist(sublist.name) =
-          sublist.declarations.front().complete(result.sublist(sublist.name), owner + "/" + sublist.name);
+  for (auto it = result.begin(); it != result.end(); ++it) {
+    const std::string& name = result.name(it);
+    const Sublist* sublist = findSublist(name);
+    if (sublist == nullptr || !result.isSublist(name)) continue;
+    Teuchos::ParameterList& inner = result.sublist(name);
+    inner = sublist->declarations.front().complete(inner, owner + "/" + name);
+  }
   return result;
 }
 

@@ -77,7 +77,8 @@ class ParameterDeclarations {
   Parameter& reals(const std::string& name, const std::string& unit, const std::string& meaning);
   Parameter& texts(const std::string& name, const std::string& meaning);
 
-  /// A named sub-list with parameters of its own ("Adaptive Dynamic Relaxation" in "Staggered").
+  /// A named sub-list with parameters of its own ("Adaptive Dynamic Relaxation" in "Staggered"). "*" stands for all
+  /// names that are not declared: lists of entries that the user names ("Solvers" in "Staggered").
   ParameterDeclarations& sublist(const std::string& name, const std::string& meaning);
 
   /// Of these parameters (or sub-lists) exactly / at most / at least one must be given. A flag that is false, or a

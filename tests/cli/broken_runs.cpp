@@ -3,6 +3,15 @@
 
 namespace pd_test {
 
+namespace {
+
+/// What a list of solvers takes the place of.
+const char* const staggeredPair =
+    "    Diffusion:\n      Method: Euler\n      Sub Steps: 2\n    Mechanics:\n      Adaptive Dynamic Relaxation:\n"
+    "        Iterations Per Load Step: 3\n";
+
+}  // namespace
+
 std::vector<Broken> brokenRuns() {
   return {
       {"NodeSetFileMissing",
@@ -191,6 +200,33 @@ std::vector<Broken> brokenRuns() {
        {{"      Adaptive Dynamic Relaxation:\n", "      Adaptive Relaxation:\n"}},
        {"deck.yaml:68:5: Solver/Staggered/Mechanics: give one of \"Adaptiv",
         "deck.yaml:69:7: unknown key \"Adaptive Relaxation\" in Solver/Staggered/Mechanics"}},
+      {"StaggeredField",
+       {{staggeredPair,
+         "    Solvers:\n      Hydrogen:\n        Diffusion: {}\n        When: {Field: Damagee, Has Changed By: "
+         "0.1}\n"}},
+       {"deck.yaml:68:23: Solver/Staggered/Solvers/Hydrogen/When/Field: nothing in this deck provides \"Damagee\" (did "
+        "you mean \"Damage\"?)"}},
+      {"StaggeredKeys",
+       {{staggeredPair,
+         "    Solvers:\n      Hydrogen:\n        Diffusion: {Load Steps: 2}\n        Every: 0\n      Rest:\n        "
+         "Evry: 2\n"
+         "        Quasistatic: {}\n"}},
+       {"deck.yaml:67:21: unknown key \"Load Steps\" in Solver/Staggered/Solvers/Hydrogen/Diffusion",
+        "deck.yaml:68:16: Solver/Staggered/Solvers/Hydrogen/Every is 0, must be >= 1",
+        "deck.yaml:70:9: unknown key \"Evry\" in Solver/Staggered/Solvers/Rest (did you mean \"Every\"?)",
+        "deck.yaml:71:9: unknown key \"Quasistatic\" in Solver/Staggered/Solvers/Rest (did you mean "
+        "\"QuasiStatic\"?)"}},
+      {"StaggeredMethodKey",
+       {{staggeredPair, "    Solvers:\n      Hydrogen: {Diffusion: {Method: RKL, Allow Unstable Step: true}}\n"}},
+       {"deck.yaml:63:3: Solver/Staggered: Solvers/Hydrogen: Diffusion: \"Allow Unstable Step\" has no meaning with "
+        "Method: RKL"}},
+      {"StaggeredTwice",
+       {{staggeredPair,
+         "    Solvers:\n      One: {QuasiStatic: {}}\n      Two: {QuasiStatic: {Absolute Tolerance: 1.0}}\n"}},
+       {"deck.yaml:63:3: Solver/Staggered: Solvers: \"One\" and \"Two\" are the same solver of the same fields"}},
+      {"StaggeredEmpty",
+       {{staggeredPair, "    Solvers: {}\n"}},
+       {"deck.yaml:63:3: Solver/Staggered: Solvers is empty; it holds solvers by names of your choice"}},
       {"SecondSolverTime",
        {{"Compute Class Parameters:",
          "Solver2:\n  Initial Time: 11.0\n  Final Time: 20.0\n  Diffusion: {}\nCompute Class Parameters:"}},

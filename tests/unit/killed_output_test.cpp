@@ -143,7 +143,7 @@ void writeCheckpoints(const std::string& fileName) {
   const GlobalOrder order(body.comm, points.globalIds, points.nOwned, points.nGlobal);
   for (int step = 1;; ++step) {
     std::fill_n(body.model.field("Displacement"), 3 * points.nPoints, step);
-    writeCheckpoint(body.model, order, fileName, step, 0.5 * step, {}, "");
+    writeCheckpoint(body.model, order, fileName, {step, 0.5 * step, "", {}, "", {}});
   }
 }
 

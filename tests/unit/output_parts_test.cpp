@@ -7,7 +7,6 @@
 
 #include "../expect_error.hpp"
 #include "../test_folder.hpp"
-#include "driver/output/checkpoint.hpp"
 #include "driver/output/history.hpp"
 #include "driver/output/progress.hpp"
 #include "driver/output/report.hpp"
@@ -149,13 +148,6 @@ TEST(Report, TableAndJsonSayTheSame) {
   EXPECT_EQ(json["bytes_per_bond"], 24.0);
   EXPECT_EQ(json["error_norms"]["Displacement relative L2 error"], 1.5e-3);
   EXPECT_EQ(json["solver"][0], report.solverSummary[0]);
-}
-
-TEST(CheckpointFile, TextHashIsFnv1a) {
-  // Test vectors of draft-eastlake-fnv (64-bit FNV-1a of "", "a", "foobar").
-  EXPECT_EQ(textHash(""), "cbf29ce484222325");
-  EXPECT_EQ(textHash("a"), "af63dc4c8601ec8c");
-  EXPECT_EQ(textHash("foobar"), "85944171f73967e8");
 }
 
 }  // namespace

@@ -243,10 +243,13 @@ TEST_F(OutputRun, ReportsAndCheckpoints) {
       "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement], Checkpoint Frequency: "
       "2}\n");
   writeSteps(*output, 0, 1);
-  output->checkpoint(*model, 1, 0.5, {}, false);
+  EXPECT_FALSE(output->isCheckpointDue(1, false));
+  output->checkpoint(*model, {1, 0.5, "Test", {}, "", {}}, false);
   EXPECT_FALSE(std::filesystem::exists(folder / "plate.checkpoint.h5"));
   writeSteps(*output, 2, 2);
-  output->checkpoint(*model, 2, 1.0, {4.0, 5.0}, false);
+  EXPECT_TRUE(output->isCheckpointDue(2, false));
+  const RestartState state = {{"steps", 4.0}, {"proposed step", 5.0}};
+  output->checkpoint(*model, {2, 1.0, "Test", state, "", {}}, false);
   output->report(*model, {"Test: summary"}, {{"Displacement error", 0.5}});
   const auto json = nlohmann::json::parse(contentOf(folder / "plate.report.json"));
   EXPECT_EQ(json["points"], 4);
@@ -256,7 +259,7 @@ TEST_F(OutputRun, ReportsAndCheckpoints) {
   model->field("Displacement")[3] = 77.0;
   const Checkpoint checkpoint = readCheckpoint(*model, folder / "plate.checkpoint.h5");
   EXPECT_EQ(checkpoint.step, 2);
-  EXPECT_EQ(checkpoint.solverState, (std::vector<double>{4.0, 5.0}));
+  EXPECT_EQ(checkpoint.state.entries(), state.entries());
   EXPECT_EQ(model->field("Displacement")[3], 2.1);
 }
 

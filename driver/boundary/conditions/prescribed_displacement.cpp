@@ -33,7 +33,7 @@ class PrescribedDisplacement : public Condition {
     if (isNewTime && model.hasField("Velocity")) {
       double* velocity = model.field("Velocity");
       for (std::size_t k = 0; k < now.size(); ++k)
-        velocity[indexOf(points()[k])] = (now[k] - previous_[k]) / (t - appliedAt_);
+        velocity[indexOf(points()[k])] = (now[k] - previous_[k]) / (timeScale() * (t - appliedAt_));
     }
     previous_ = std::move(now);
     appliedAt_ = t;

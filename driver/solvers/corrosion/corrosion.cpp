@@ -315,16 +315,21 @@ std::vector<std::string> Corrosion::summary() const {
                       initialMetal_, outflow_, balance_)};
 }
 
-std::vector<double> Corrosion::restartState() const {
-  return {proposedStep_, initialMetal_, outflow_, static_cast<double>(nSteps_), ceiling_};
+RestartState Corrosion::restartState() const {
+  return {{"proposed step", proposedStep_},
+          {"metal at the start", initialMetal_},
+          {"outflow", outflow_},
+          {"steps", static_cast<double>(nSteps_)},
+          {"longest step to try", ceiling_}};
 }
 
-void Corrosion::setRestartState(const std::vector<double>& state) {
-  proposedStep_ = state.at(0);
-  initialMetal_ = state.at(1);
-  outflow_ = state.at(2);
-  nSteps_ = static_cast<long long>(state.at(3));
-  ceiling_ = state.at(4);
+void Corrosion::setRestartState(const RestartState& state) {
+  proposedStep_ = state["proposed step"];
+  if (fixedStep_ > 0.0) proposedStep_ = std::min(proposedStep_, fixedStep_);
+  initialMetal_ = state["metal at the start"];
+  outflow_ = state["outflow"];
+  nSteps_ = static_cast<long long>(state["steps"]);
+  ceiling_ = state["longest step to try"];
 }
 
 PD_REGISTER_SOLVER(Corrosion, "Corrosion", "Dissolution of metal and transport of its ions")

@@ -22,8 +22,8 @@ class Corrosion : public Solver {
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override;
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
 
  private:
   /// Takes one step of length h; false, with everything as before, where it must be shorter.

@@ -38,8 +38,9 @@ class Euler : public RateIntegrator {
 
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override { return {largestEigenvalue_}; }
-  void setRestartState(const std::vector<double>& state) override { largestEigenvalue_ = state.at(0); }
+  RestartState restartState() const override { return {{"largest eigenvalue", largestEigenvalue_}}; }
+  void setRestartState(const RestartState& state) override { largestEigenvalue_ = state["largest eigenvalue"]; }
+  void modelHasChanged() override { largestEigenvalue_ = -1.0; }
 
  private:
   int numberOfSteps(double dt) const;

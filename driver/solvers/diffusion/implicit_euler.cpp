@@ -42,8 +42,8 @@ class ImplicitEuler : public RateIntegrator {
   std::vector<std::string> summary() const override {
     return {fmt::format("Implicit Euler: {} steps; {}", nSteps_, stage_.summary())};
   }
-  std::vector<double> restartState() const override { return {stage_.matrixStep()}; }
-  void setRestartState(const std::vector<double>& state) override { stage_.setMatrixStep(state.at(0)); }
+  RestartState restartState() const override { return {{"step of the matrix", stage_.matrixStep()}}; }
+  void setRestartState(const RestartState& state) override { stage_.setMatrixStep(state["step of the matrix"]); }
 
  private:
   static Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {

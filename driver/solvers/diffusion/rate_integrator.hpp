@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../../../materials/registry/registry.hpp"
+#include "../../model/restart_state.hpp"
 #include "../../model/simulation.hpp"
 
 namespace pd {
@@ -29,11 +30,12 @@ class RateIntegrator {
   /// Lines for the closing report: steps, stages, rejected steps, the limit and the fraction used.
   virtual std::vector<std::string> summary() const { return {}; }
 
-  /// Numbers that a bit-identical restart needs (the step that the controller proposes next), the same on every rank.
-  /// Point data (older levels of a multi-step method) belong in fields of fieldIds(), which checkpoints move to
-  /// whatever rank owns the point.
-  virtual std::vector<double> restartState() const { return {}; }
-  virtual void setRestartState(const std::vector<double>&) {}
+  /// Numbers that a bit-identical restart needs (the step that the controller proposes next). Point data (older levels
+  /// of a multi-step method) belong in fields of fieldIds().
+  virtual RestartState restartState() const { return {}; }
+  virtual void setRestartState(const RestartState& /*state*/) {}
+  /// After setRestartState(), as Solver::modelHasChanged().
+  virtual void modelHasChanged() {}
 };
 
 using RateIntegratorRegistry = PluginRegistry<RateIntegrator, const Teuchos::ParameterList&>;

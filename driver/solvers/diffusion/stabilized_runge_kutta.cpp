@@ -45,10 +45,16 @@ StabilizedRungeKutta::StabilizedRungeKutta(const Teuchos::ParameterList& given, 
   maximumStages_ = parameters.get<int>("Maximum Stages");
 }
 
-void StabilizedRungeKutta::setRestartState(const std::vector<double>& state) {
-  largestEigenvalue_ = state.at(0);
-  proposedStep_ = state.at(1);
-  previousError_ = state.at(2);
+RestartState StabilizedRungeKutta::restartState() const {
+  return {{"largest eigenvalue", largestEigenvalue_},
+          {"proposed step", proposedStep_},
+          {"error of the last step", previousError_}};
+}
+
+void StabilizedRungeKutta::setRestartState(const RestartState& state) {
+  largestEigenvalue_ = state["largest eigenvalue"];
+  proposedStep_ = state["proposed step"];
+  previousError_ = state["error of the last step"];
 }
 
 const StabilizedScheme& StabilizedRungeKutta::scheme(double step) {

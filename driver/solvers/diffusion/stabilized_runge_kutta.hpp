@@ -21,8 +21,9 @@ class StabilizedRungeKutta : public RateIntegrator {
 
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override { return {largestEigenvalue_, proposedStep_, previousError_}; }
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void modelHasChanged() override { largestEigenvalue_ = -1.0; }
 
  protected:
   StabilizedRungeKutta(const Teuchos::ParameterList& given, const std::string& name, StabilizedFamily family);

@@ -47,9 +47,13 @@ TrBdf2::TrBdf2(const Teuchos::ParameterList& given) : stage_(completed(given)) {
   if (parameters.isParameter("Absolute Tolerance")) absoluteTolerance_ = parameters.get<double>("Absolute Tolerance");
 }
 
-void TrBdf2::setRestartState(const std::vector<double>& state) {
-  stage_.setMatrixStep(state.at(0));
-  proposedStep_ = state.at(1);
+RestartState TrBdf2::restartState() const {
+  return {{"step of the matrix", stage_.matrixStep()}, {"proposed step", proposedStep_}};
+}
+
+void TrBdf2::setRestartState(const RestartState& state) {
+  stage_.setMatrixStep(state["step of the matrix"]);
+  proposedStep_ = state["proposed step"];
 }
 
 /// From the present values at t to `end` = t + step.

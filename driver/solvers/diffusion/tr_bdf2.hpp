@@ -20,8 +20,8 @@ class TrBdf2 : public RateIntegrator {
 
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  std::vector<double> restartState() const override { return {stage_.matrixStep(), proposedStep_}; }
-  void setRestartState(const std::vector<double>& state) override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
 
  private:
   bool isControlled() const { return nSubSteps_ == 0 && timeStep_ == 0.0; }

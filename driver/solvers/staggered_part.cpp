@@ -1,0 +1,202 @@
+#include "staggered_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "Peridigm_Field.hpp"
+#include "declarations.hpp"
+
+namespace pd {
+
+using PeridigmNS::FieldManager;
+namespace PeridigmField = PeridigmNS::PeridigmField;
+
+namespace {
+
+/// Sets the time scale of conditions, and back to the run's.
+class TimeScale {
+ public:
+  TimeScale(BoundaryConditions& conditions, double scale) : conditions_(conditions) { conditions_.setTimeScale(scale); }
+  ~TimeScale() { conditions_.setTimeScale(1.0); }
+  TimeScale(const TimeScale&) = delete;
+  TimeScale& operator=(const TimeScale&) = delete;
+
+ private:
+  BoundaryConditions& conditions_;
+};
+
+/// The solvers that can be parts: all but the one that they are parts of.
+std::vector<std::string> solverNames() {
+  std::vector<std::string> names = SolverRegistry::self().names();
+  names.erase(std::remove(names.begin(), names.end(), "Staggered"), names.end());
+  return names;
+}
+
+std::vector<double> ownedValues(Model& model, const std::string& label) {
+  const double* first = model.field(label);
+  return {first, first + static_cast<std::ptrdiff_t>(model.fieldWidth(label)) * model.nOwned()};
+}
+
+}  // namespace
+
+const std::vector<std::string>& StaggeredPart::keysOfTheRun() {
+  // Increments by Peridigm's critical step would not meet the end of a load step.
+  static const std::vector<std::string> keys = {"Load Steps", "Number of Load Steps", "Time Steps", "Critical Step"};
+  return keys;
+}
+
+void StaggeredPart::declareParameters(ParameterDeclarations& declare) {
+  for (const std::string& name : solverNames()) {
+    const auto* plugin = SolverRegistry::self().find(name);
+    addDeclarations(declare.sublist(name, plugin->brief), plugin->declare(), keysOfTheRun());
+  }
+  declare.exactlyOneOf(solverNames());
+  declare
+      .integer("Sub Steps",
+               "Equal increments in which the solver advances each time that it runs; by default as many as it chooses "
+               "itself, one where it has no choice.")
+      .atLeast(1);
+  declare
+      .integer(
+          "Every",
+          "The solver runs in load steps whose number is a multiple of this, and in the last one, over all the time "
+          "since it last ran.")
+      .atLeast(1);
+  ParameterDeclarations& when = declare.sublist(
+      "When",
+      "The solver runs in load steps that find a field changed, and in the last one, over all the time since it "
+      "last ran.");
+  when.text("Field", "The field of points that is looked at.").required();
+  when.real("Has Changed By", "unit of the field",
+            "Largest change of a value at any point since the solver last ran, or since the start of the run, from "
+            "which on it runs.")
+      .positive()
+      .required();
+  declare.atMostOneOf({"Every", "When"});
+  declare
+      .real("Time Scale", "1", "Seconds of this solver in one second of the run. Conditions keep the time of the run.")
+      .defaultTo(1.0)
+      .positive();
+}
+
+StaggeredPart::StaggeredPart(std::string name, const std::string& solver, const Teuchos::ParameterList& parameters)
+    : name_(std::move(name)), solverName_(solver), solver_(SolverRegistry::self().create(solver, parameters)) {}
+
+StaggeredPart::StaggeredPart(std::string name, const Teuchos::ParameterList& entry) : name_(std::move(name)) {
+  for (const std::string& solver : solverNames())
+    if (entry.isSublist(solver)) {
+      solverName_ = solver;
+      solver_ = SolverRegistry::self().create(solver, entry.sublist(solver));
+    }
+  if (entry.isParameter("Sub Steps")) nSubSteps_ = entry.get<int>("Sub Steps");
+  if (entry.isParameter("Every")) every_ = entry.get<int>("Every");
+  timeScale_ = entry.get<double>("Time Scale");
+  if (!entry.isSublist("When")) return;
+  watchedField_ = entry.sublist("When").get<std::string>("Field");
+  enoughChange_ = entry.sublist("When").get<double>("Has Changed By");
+}
+
+std::string StaggeredPart::memoryField() const {
+  std::string label = name_ + "_Last_" + watchedField_;
+  std::replace(label.begin(), label.end(), ' ', '_');
+  return label;
+}
+
+std::vector<int> StaggeredPart::fieldIds() const {
+  std::vector<int> ids = solver_->fieldIds();
+  FieldManager& fields = FieldManager::self();
+  if (watchedField_.empty() || !fields.hasField(watchedField_)) return ids;
+  ids.push_back(fields.getFieldId(watchedField_));
+  ids.push_back(fields.getFieldId(PeridigmField::NODE, fields.getFieldSpec(watchedField_).length,
+                                  PeridigmField::CONSTANT, memoryField()));
+  return ids;
+}
+
+bool StaggeredPart::changesDamage() const {
+  const std::vector<int> ids = solver_->fieldIds();
+  return std::any_of(ids.begin(), ids.end(), [](int id) {
+    const std::string label = FieldManager::self().getFieldSpec(id).label;
+    return label == "Displacement" || label == "Damage";
+  });
+}
+
+bool StaggeredPart::isLike(const StaggeredPart& other) const {
+  return solverName_ == other.solverName_ && solver_->fieldIds() == other.solver_->fieldIds();
+}
+
+void StaggeredPart::remember(Model& model) {
+  if (watchedField_.empty()) return;
+  const std::vector<double> values = ownedValues(model, watchedField_);
+  std::copy(values.begin(), values.end(), model.field(memoryField()));
+}
+
+double StaggeredPart::largestChange(Model& model) const {
+  const std::vector<double> now = ownedValues(model, watchedField_), before = ownedValues(model, memoryField());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i) largest = std::max(largest, std::abs(now[i] - before[i]));
+  return model.comm().max(largest);
+}
+
+bool StaggeredPart::isDue(Model& model, long long number) const {
+  return watchedField_.empty() ? number % every_ == 0 : largestChange(model) >= enoughChange_;
+}
+
+int StaggeredPart::numberOfIncrements(Simulation& simulation, double t0, double t1) const {
+  const int needed = solver_->numberOfIncrements(simulation, t0, t1);
+  if (nSubSteps_ == 0) return needed;
+  if (nSubSteps_ < needed)
+    throw RunError(
+        fmt::format("Staggered: {}: {} needs {} increments from {:g} to {:g} s of its time, more than \"Sub "
+                    "Steps: {}\"; raise it or leave it out",
+                    name_, solverName_, needed, t0, t1, nSubSteps_));
+  return nSubSteps_;
+}
+
+bool StaggeredPart::advance(Simulation& simulation, long long number, bool isLast, double t, double dt) {
+  if (!isLast && !isDue(simulation.model, number)) {
+    if (!behindSince_) behindSince_ = t;
+    return false;
+  }
+  if (behindSince_) {
+    dt = t + dt - *behindSince_;
+    t = *behindSince_;
+    behindSince_.reset();
+  }
+  const TimeScale scale(simulation.conditions, timeScale_);
+  t *= timeScale_;
+  dt *= timeScale_;
+  const int n = numberOfIncrements(simulation, t, t + dt);
+  solver_->fieldsHaveChanged();
+  for (int k = 0; k < n; ++k) {
+    const double start = t + dt * k / n;
+    solver_->advance(simulation, start, n == 1 ? dt : t + dt * (k + 1) / n - start);
+  }
+  ++nRuns_;
+  remember(simulation.model);
+  return true;
+}
+
+std::vector<std::string> StaggeredPart::summary(long long nLoadSteps) const {
+  std::vector<std::string> lines = {fmt::format("{} ran in {} of {} load steps", solverName_, nRuns_, nLoadSteps)};
+  for (const std::string& line : solver_->summary()) lines.push_back(line);
+  for (std::string& line : lines) line = name_ + ": " + line;
+  return lines;
+}
+
+RestartState StaggeredPart::restartState() const {
+  RestartState state = {{"runs", static_cast<double>(nRuns_)},
+                        {"is behind", behindSince_ ? 1.0 : 0.0},
+                        {"is behind since", behindSince_.value_or(0.0)}};
+  state.addPart(solverName_, solver_->restartState());
+  return state;
+}
+
+void StaggeredPart::setRestartState(const RestartState& state) {
+  nRuns_ = static_cast<long long>(state["runs"]);
+  if (state["is behind"] != 0.0) behindSince_ = state["is behind since"];
+  solver_->setRestartState(state.part(solverName_));
+}
+
+}  // namespace pd

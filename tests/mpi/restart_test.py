@@ -1,0 +1,342 @@
+#!/usr/bin/python3
+"""Runs that go on from the time of a checkpoint: with the deck that wrote it or another, and what is refused."""
+import shutil
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from corrosion_scene import STEEL, corrosion_deck, front_speed  # noqa: E402
+from scene import SceneTest, lattice, plate_deck  # noqa: E402
+
+SPACING, THICKNESS, LENGTH = 5e-3, 4e-3, 0.06
+STEPS, EARLY = 8, 4  # of the run, and of its checkpoint
+
+
+def plate(solver, fields, conditions=None, damage=None):
+    """A plate that is pulled to the right, into which something diffuses from the left."""
+    ends = {"Left Node Set": {"Expression": f"x < {2 * SPACING}"},
+            "Right Node Set": {"Expression": f"x > {LENGTH - 2 * SPACING}"},
+            "Hold": {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Coordinate": "x", "Value": 0.0},
+            "Keep": {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Coordinate": "y", "Value": 0.0},
+            "Pull": {"Type": "Prescribed Displacement", "Node Set": "Right Node Set", "Coordinate": "x",
+                     "Value": "2e-5*t"},
+            "Feed": {"Type": "Prescribed Concentration", "Node Set": "Left Node Set", "Value": "1 + t"},
+            "Sink": {"Type": "Prescribed Concentration", "Node Set": "Right Node Set", "Value": 0.0}}
+    return plate_deck(
+        3.015 * SPACING, THICKNESS,
+        {"Young's Modulus": 207e9, "Poisson's Ratio": 0.29, "Density": 7850.0, "Diffusivity": 1e-4}, damage,
+        conditions or ends, solver, {"Output Variables": [*fields, "Mean"]},
+        Compute_Class_Parameters={"Mean": {"Compute Class": "Field_Mean", "Variable": fields[0], "Output Label": "Mean"}})
+
+
+def only(deck, what):
+    """The plate with one of its two physics."""
+    other = "Concentration" if what == "Displacement" else "Displacement"
+    deck["Boundary Conditions"] = {name: entry for name, entry in deck["Boundary Conditions"].items()
+                                   if entry.get("Type") != "Prescribed " + other}
+    if what == "Displacement":
+        del deck["Materials"]["Steel"]["Diffusivity"]
+    return deck
+
+
+def mechanics(name, **parameters):
+    return lambda steps, time: only(plate({"Final Time": time, name: {"Load Steps": steps, **parameters}},
+                                          ["Displacement"]), "Displacement")
+
+
+def diffusion(method, **parameters):
+    return lambda steps, time: only(plate({"Final Time": time, "Diffusion": {
+        "Load Steps": steps, "Method": method, **parameters}}, ["Concentration"]), "Concentration")
+
+
+def steady(steps, time):
+    return only(plate({"Final Time": time, "ImplicitDiffusion": {
+        "Field": "Concentration", "Load Steps": steps, "Relative Tolerance": 1e-12}}, ["Concentration"]), "Concentration")
+
+
+def verlet(steps, time):
+    # A step is about half the critical one.
+    unit = STEPS * 2e-7
+    deck = only(plate({"Final Time": time * unit, "Verlet": {"Fixed dt": time * unit / steps}},
+                      ["Displacement", "Velocity"]), "Displacement")
+    deck["Boundary Conditions"]["Pull"]["Value"] = f"2e-5*t/{unit!r}"
+    return deck
+
+
+def staggered(steps, time):
+    return plate({"Final Time": time, "Staggered": {
+        "Load Steps": steps, "Diffusion": {"Method": "RKL"},
+        "Mechanics": {"Adaptive Dynamic Relaxation": {"Relative Tolerance": 1e-8}}}}, ["Displacement", "Concentration"])
+
+
+def staggered_list(steps, time):
+    return plate({"Final Time": time, "Staggered": {"Load Steps": steps, "Solvers": {
+        "Hydrogen": {"Diffusion": {"Method": "RKL"}, "Every": 3, "Time Scale": 0.5},
+        "Equilibrium": {"QuasiStatic": {"Relative Tolerance": 1e-10},
+                        "When": {"Field": "Concentration", "Has Changed By": 0.1}, "Sub Steps": 2}}}},
+                 ["Displacement", "Concentration"])
+
+
+def corrosion(steps, time):
+    # The front moves by two spacings of the lattice.
+    deck = corrosion_deck(2, STEEL, "x > 10e-6", "x < 4e-6", time * 2e-6 / front_speed(STEEL), steps)
+    deck["Output"]["Output Variables"] = ["Concentration", "Damage", "Dissolved"]
+    return deck
+
+
+# The deck by number of increments and length of time; by how much results may differ with other increments, of the
+# largest value: what their own error in time allows, or that of an equilibrium.
+CASES = {"Verlet": (verlet, 0.05), "QuasiStatic": (mechanics("QuasiStatic", **{"Relative Tolerance": 1e-10}), 1e-7),
+         "Adaptive Dynamic Relaxation":
+             (mechanics("Adaptive Dynamic Relaxation", **{"Relative Tolerance": 1e-9}), 1e-6),
+         "Euler": (diffusion("Euler"), 0.02), "RKL": (diffusion("RKL"), 1e-3),
+         "Implicit Euler": (diffusion("Implicit Euler"), 0.05), "TR-BDF2": (diffusion("TR-BDF2"), 1e-3),
+         "ImplicitDiffusion": (steady, 1e-9), "Corrosion": (corrosion, 0.05), "Staggered": (staggered, 1e-3),
+         "Staggered list": (staggered_list, 0.1)}
+
+
+class RestartTest(SceneTest):
+    def make(self, case, steps=STEPS, time=1.0, **output):
+        """The deck of a case, with a checkpoint of its step EARLY that later ones do not replace."""
+        deck = CASES[case][0](steps, time)
+        if case == "Corrosion":
+            self.write_mesh(lattice([24e-6, 4e-6], 1e-6), 1e-12)
+        else:
+            self.write_mesh(lattice([LENGTH, LENGTH / 2], SPACING), SPACING**2 * THICKNESS)
+        deck["Output"].update({"Output Filename": "result", **output})
+        deck["Output Early"] = {"Output Filename": "early", "Final Output Step": EARLY, "Checkpoint Frequency": EARLY,
+                                "Output Variables": ["Mean" if "Mean" in deck["Output"]["Output Variables"]
+                                                     else "Dissolved"]}
+        return deck
+
+    def fields(self, case):
+        return [label for label in self.make(case)["Output"]["Output Variables"] if label not in ("Mean", "Dissolved")]
+
+    def start(self, case, **changes):
+        """The run that writes early.checkpoint.h5; its deck and its last fields."""
+        deck = self.make(case, **changes)
+        result = self.solve(deck)
+        self.whole_times = self.times(result)
+        return deck, self.last(result, case)
+
+    def last(self, result, case):
+        return {label: result.field(label) for label in self.fields(case)}
+
+    def go_on(self, deck, checkpoint="early.checkpoint.h5", **options):
+        return self.solve(deck, arguments=["--restart", checkpoint], **options)
+
+    def assert_same(self, found, expected, what):
+        for label, values in expected.items():
+            np.testing.assert_array_equal(found[label], values, f"{what}: {label}")
+
+    def assert_close(self, found, expected, share, what):
+        for label, values in expected.items():
+            allowed = share * np.max(np.abs(values))
+            self.assertLessEqual(np.max(np.abs(found[label] - values)), allowed, f"{what}: {label}")
+
+    def times(self, result):
+        """Times of the history by step, which rise by one from row to row."""
+        history = result.history()
+        np.testing.assert_array_equal(history["step"], np.arange(len(history["step"])))
+        self.assertTrue(np.all(np.diff(history["time"]) > 0.0), history["time"])
+        return history["time"]
+
+
+class Matrix(RestartTest):
+    """Each solver with each change of the deck."""
+
+    def check(self, *cases):
+        for case in cases:
+            with self.subTest(case):
+                deck, expected = self.start(case)
+                self.go_on_with_the_same_deck(case, deck, expected)
+                self.go_on_with_other_steps(case, expected)
+                self.go_on_for_longer(case)
+
+    def go_on_with_the_same_deck(self, case, deck, expected):
+        result = self.go_on(deck)
+        self.assert_same(self.last(result, case), expected, case)
+        np.testing.assert_array_equal(self.times(result), self.whole_times)
+        self.assertNotIn("the deck is not the one", self.log())
+
+    def go_on_with_other_steps(self, case, expected):
+        # The checkpoint of half the time lies within an increment of the new deck.
+        result = self.go_on(self.make(case, 5))
+        times = self.times(result)
+        np.testing.assert_allclose(times[EARLY:], times[EARLY] * np.array([1.0, 1.2, 1.6, 2.0]), rtol=1e-14)
+        self.assert_close(self.last(result, case), expected, CASES[case][1], case)
+
+    def go_on_for_longer(self, case):
+        shutil.copy(self.path("early.checkpoint.h5"), self.path("first.h5"))
+        deck = self.make(case, 2 * STEPS, 2.0)
+        expected = self.last(self.solve(deck), case)
+        result = self.go_on(deck, "first.h5")
+        self.assert_same(self.last(result, case), expected, case)
+        self.assertEqual(len(self.times(result)), 2 * STEPS + 1)
+        self.assertIn("Solver/Final Time is", self.log())
+
+    def log(self):
+        with open(self.path("result.log")) as file:
+            return file.read()
+
+    def test_mechanics(self):
+        self.check("Verlet", "QuasiStatic", "Adaptive Dynamic Relaxation")
+
+    def test_explicit_diffusion(self):
+        self.check("Euler", "RKL")
+
+    def test_implicit_diffusion(self):
+        self.check("Implicit Euler", "TR-BDF2", "ImplicitDiffusion")
+
+    def test_several_physics(self):
+        self.check("Corrosion", "Staggered", "Staggered list")
+
+    def test_half_the_time_step(self):
+        _, expected = self.start("Verlet")
+        result = self.go_on(self.make("Verlet", 2 * STEPS))
+        times = self.times(result)
+        np.testing.assert_allclose(np.diff(times)[EARLY:], times[EARLY] / (2 * EARLY), rtol=1e-9)
+        self.assertEqual(len(times), EARLY + 1 + STEPS)
+        self.assert_close(self.last(result, "Verlet"), expected, CASES["Verlet"][1], "half the step")
+
+    def test_shorter_fixed_steps_of_corrosion(self):
+        deck = self.make("Corrosion")
+        deck["Solver"]["Corrosion"]["Fixed dt"] = deck["Solver"]["Final Time"] / 8
+        self.solve(deck)
+        deck["Solver"]["Corrosion"]["Fixed dt"] /= 4
+        result = self.go_on(deck)
+        steps = " ".join(result.report["solver"])
+        self.assertIn(f"to {deck['Solver']['Corrosion']['Fixed dt']:.3g} s", steps)
+
+    def test_other_ranks(self):
+        for case in ("Verlet", "QuasiStatic", "RKL", "TR-BDF2", "Staggered list"):
+            with self.subTest(case):
+                deck, expected = self.start(case)
+                # What an equilibrium or a linear solve to its tolerance leaves open, and rounding.
+                self.assert_close(self.last(self.go_on(deck, ranks=2), case), expected, 1e-9, case)
+
+    def test_another_material(self):
+        # What was estimated of the old one does not hold: 16 times as stiff, or as diffusive, is unstable otherwise.
+        for case, key, field in (("Verlet", "Young's Modulus", "Displacement"), ("Euler", "Diffusivity", "Concentration"),
+                                 ("Adaptive Dynamic Relaxation", "Young's Modulus", "Displacement")):
+            with self.subTest(case):
+                deck = self.make(case)
+                longer = 50.0 if case == "Verlet" else 1.0  # of which a stale step of Verlet takes dozens
+                if case == "Verlet":
+                    deck["Solver"]["Verlet"] = {}
+                    deck["Solver"]["Final Time"] *= longer
+                expected = self.last(self.solve(deck), case)[field]
+                deck["Materials"]["Steel"][key] *= 16.0
+                found = self.last(self.go_on(deck), case)[field]
+                self.assertIn(f"Materials/Steel/{key} is", self.log())
+                self.assertLess(np.max(np.abs(found)), 2.0 * np.max(np.abs(expected)))
+
+
+    def test_what_the_deck_says_of_a_material_is_that_of_the_new_deck(self):
+        deck = self.make("Corrosion")
+        deck["Output"]["Output Variables"].append("Saturation_Concentration")
+        self.solve(deck)
+        deck["Materials"]["Metal"]["Saturation Concentration"] = 2e4
+        result = self.go_on(deck)
+        np.testing.assert_array_equal(result.field("Saturation_Concentration"), 2e4)
+        self.assertGreater(np.max(result.field("Concentration")[result.field("Damage") >= 1.0]), 4600.0)
+
+
+class Stages(RestartTest):
+    """Several Solver sections."""
+
+    def test_a_new_stage_after_the_end(self):
+        # Pulled in equilibrium, then let go on by itself: another solver begins where the checkpoint ends.
+        first = self.make("QuasiStatic", **{"Checkpoint Frequency": 1})
+        whole = {**first, "Solver2": {"Initial Time": 1.0, "Final Time": 2.0,
+                                      "Adaptive Dynamic Relaxation": {"Load Steps": 3, "Relative Tolerance": 1e-9}}}
+        expected = self.last(self.solve(whole), "QuasiStatic")
+        self.solve(first)
+        result = self.go_on(whole, "result.checkpoint.h5")
+        self.assert_same(self.last(result, "QuasiStatic"), expected, "second stage")
+        np.testing.assert_allclose(self.times(result)[STEPS:], [1.0, 4 / 3, 5 / 3, 2.0], rtol=1e-15)
+
+    def test_within_the_second_stage(self):
+        deck = self.make("RKL")
+        for section, start, end in (("Solver", 0.0, 0.25), ("Solver2", 0.25, 1.0)):
+            deck[section] = {"Initial Time": start, "Final Time": end, "Diffusion": {"Load Steps": 3, "Method": "RKL"}}
+        expected = self.last(self.solve(deck), "RKL")
+        self.assert_same(self.last(self.go_on(deck), "RKL"), expected, "second stage")
+
+
+class Refusals(RestartTest):
+    def refused(self, deck, *words, checkpoint="early.checkpoint.h5"):
+        result = self.run_deck(deck, arguments=["--restart", checkpoint])
+        self.assertEqual(result.code, 3, result.text)
+        for word in (checkpoint, *words):
+            self.assertIn(word, result.text)
+
+    def test_times(self):
+        deck, _ = self.start("RKL")
+        deck["Solver"]["Final Time"] = 0.5
+        self.refused(deck, "nothing is left to run", "later Final Time")
+        deck["Solver"].update({"Initial Time": 0.75, "Final Time": 2.0})
+        self.refused(deck, "before the Initial Time of Solver, 0.75 s")
+
+    def test_another_solver_or_method(self):
+        self.start("QuasiStatic")
+        self.refused(self.make("Adaptive Dynamic Relaxation"), 'was written by the solver "QuasiStatic"',
+                     'has "Adaptive Dynamic Relaxation"', "a section of its own that begins there")
+        self.start("RKL")
+        self.refused(self.make("Euler"), "another kind of state", "RKL/proposed step", "Euler/largest eigenvalue")
+        self.start("Staggered")
+        self.refused(self.make("Staggered list"), "another kind of state", "Hydrogen/", "Mechanics/")
+
+    def test_another_mesh(self):
+        deck, _ = self.start("RKL")
+        self.write_mesh(lattice([LENGTH, LENGTH / 2], SPACING), 2 * SPACING**2 * THICKNESS)
+        self.refused(deck, "another mesh")
+        self.write_mesh(lattice([LENGTH, LENGTH / 2], SPACING), SPACING**2 * THICKNESS)
+        deck["Blocks"]["Body"]["Horizon"] *= 0.7
+        self.refused(deck, "other neighbourhoods")
+
+    def changed(self, change):
+        """A copy of the checkpoint, changed."""
+        shutil.copy(self.path("early.checkpoint.h5"), self.path("changed.h5"))
+        with h5py.File(self.path("changed.h5"), "r+") as file:
+            change(file)
+
+    def test_what_is_missing(self):
+        deck, _ = self.start("QuasiStatic")
+        for table in ("points/Displacement", "points/Displacement_Increment", "points/Volume", "solver/state",
+                      "solver/names", "bonds/neighbor", "deck"):
+            def remove(file, name=table):
+                del file[name]
+            self.changed(remove)
+            self.refused(deck, table.split("/")[-1], checkpoint="changed.h5")
+        self.changed(lambda file: file.attrs.__delitem__("checkpoint"))
+        self.refused(deck, "is no checkpoint", checkpoint="changed.h5")
+
+    def test_what_is_damaged(self):
+        deck, _ = self.start("QuasiStatic")
+        with open(self.path("early.checkpoint.h5"), "rb") as file:
+            content = bytearray(file.read())
+        with h5py.File(self.path("early.checkpoint.h5")) as file:
+            values = np.array(file["points/Displacement"])
+        at = bytes(content).find(values[-1].tobytes())
+        self.assertGreater(at, 0)
+        content[at + 3] ^= 1
+        with open(self.path("flipped.h5"), "wb") as file:
+            file.write(content)
+        self.refused(deck, "read table", "checksum", checkpoint="flipped.h5")
+        with open(self.path("cut.h5"), "wb") as file:
+            file.write(content[:len(content) // 2])
+        self.refused(deck, "truncated", checkpoint="cut.h5")
+
+    def test_a_field_of_conditions_that_are_new(self):
+        deck, _ = self.start("QuasiStatic")
+        deck["Damage Models"] = {"Breakage": {"Damage Model": "Critical Stretch", "Critical Stretch": 1.0}}
+        deck["Blocks"]["Body"]["Damage Model"] = "Breakage"
+        self.refused(deck, "lacks", "Damage", "materials, damage models and solvers of the run that wrote it")
+
+
+if __name__ == "__main__":
+    unittest.main()
