@@ -3,7 +3,7 @@
 #define PD_BOND_MECHANICS_VIEWS_HPP
 
 #include "bond_mechanics.hpp"
-#include "field_views.hpp"
+#include "damage_views.hpp"
 
 namespace pd {
 

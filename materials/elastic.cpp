@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "Peridigm_InfluenceFunction.hpp"
-#include "field_views.hpp"
+#include "damage_views.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -13,12 +13,6 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 namespace {
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-  ParameterDeclarations declarations;
-  Elastic::declareParameters(declarations);
-  return declarations.complete(params, "material Elastic");
-}
 
 constexpr const char* moduli[] = {"Bulk Modulus", "Shear Modulus", "Young's Modulus", "Poisson's Ratio"};
 
@@ -46,7 +40,7 @@ void Elastic::declareParameters(ParameterDeclarations& declare) {
 }
 
 Elastic::Elastic(const Teuchos::ParameterList& given) : Material(given) {
-  const Teuchos::ParameterList params = completed(given);
+  const Teuchos::ParameterList params = completed<Elastic>(given, "material Elastic");
   const auto nModuli =
       std::count_if(std::begin(moduli), std::end(moduli), [&](const char* name) { return params.isParameter(name); });
   if (nModuli != 2)

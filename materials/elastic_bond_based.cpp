@@ -45,7 +45,7 @@ class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public S
   }
 
   explicit ElasticBondBased(const Teuchos::ParameterList& given)
-      : Material(given), params_(completed(given)), mechanics_(mechanicsFrom(params_)) {
+      : Material(given), params_(checked(given)), mechanics_(mechanicsFrom(params_)) {
     const double nu = poissonsRatio(params_);
     bulkModulus_ = bulkModulus(params_);
     shearModulus_ = 1.5 * bulkModulus_ * (1.0 - 2.0 * nu) / (1.0 + nu);
@@ -81,10 +81,8 @@ class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public S
   void stepTakenBack() const override { mechanics_.forgetBonds(); }
 
  private:
-  static Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-    ParameterDeclarations declarations;
-    declareParameters(declarations);
-    const Teuchos::ParameterList params = declarations.complete(given, "material Elastic Bond Based");
+  static Teuchos::ParameterList checked(const Teuchos::ParameterList& given) {
+    const auto params = completed<ElasticBondBased>(given, "material Elastic Bond Based");
     const bool isPlane = params.get<bool>("Plane Stress") || params.get<bool>("Plane Strain");
     if (isPlane != params.isParameter("Height"))
       throw std::invalid_argument(

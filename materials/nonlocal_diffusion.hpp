@@ -9,8 +9,8 @@
 #include "Peridigm_SerialMatrix.hpp"
 #include "alive_bonds.hpp"
 #include "bond_family.hpp"
+#include "damage_views.hpp"
 #include "diffusion_kernel.hpp"
-#include "field_views.hpp"
 #include "point_arrays.hpp"
 
 namespace pd {

@@ -9,16 +9,6 @@ namespace pd {
 
 using PeridigmNS::DataManager;
 
-namespace {
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-  ParameterDeclarations declarations;
-  PDHE::declareParameters(declarations);
-  return declarations.complete(params, "material PDHE");
-}
-
-}  // namespace
-
 void PDHE::declareParameters(ParameterDeclarations& declare) {
   declare.text("Material Model", "Name of this model.").defaultTo("PDHE");
   declare.real("Density", "kg/m3", "Mass density; needed by dynamic solvers.").positive();
@@ -31,7 +21,7 @@ void PDHE::declareParameters(ParameterDeclarations& declare) {
 }
 
 PDHE::PDHE(const Teuchos::ParameterList& given) : Material(given) {
-  const Teuchos::ParameterList params = completed(given);
+  const Teuchos::ParameterList params = completed<PDHE>(given, "material PDHE");
   const std::string owner = "material PDHE";
   const BondFamily family(params, owner);
   if (params.isParameter("Density")) density_ = params.get<double>("Density");

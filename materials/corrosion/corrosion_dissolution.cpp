@@ -21,12 +21,6 @@ constexpr double faraday = 96485.33212;  ///< C/mol, CODATA 2018 (exact since 20
 constexpr int checkStride = 8;           ///< a mesh that is no grid is none nearly everywhere
 constexpr const char* owner = "material Corrosion Dissolution";
 
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-  ParameterDeclarations declarations;
-  CorrosionDissolution::declareParameters(declarations);
-  return declarations.complete(params, owner);
-}
-
 /// The stochastic rule of the damage model Dissolution has these fields, and no other has both.
 bool breaksBondsAtRandom(DataManager& dataManager) {
   FieldManager& fields = FieldManager::self();
@@ -49,7 +43,7 @@ void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
 }
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
-    : CorrosionDissolution(given, completed(given)) {}
+    : CorrosionDissolution(given, completed<CorrosionDissolution>(given, owner)) {}
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params)
     : Material(given),

@@ -31,21 +31,14 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle volume = reads(pd::fields::volume());
     FieldHandle damage = reads(pd::fields::damage());
-    FieldHandle concentration = reads(pd::fields::diffusingScalar("Concentration"));
-    FieldHandle rate = adds(pd::fields::fluxDivergence("Concentration"));
-    FieldHandle salt = reads(
-        pd::fields::pointScalar("Salt_Coverage", "1", "Share of the surface near a liquid point that salt covers.")
-            .state());
-    FieldHandle demand = reads(pd::fields::pointScalar(
-        "Dissolution_Demand", "mol/(m2 s)", "Flux from the surface that a solver asks for besides the current's."));
-    FieldHandle area = writes(
-        pd::fields::pointScalar("Interface_Area_Density", "1/m", "Surface of metal around a liquid point per volume."));
-    FieldHandle current =
-        writes(pd::fields::pointScalar("Current_Density", "A/m2", "Of the surface near a liquid point."));
-    FieldHandle dissolutionRate =
-        writes(pd::fields::pointScalar("Dissolution_Rate", "mol/(m3 s)", "What a surface without salt gives."));
-    FieldHandle slope =
-        writes(pd::fields::pointScalar("Dissolution_Rate_Slope", "1/s", "Its derivative by the concentration."));
+    FieldHandle concentration = reads(pd::fields::ionConcentration());
+    FieldHandle rate = adds(pd::fields::ionFluxDivergence());
+    FieldHandle salt = reads(pd::fields::saltCoverage());
+    FieldHandle demand = reads(pd::fields::dissolutionDemand());
+    FieldHandle area = writes(pd::fields::interfaceAreaDensity());
+    FieldHandle current = writes(pd::fields::currentDensity());
+    FieldHandle dissolutionRate = writes(pd::fields::dissolutionRate());
+    FieldHandle slope = writes(pd::fields::dissolutionRateSlope());
     FieldHandle solid = writes(pd::fields::solidConcentration());
     FieldHandle saturation = writes(pd::fields::saturationConcentration());
     FieldHandle diffusionCorrection =

@@ -107,7 +107,7 @@ class TrialFront {
     return true;
   }
 
-  /// Loose points give what points around them would, as in driver/solvers/corrosion/loose_metal.hpp.
+  /// Loose points give what points around them would, as in driver/solvers/corrosion/dissolve_loose_metal.hpp.
   void findEffectiveRates() {
     for (const int p : active_) effective_[index(p)] = rate_[index(p)];
     if (nLoose_ == 0) return;

@@ -6,7 +6,7 @@
 #include "Peridigm_InfluenceFunction.hpp"
 #include "bond_constants.hpp"
 #include "bond_family.hpp"
-#include "field_views.hpp"
+#include "damage_views.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -14,12 +14,6 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 namespace {
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-  ParameterDeclarations declarations;
-  CriticalStretch::declareParameters(declarations);
-  return declarations.complete(params, "damage model Critical Stretch");
-}
 
 double stretchFrom(const Teuchos::ParameterList& params) {
   if (params.isParameter("Critical Stretch")) return params.get<double>("Critical Stretch");
@@ -65,7 +59,8 @@ void CriticalStretch::declareCommonParameters(ParameterDeclarations& declare) {
 
 void CriticalStretch::declareParameters(ParameterDeclarations& declare) { declareCommonParameters(declare); }
 
-CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params) : CriticalStretch(completed(params), Fields()) {}
+CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params)
+    : CriticalStretch(completed<CriticalStretch>(params, "damage model Critical Stretch"), Fields()) {}
 
 CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params, const Fields& fields)
     : BondDamageModel(params), fields_(fields) {

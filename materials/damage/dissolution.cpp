@@ -15,8 +15,6 @@ using PeridigmNS::DataManager;
 
 namespace {
 
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params);
-
 /// d_c, below 1 of what still has metal to give. Rounding must not keep a point solid that has given all it can.
 double expectedDamage(double concentration, double solid, double saturation) {
   if (concentration >= solid && solid > saturation) return 0.0;
@@ -37,7 +35,7 @@ class Dissolution : public PeridigmNS::DamageModel, public FieldUser, public Ste
     /// `bonds`: null without random bonds, which look at both of their ends.
     explicit Fields(const RandomBondBreaking* bonds) {
       const Ghosts ghosts = bonds != nullptr ? Ghosts::AfterInitialize : Ghosts::None;
-      concentration = reads(pd::fields::diffusingScalar("Concentration"), ghosts);
+      concentration = reads(pd::fields::ionConcentration(), ghosts);
       solid = reads(pd::fields::solidConcentration(), ghosts);
       saturation = reads(pd::fields::saturationConcentration(), ghosts);
       if (bonds != nullptr) include(bonds->fields());
@@ -60,7 +58,9 @@ class Dissolution : public PeridigmNS::DamageModel, public FieldUser, public Ste
   }
 
   explicit Dissolution(const Teuchos::ParameterList& given)
-      : DamageModel(given), bonds_(bondsOf(completed(given))), fields_(bonds_ ? &*bonds_ : nullptr) {}
+      : DamageModel(given),
+        bonds_(bondsOf(completed<Dissolution>(given, "damage model Dissolution"))),
+        fields_(bonds_ ? &*bonds_ : nullptr) {}
 
   static FieldTable describeFields() {
     const RandomBondBreaking bonds(0);
@@ -108,16 +108,6 @@ class Dissolution : public PeridigmNS::DamageModel, public FieldUser, public Ste
   std::optional<RandomBondBreaking> bonds_;
   Fields fields_;
 };
-
-namespace {
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-  ParameterDeclarations declarations;
-  Dissolution::declareParameters(declarations);
-  return declarations.complete(params, "damage model Dissolution");
-}
-
-}  // namespace
 
 PD_REGISTER_DAMAGE_MODEL(Dissolution, "Dissolution", "Solid points turn liquid at the saturation concentration.")
 

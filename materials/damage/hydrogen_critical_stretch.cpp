@@ -16,6 +16,8 @@ namespace {
 /// results of Jiang & Carter, Acta Mater. 52 (2004) 4801.
 constexpr std::array<double, 4> decohesion = {1.0, -1.0467, 0.1687, 0.0};
 
+constexpr const char* owner = "damage model Hydrogen Critical Stretch";
+
 }  // namespace
 
 class HydrogenCriticalStretch : public CriticalStretch {
@@ -39,17 +41,16 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
   explicit HydrogenCriticalStretch(const Teuchos::ParameterList& given)
-      : CriticalStretch(completed(given), Fields(completed(given).get<std::string>("Concentration Field"))) {
-    const Teuchos::ParameterList params = completed(given);
+      : CriticalStretch(completed<HydrogenCriticalStretch>(given, owner), tableOf(given)) {
+    const auto params = completed<HydrogenCriticalStretch>(given, owner);
     saturation_ = params.get<double>("Saturation Concentration");
     const std::string law = params.get<std::string>("Degradation Law");
     law_.polynomial = decohesion;
     law_.scalesEnergy = law == "Fracture Energy";
     const bool isPolynomial = law == "Polynomial";
     if (isPolynomial != params.isParameter("Polynomial"))
-      throw std::invalid_argument(
-          "damage model Hydrogen Critical Stretch: \"Polynomial\" and \"Degradation Law: "
-          "Polynomial\" go together");
+      throw std::invalid_argument(std::string(owner) +
+                                  ": \"Polynomial\" and \"Degradation Law: Polynomial\" go together");
     if (isPolynomial) setPolynomial(params.get<Teuchos::Array<double>>("Polynomial"));
   }
 
@@ -67,14 +68,12 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
  private:
-  static Teuchos::ParameterList completed(const Teuchos::ParameterList& params) {
-    ParameterDeclarations declarations;
-    declareParameters(declarations);
-    return declarations.complete(params, "damage model Hydrogen Critical Stretch");
+  static Fields tableOf(const Teuchos::ParameterList& given) {
+    return Fields(completed<HydrogenCriticalStretch>(given, owner).get<std::string>("Concentration Field"));
   }
   void setPolynomial(const Teuchos::Array<double>& coefficients) {
     if (coefficients.size() == 0 || coefficients.size() > 4)
-      throw std::invalid_argument("damage model Hydrogen Critical Stretch: \"Polynomial\" takes 1 to 4 coefficients");
+      throw std::invalid_argument(std::string(owner) + ": \"Polynomial\" takes 1 to 4 coefficients");
     law_.polynomial.fill(0.0);
     std::copy(coefficients.begin(), coefficients.end(), law_.polynomial.begin());
   }

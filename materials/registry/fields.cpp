@@ -1,12 +1,38 @@
 #include "fields.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "field_names.hpp"
 
 namespace pd {
 
 namespace Field = PeridigmNS::PeridigmField;
+
+namespace {
+
+/// What fields::find() knows of a label.
+struct KnownField {
+  FieldDescription field;
+  bool isOptional;
+};
+
+std::map<std::string, KnownField>& knownFields() {
+  static std::map<std::string, KnownField> known;
+  return known;
+}
+
+bool leavesUnitToDeck(const FieldDescription& field) { return field.unit.rfind(fields::unitOfDeck, 0) == 0; }
+
+int idOf(const FieldDescription& field, bool isOptional) {
+  const int id = PeridigmNS::FieldManager::self().getFieldId(field.relation, field.length, field.temporal, field.label);
+  KnownField& known = knownFields().emplace(field.label, KnownField{field, true}).first->second;
+  if (!leavesUnitToDeck(field)) known.field = field;
+  known.isOptional = known.isOptional && isOptional;
+  return id;
+}
+
+}  // namespace
 
 FieldDescription& FieldDescription::growing() {
   onlyGrows = true;
@@ -23,9 +49,12 @@ FieldDescription& FieldDescription::reflected(Reflection rule) {
   return *this;
 }
 
-int FieldDescription::id() const {
-  return PeridigmNS::FieldManager::self().getFieldId(relation, length, temporal, label);
+FieldDescription& FieldDescription::in(const std::string& itsUnit) {
+  unit = itsUnit;
+  return *this;
 }
+
+int FieldDescription::id() const { return idOf(*this, false); }
 
 const FieldUse* FieldTable::find(int id) const {
   const auto found = std::find_if(uses_.begin(), uses_.end(), [id](const FieldUse& use) { return use.id == id; });
@@ -35,7 +64,7 @@ const FieldUse* FieldTable::find(int id) const {
 std::vector<int> FieldTable::ids() const {
   std::vector<int> result;
   for (const FieldUse& use : uses_)
-    if (!use.isOptional) result.push_back(use.id);
+    if (!use.isOptional && use.id >= 0) result.push_back(use.id);
   return result;
 }
 
@@ -66,8 +95,9 @@ FieldHandle FieldTable::worsens(const FieldDescription& field) {
 }
 
 FieldHandle FieldTable::use(const FieldDescription& field, FieldAccess access, Ghosts ghosts, bool isOptional) {
-  const int id = field.id();
-  const auto known = std::find_if(uses_.begin(), uses_.end(), [id](const FieldUse& other) { return other.id == id; });
+  const int id = field.isNamed() ? idOf(field, isOptional) : -1;
+  const auto known =
+      std::find_if(uses_.begin(), uses_.end(), [&](const FieldUse& other) { return other.field.label == field.label; });
   if (known == uses_.end()) {
     uses_.push_back({field, access, ghosts, isOptional, id});
   } else {  // parts of a plug-in may share a field: the stronger claim holds
@@ -101,6 +131,41 @@ FieldDescription described(const std::string& label, Field::Relation relation, F
 
 }  // namespace
 
+const FieldDescription* find(const std::string& label) {
+  const auto known = knownFields().find(label);
+  return known == knownFields().end() ? nullptr : &known->second.field;
+}
+FieldDescription describe(const std::string& label) {
+  if (const FieldDescription* known = find(label)) return *known;
+  auto& manager = PeridigmNS::FieldManager::self();
+  const PeridigmNS::FieldSpec spec = manager.getFieldSpec(manager.getFieldId(label));
+  return described(label, spec.getRelation(), spec.getLength(), spec.getTemporal(), unitOfDeck, "A field of the host.");
+}
+bool isOptionalEverywhere(const std::string& label) {
+  const auto known = knownFields().find(label);
+  return known != knownFields().end() && known->second.isOptional;
+}
+std::string unitOf(const std::string& label) {
+  const FieldDescription* field = find(label);
+  return field == nullptr || leavesUnitToDeck(*field) ? "" : field->unit;
+}
+
+FieldDescription namedBy(const std::string& key, const std::string& unit, const std::string& meaning) {
+  return described("<" + key + ">", Field::UNDEFINED_RELATION, Field::UNDEFINED_LENGTH, Field::UNDEFINED_TEMPORAL, unit,
+                   meaning);
+}
+FieldDescription globalScalar(const std::string& label, const std::string& unit, const std::string& meaning) {
+  return described(label, Field::GLOBAL, Field::SCALAR, Field::CONSTANT, unit, meaning);
+}
+FieldDescription globalVector(const std::string& label, const std::string& unit, const std::string& meaning) {
+  return described(label, Field::GLOBAL, Field::VECTOR, Field::CONSTANT, unit, meaning);
+}
+FieldDescription elementScalar(const std::string& label, const std::string& unit, const std::string& meaning) {
+  return described(label, Field::ELEMENT, Field::SCALAR, Field::CONSTANT, unit, meaning);
+}
+FieldDescription elementTensor(const std::string& label, const std::string& unit, const std::string& meaning) {
+  return described(label, Field::ELEMENT, Field::FULL_TENSOR, Field::CONSTANT, unit, meaning);
+}
 FieldDescription pointScalar(const std::string& label, const std::string& unit, const std::string& meaning) {
   return described(label, Field::NODE, Field::SCALAR, Field::CONSTANT, unit, meaning);
 }
@@ -124,13 +189,15 @@ FieldDescription coordinates() {
   return steppedVector("Coordinates", "m", "Current position.").reflected(Reflection::Position);
 }
 FieldDescription displacement() { return steppedVector("Displacement", "m", "Displacement."); }
-FieldDescription volume() {
-  return described("Volume", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "m3", "Volume of the point's cell.");
-}
-FieldDescription blockId() {
-  return described("Block_Id", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "1", "Number of the point's block.");
-}
+FieldDescription velocity() { return steppedVector("Velocity", "m/s", "Velocity."); }
+FieldDescription volume() { return elementScalar("Volume", "m3", "Volume of the point's cell."); }
+FieldDescription blockId() { return elementScalar("Block_Id", "1", "Number of the point's block."); }
+FieldDescription elementId() { return elementScalar("Element_Id", "1", "Number of the point in the mesh, from 1."); }
+FieldDescription horizon() { return elementScalar("Horizon", "m", "Radius of the point's neighbourhood."); }
 FieldDescription forceDensity() { return steppedVector("Force_Density", "N/m3", "Internal force per volume."); }
+FieldDescription externalForceDensity() {
+  return steppedVector("External_Force_Density", "N/m3", "Body forces and tractions per volume.");
+}
 FieldDescription damage() {
   return described("Damage", Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "1",
                    "Share of the point's bonds that are broken; of dissolving metal, 1 where it is liquid.")
@@ -143,12 +210,10 @@ FieldDescription noFailure() {
   return pointScalar("No_Failure", "1", "Bonds of points where it is not 0 never break.");
 }
 FieldDescription storedEnergyDensity() {
-  return described("Stored_Elastic_Energy_Density", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "J/m3",
-                   "Strain energy per volume.");
+  return elementScalar("Stored_Elastic_Energy_Density", "J/m3", "Strain energy per volume.");
 }
 FieldDescription weightedVolume() {
-  return described("Weighted_Volume", Field::ELEMENT, Field::SCALAR, Field::CONSTANT, "m5",
-                   "Influence x length^2 x volume, summed over the neighbours.");
+  return elementScalar("Weighted_Volume", "m5", "Influence x length^2 x volume, summed over the neighbours.");
 }
 FieldDescription dilatation() {
   return described("Dilatation", Field::ELEMENT, Field::SCALAR, Field::TWO_STEP, "1", "Change of volume over volume.");
@@ -160,9 +225,28 @@ FieldDescription solidConcentration() {
 FieldDescription saturationConcentration() {
   return pointScalar("Saturation_Concentration", "mol/m3", "Most metal ions that the electrolyte holds.");
 }
+FieldDescription interfaceAreaDensity() {
+  return pointScalar("Interface_Area_Density", "1/m", "Surface of metal around a liquid point per volume.");
+}
+FieldDescription saltCoverage() {
+  return pointScalar("Salt_Coverage", "1", "Share of the surface near a liquid point that salt covers.").state();
+}
+FieldDescription dissolutionDemand() {
+  return pointScalar("Dissolution_Demand", "mol/(m2 s)",
+                     "Flux from the surface that a solver asks for besides the current's.");
+}
+FieldDescription dissolutionRate() {
+  return pointScalar("Dissolution_Rate", "mol/(m3 s)", "What a surface without salt gives.");
+}
+FieldDescription dissolutionRateSlope() {
+  return pointScalar("Dissolution_Rate_Slope", "1/s", "Derivative of Dissolution_Rate by the concentration.");
+}
+FieldDescription currentDensity() {
+  return pointScalar("Current_Density", "A/m2", "Of the surface near a liquid point.");
+}
 FieldDescription diffusingScalar(const std::string& label) {
   if (label == "Temperature") return steppedScalar(label, "K", "Temperature.");
-  return steppedScalar(label, "mol/m3", "Concentration that diffuses, in the unit that the deck gives it.");
+  return steppedScalar(label, unitOfDeck, "Concentration that diffuses, in the unit that the deck gives it.");
 }
 FieldDescription fluxDivergence(const std::string& label) {
   FieldDescription field =
@@ -170,6 +254,8 @@ FieldDescription fluxDivergence(const std::string& label) {
   field.rateOf = label;
   return field;
 }
+FieldDescription ionConcentration() { return steppedScalar("Concentration", "mol/m3", "Metal, solid or as ions."); }
+FieldDescription ionFluxDivergence() { return fluxDivergence("Concentration").in("mol/(m3 s)"); }
 
 }  // namespace fields
 

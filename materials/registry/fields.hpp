@@ -33,7 +33,7 @@ struct FieldDescription {
   PeridigmNS::PeridigmField::Relation relation = PeridigmNS::PeridigmField::UNDEFINED_RELATION;
   PeridigmNS::PeridigmField::Length length = PeridigmNS::PeridigmField::UNDEFINED_LENGTH;
   PeridigmNS::PeridigmField::Temporal temporal = PeridigmNS::PeridigmField::UNDEFINED_TEMPORAL;
-  std::string unit;     ///< "Pa", "m", ...; "1" for a pure number
+  std::string unit;     ///< "Pa", "m", ...; "1" for a pure number; fields::unitOfDeck
   std::string meaning;  ///< one sentence
   Reflection reflection = Reflection::Even;
   /// Of a two-step field: a value never falls, within a step either, and its user may find that of NP1 at N. Where all
@@ -46,6 +46,9 @@ struct FieldDescription {
   FieldDescription& growing();
   FieldDescription& state();
   FieldDescription& reflected(Reflection rule);
+  FieldDescription& in(const std::string& itsUnit);
+  /// Has it a label? Without one it is a field that only a deck names, in the description of a class of plug-ins.
+  bool isNamed() const { return relation != PeridigmNS::PeridigmField::UNDEFINED_RELATION; }
   /// Registers the field with the FieldManager, or finds it. Throws std::invalid_argument where the label is known as
   /// something else.
   int id() const;
@@ -146,6 +149,28 @@ const FieldTable* fieldTableOf(const Plugin& plugin) {
 /// Descriptions: of any field, and of those that several plug-ins share.
 namespace fields {
 
+/// The unit of what a deck gives in any unit it likes, and of a rate of it: not one to write beside numbers.
+inline const char* const unitOfDeck = "unit of the deck";
+
+/// What the tables of this process say of the field called `label`; null where none has it. A description with a unit
+/// goes before one that leaves it to the deck.
+const FieldDescription* find(const std::string& label);
+/// The same; of a field that stands in no table what the FieldManager knows. Throws std::invalid_argument, with the
+/// known fields, where nobody has registered it.
+FieldDescription describe(const std::string& label);
+/// Do all tables that have the field use it only where somebody else brings it?
+bool isOptionalEverywhere(const std::string& label);
+/// The unit to write beside the field's numbers ("Pa"; "1" for a pure number); empty where it is not known.
+std::string unitOf(const std::string& label);
+
+/// A field that the deck names by `key`, before it has done so.
+FieldDescription namedBy(const std::string& key, const std::string& unit, const std::string& meaning);
+/// Values for the whole body.
+FieldDescription globalScalar(const std::string& label, const std::string& unit, const std::string& meaning);
+FieldDescription globalVector(const std::string& label, const std::string& unit, const std::string& meaning);
+/// As Peridigm has scalars and tensors of its computes: of cells, without steps.
+FieldDescription elementScalar(const std::string& label, const std::string& unit, const std::string& meaning);
+FieldDescription elementTensor(const std::string& label, const std::string& unit, const std::string& meaning);
 FieldDescription pointScalar(const std::string& label, const std::string& unit, const std::string& meaning);
 FieldDescription pointVector(const std::string& label, const std::string& unit, const std::string& meaning);
 /// With the steps N and NP1.
@@ -157,9 +182,13 @@ FieldDescription bondScalar(const std::string& label, const std::string& unit, c
 FieldDescription modelCoordinates();
 FieldDescription coordinates();
 FieldDescription displacement();
+FieldDescription velocity();
 FieldDescription volume();
 FieldDescription blockId();
+FieldDescription elementId();
+FieldDescription horizon();
 FieldDescription forceDensity();
+FieldDescription externalForceDensity();
 FieldDescription damage();
 FieldDescription bondDamage();
 FieldDescription noFailure();
@@ -168,9 +197,18 @@ FieldDescription weightedVolume();
 FieldDescription dilatation();
 FieldDescription solidConcentration();
 FieldDescription saturationConcentration();
+FieldDescription interfaceAreaDensity();
+FieldDescription saltCoverage();
+FieldDescription dissolutionDemand();
+FieldDescription dissolutionRate();
+FieldDescription dissolutionRateSlope();
+FieldDescription currentDensity();
 /// A scalar that diffuses, and its rate (field_names.hpp).
 FieldDescription diffusingScalar(const std::string& label);
 FieldDescription fluxDivergence(const std::string& label);
+/// Those of dissolved metal, "Concentration" in mol/m3.
+FieldDescription ionConcentration();
+FieldDescription ionFluxDivergence();
 
 }  // namespace fields
 

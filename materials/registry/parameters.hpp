@@ -123,6 +123,25 @@ class ParameterDeclarations {
   std::vector<Rule> rules_;
 };
 
+/// The parameters of a plug-in of class Class with their defaults: ParameterDeclarations::complete with what
+/// Class::declareParameters declares.
+template <class Class>
+Teuchos::ParameterList completed(const Teuchos::ParameterList& given, const std::string& owner) {
+  ParameterDeclarations declarations;
+  Class::declareParameters(declarations);
+  return declarations.complete(given, owner);
+}
+
+/// The defaults alone, required parameters missing: what a class of plug-ins is described by.
+template <class Class>
+Teuchos::ParameterList defaultsOf() {
+  ParameterDeclarations declarations;
+  Class::declareParameters(declarations);
+  Teuchos::ParameterList list;
+  for (const Parameter& parameter : declarations.parameters()) parameter.setDefault(list);
+  return list;
+}
+
 /// Keys that a host puts into the list of a plug-in, declared or not: those that name it, and the horizon of its block.
 bool isHostKey(const std::string& name);
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fields.hpp"
@@ -34,14 +35,22 @@ template <class Class, class = void>
 constexpr bool hasPlainFields = false;
 template <class Class>
 constexpr bool hasPlainFields<Class, std::void_t<decltype(typename Class::Fields())>> = true;
+template <class Class, class = void>
+constexpr bool hasFieldsByParameters = false;
+template <class Class>
+constexpr bool hasFieldsByParameters<
+    Class, std::void_t<decltype(typename Class::Fields(std::declval<const Teuchos::ParameterList&>()))>> = true;
 
-/// The fields of a plug-in class: its static describeFields(), else a default Fields; none where it has neither.
+/// The fields of a plug-in class: its static describeFields(), else a default Fields, or the Fields of the default
+/// parameters; none where it has none of these.
 template <class Class>
 FieldTable fieldsOf() {
   if constexpr (describesFields<Class>)
     return Class::describeFields();
   else if constexpr (hasPlainFields<Class>)
     return typename Class::Fields();
+  else if constexpr (hasFieldsByParameters<Class>)
+    return typename Class::Fields(defaultsOf<Class>());
   else
     return {};
 }

@@ -1,18 +1,10 @@
-// Plain pointers to the fields of a block.
-#ifndef PD_FIELD_VIEWS_HPP
-#define PD_FIELD_VIEWS_HPP
+// What a material sees of broken bonds.
+#ifndef PD_DAMAGE_VIEWS_HPP
+#define PD_DAMAGE_VIEWS_HPP
 
-#include "Peridigm_DataManager.hpp"
-#include "Peridigm_Field.hpp"
 #include "fields.hpp"
 
 namespace pd {
-
-inline double* view(PeridigmNS::DataManager& dataManager, int id, PeridigmNS::PeridigmField::Step step) {
-  double* values = nullptr;
-  dataManager.getData(id, step)->ExtractView(&values);
-  return values;
-}
 
 /// What a material sees of the damage model of its block, at NP1.
 struct DamageViews {
