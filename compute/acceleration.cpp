@@ -4,27 +4,29 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class Acceleration : public PeridigmNS::Compute {
+class Acceleration : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle forceDensity = reads(pd::fields::forceDensity());
+    FieldHandle load = reads(pd::fields::externalForceDensity());
+    FieldHandle acceleration;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : acceleration(
+              writes(outputField(parameters, pd::fields::steppedVector, "m/s2", "By the bonds and by loads."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Acceleration");
   }
   Acceleration(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        forceDensityField_(forceDensityField()),
-        loadField_(externalForceDensityField()),
-        outputField_(pointVectorField(
-            completeParameters<Acceleration>(params, "Acceleration").get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<Acceleration>(params, "Acceleration"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {forceDensityField_, loadField_, outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
-      const double* force = view(block, forceDensityField_, PeridigmField::STEP_NP1);
-      const double* load = view(block, loadField_, PeridigmField::STEP_NP1);
-      double* acceleration = view(block, outputField_, PeridigmField::STEP_NP1);
+      const double* force = view(block, fields_.forceDensity);
+      const double* load = view(block, fields_.load);
+      double* acceleration = view(block, fields_.acceleration);
       const double density = block.getMaterialModel()->Density();
       const auto neighborhood = block.getNeighborhoodData();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
@@ -36,7 +38,7 @@ class Acceleration : public PeridigmNS::Compute {
   }
 
  private:
-  int forceDensityField_, loadField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

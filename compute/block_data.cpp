@@ -4,25 +4,14 @@
 
 namespace pd {
 
-class BlockData : public PeridigmNS::Compute {
+class BlockData : public SetReduction {
  public:
   static void declareParameters(ParameterDeclarations& declarations) {
     declarations.text("Block", "Name of the block.").required();
     SetReduction::declareParameters(declarations);
   }
   BlockData(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        reduction_(completeParameters<BlockData>(params, "Block_Data"), globalData) {}
-
-  std::vector<int> FieldIds() const override { return reduction_.fieldIds(); }
-  void initialize(Blocks blocks) override { reduction_.initialize(blocks); }
-  int compute(Blocks blocks) const override {
-    reduction_.compute(blocks, *epetraComm);
-    return 0;
-  }
-
- private:
-  SetReduction reduction_;
+      : SetReduction(completeParameters<BlockData>(params, "Block_Data"), params, comm, globalData) {}
 };
 
 }  // namespace pd

@@ -6,27 +6,27 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class BondStrain : public PeridigmNS::Compute {
+class BondStrain : public TabledCompute {
  public:
+  struct Fields : DeformationGradients::Fields {
+    FieldHandle strain;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : strain(writes(outputField(parameters, pd::fields::elementTensor, "1", "Strain of the point, row by row."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Bond_Strain");
     declareStrainMeasure(declarations);
   }
   BondStrain(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : BondStrain(completeParameters<BondStrain>(params, "Bond_Strain"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<BondStrain>(params, "Bond_Strain"), params, comm, globalData),
+        isGreenLagrange_(parameters_.get<std::string>("Strain Measure") == "Green-Lagrange"),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = gradients_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
       const std::vector<Tensor> gradients = gradients_.of(block);
-      double* output = view(block, outputField_, PeridigmField::STEP_NONE);
+      double* output = view(block, fields_.strain);
       for (std::size_t i = 0; i < gradients.size(); ++i) {
         const Tensor strain = strainOf(gradients[i], isGreenLagrange_);
         std::copy(strain.begin(), strain.end(), output + 9 * block.getNeighborhoodData()->OwnedIDs()[i]);
@@ -36,17 +36,9 @@ class BondStrain : public PeridigmNS::Compute {
   }
 
  private:
-  BondStrain(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-             ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        isGreenLagrange_(parameters.get<std::string>("Strain Measure") == "Green-Lagrange"),
-        outputField_(PeridigmNS::FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::FULL_TENSOR,
-                                                                 PeridigmField::CONSTANT,
-                                                                 parameters.get<std::string>("Output Label"))) {}
-
   DeformationGradients gradients_;
   bool isGreenLagrange_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

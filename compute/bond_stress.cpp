@@ -9,29 +9,31 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class BondStress : public PeridigmNS::Compute {
+class BondStress : public TabledCompute {
  public:
+  struct Fields : DeformationGradients::Fields {
+    FieldHandle stress;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : stress(writes(outputField(parameters, pd::fields::elementTensor, "Pa", "Stress of the point, row by row."))) {
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Bond_Stress");
     declareStrainMeasure(declarations);
     HookesLaw::declareParameters(declarations);
   }
   BondStress(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : BondStress(completeParameters<BondStress>(params, "Bond_Stress"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<BondStress>(params, "Bond_Stress"), params, comm, globalData),
+        isGreenLagrange_(parameters_.get<std::string>("Strain Measure") == "Green-Lagrange"),
+        isPlaneStress_(parameters_.get<bool>("Plane Stress")),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = gradients_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
       const std::vector<Tensor> gradients = gradients_.of(block);
       const HookesLaw law(*block.getMaterialModel(), isPlaneStress_);
-      double* output = view(block, outputField_, PeridigmField::STEP_NONE);
+      double* output = view(block, fields_.stress);
       for (std::size_t i = 0; i < gradients.size(); ++i) {
         const Tensor stress = law.stress(strainOf(gradients[i], isGreenLagrange_));
         std::copy(stress.begin(), stress.end(), output + 9 * block.getNeighborhoodData()->OwnedIDs()[i]);
@@ -41,18 +43,9 @@ class BondStress : public PeridigmNS::Compute {
   }
 
  private:
-  BondStress(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-             ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        isGreenLagrange_(parameters.get<std::string>("Strain Measure") == "Green-Lagrange"),
-        isPlaneStress_(parameters.get<bool>("Plane Stress")),
-        outputField_(PeridigmNS::FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::FULL_TENSOR,
-                                                                 PeridigmField::CONSTANT,
-                                                                 parameters.get<std::string>("Output Label"))) {}
-
   DeformationGradients gradients_;
   bool isGreenLagrange_, isPlaneStress_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

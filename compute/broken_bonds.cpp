@@ -4,34 +4,38 @@
 
 namespace pd {
 
-class BrokenBonds : public PeridigmNS::Compute {
+class BrokenBonds : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle number;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : number(writes(outputField(parameters, pd::fields::globalScalar, "1",
+                                    "Broken bonds of the body, each counted once."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Broken_Bonds");
   }
   BrokenBonds(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        outputField_(
-            globalField(completeParameters<BrokenBonds>(params, "Broken_Bonds").get<std::string>("Output Label"),
-                        PeridigmNS::PeridigmField::SCALAR)) {}
+      : TabledCompute(completeParameters<BrokenBonds>(params, "Broken_Bonds"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     double directedBonds = 0.0;
     for (PeridigmNS::Block& block : *blocks) {
-      const double* bondDamage = bondDamageView(block);
+      const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
       if (bondDamage == nullptr) continue;
       const auto neighborhood = block.getNeighborhoodData();
       const int nBonds = neighborhood->NeighborhoodListSize() - neighborhood->NumOwnedPoints();
       for (int k = 0; k < nBonds; ++k) directedBonds += bondDamage[k] >= 1.0 ? 1.0 : 0.0;
     }
-    setGlobal(blocks, outputField_, 0.5 * sumOverRanks(*epetraComm, directedBonds));
+    setGlobal(blocks, fields_.number, 0.5 * sumOverRanks(*epetraComm, directedBonds));
     return 0;
   }
 
  private:
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -4,31 +4,32 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 class CorrosionDepth : public SurfaceCompute {
  public:
+  struct Fields : SurfaceCompute::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCompute::Fields(parameters, pd::fields::pointScalar, "m",
+                                 "Depth dissolved behind the point of the surface.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCompute::declareParameters(declarations, "Corrosion_Depth");
   }
   CorrosionDepth(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : SurfaceCompute(completeParameters<CorrosionDepth>(params, "Corrosion_Depth"), params, comm, globalData,
-                       pointResult) {}
+      : SurfaceCompute(completeParameters<CorrosionDepth>(params, "Corrosion_Depth"), params, comm, globalData),
+        fields_(parameters_) {}
 
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     const SurfaceColumns::Profile columns = profile(blocks);
     std::vector<double*> depths;
-    for (PeridigmNS::Block& block : *blocks) depths.push_back(view(block, outputField_, PeridigmField::STEP_NONE));
+    for (PeridigmNS::Block& block : *blocks) depths.push_back(view(block, fields_.result));
     columns_.forEachSurfacePoint(
         [&](std::size_t b, int id, std::size_t column) { depths[b][id] = columns[column].depth; });
     return 0;
   }
 
  private:
-  static int pointResult(const std::string& label) {
-    return PeridigmNS::FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::SCALAR,
-                                                       PeridigmField::CONSTANT, label);
-  }
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -6,10 +6,17 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class Coverage : public PeridigmNS::Compute {
+class Coverage : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldVariable concentration;
+    FieldHandle coverage;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : concentration(FieldVariable::of(parameters)),
+          coverage(writes(outputField(parameters, pd::fields::pointScalar, "1", "Concentration over saturation."))) {
+      include(concentration.fields());
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Coverage");
     declarations.text("Variable", "Scalar point field of the concentration.").defaultTo("Concentration");
@@ -18,20 +25,21 @@ class Coverage : public PeridigmNS::Compute {
         .required();
   }
   Coverage(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Coverage(completeParameters<Coverage>(params, "Coverage"), params, comm, globalData) {}
-
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = concentration_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
+      : TabledCompute(completeParameters<Coverage>(params, "Coverage"), params, comm, globalData),
+        saturation_(parameters_.get<double>("Saturation Concentration")),
+        fields_(parameters_) {
+    if (fields_.concentration.width() != 1)
+      throw std::invalid_argument("Coverage: \"Variable\" must be a scalar field");
   }
-  void initialize(Blocks blocks) override { concentration_.initialize(blocks); }
+
+  const Fields& fields() const override { return fields_; }
+  void initialize(Blocks blocks) override { fields_.concentration.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
       const auto neighborhood = block.getNeighborhoodData();
-      const double* concentration = concentration_.values(block);
-      double* coverage = view(block, outputField_, PeridigmField::STEP_NONE);
+      const double* concentration = fields_.concentration.values(block);
+      double* coverage = view(block, fields_.coverage);
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
         const int id = neighborhood->OwnedIDs()[i];
         coverage[id] = std::clamp(concentration[id] / saturation_, 0.0, 1.0);
@@ -41,20 +49,8 @@ class Coverage : public PeridigmNS::Compute {
   }
 
  private:
-  Coverage(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-           ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        concentration_(parameters.get<std::string>("Variable")),
-        saturation_(parameters.get<double>("Saturation Concentration")),
-        outputField_(PeridigmNS::FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::SCALAR,
-                                                                 PeridigmField::CONSTANT,
-                                                                 parameters.get<std::string>("Output Label"))) {
-    if (concentration_.width() != 1) throw std::invalid_argument("Coverage: \"Variable\" must be a scalar field");
-  }
-
-  FieldVariable concentration_;
   double saturation_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -13,10 +13,16 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class CrackArea : public PeridigmNS::Compute {
+class CrackArea : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle area;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : area(writes(outputField(parameters, pd::fields::globalScalar, "m2", "Area of all cracks."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Crack_Area");
     declarations.real("Horizon", "m", "Horizon of the material that cracks.").positive().required();
@@ -24,27 +30,21 @@ class CrackArea : public PeridigmNS::Compute {
         .positive();
   }
   CrackArea(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : CrackArea(completeParameters<CrackArea>(params, "Crack_Area"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<CrackArea>(params, "Crack_Area"), params, comm, globalData),
+        horizon_(parameters_.get<double>("Horizon")),
+        thickness_(parameters_.isParameter("Thickness") ? parameters_.get<double>("Thickness") : 0.0),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {volumeField_, coordinatesField_, outputField_}; }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
 
  private:
-  CrackArea(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-            ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        horizon_(parameters.get<double>("Horizon")),
-        thickness_(parameters.isParameter("Thickness") ? parameters.get<double>("Thickness") : 0.0),
-        volumeField_(volumeField()),
-        coordinatesField_(modelCoordinatesField()),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmField::SCALAR)) {}
-
   double shareWithinHorizon(double length, double volume) const;
 
   double horizon_, thickness_;
   bool hasPartialNeighbors_ = false;
-  int volumeField_, coordinatesField_, outputField_;
+  Fields fields_;
 };
 
 namespace {
@@ -59,7 +59,7 @@ double bondLength(const double* x, int i, int j) {
 void CrackArea::initialize(Blocks blocks) {
   double longest = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const double* x = view(block, fields_.modelCoordinates);
     const auto neighborhood = block.getNeighborhoodData();
     const int* list = neighborhood->NeighborhoodList();
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i)
@@ -79,11 +79,11 @@ double CrackArea::shareWithinHorizon(double length, double volume) const {
 int CrackArea::compute(Blocks blocks) const {
   double sum = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
-    const double* bondDamage = bondDamageView(block);
+    const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
     if (bondDamage == nullptr) continue;
-    const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
+    const double* volume = view(block, fields_.volume);
     const auto neighborhood = block.getNeighborhoodData();
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const double* x = view(block, fields_.modelCoordinates);
     const int* list = neighborhood->NeighborhoodList();
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
@@ -98,7 +98,7 @@ int CrackArea::compute(Blocks blocks) const {
   const double pi = 3.14159265358979323846;
   const double perArea = thickness_ > 0.0 ? 0.5 * thickness_ * std::pow(horizon_, 4) : 0.2 * pi * std::pow(horizon_, 5);
   // Every bond was met from both of its ends.
-  setGlobal(blocks, outputField_, 0.5 * sumOverRanks(*epetraComm, sum) / perArea);
+  setGlobal(blocks, fields_.area, 0.5 * sumOverRanks(*epetraComm, sum) / perArea);
   return 0;
 }
 

@@ -7,8 +7,15 @@
 
 namespace pd {
 
-class CrackLength : public PeridigmNS::Compute {
+class CrackLength : public TabledCompute {
  public:
+  struct Fields : CrackFront::Fields {
+    FieldHandle result;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : CrackFront::Fields(parameters),
+          result(writes(
+              outputField(parameters, pd::fields::globalScalar, "m", "From the mouth of the crack to its tip."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Crack_Length");
     declarations
@@ -18,13 +25,12 @@ class CrackLength : public PeridigmNS::Compute {
     CrackFront::declareParameters(declarations);
   }
   CrackLength(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : CrackLength(completeParameters<CrackLength>(params, "Crack_Length"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<CrackLength>(params, "Crack_Length"), params, comm, globalData),
+        front_(parameters_, globalData),
+        isProjected_(parameters_.get<std::string>("Measure") == "Projected"),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = front_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { front_.initialize(blocks); }
   int compute(Blocks blocks) const override {
     const Vector3 tip = front_.locate(blocks, *epetraComm);
@@ -32,21 +38,14 @@ class CrackLength : public PeridigmNS::Compute {
     const double advance[3] = {tip[0] - start[0], tip[1] - start[1], tip[2] - start[2]};
     const double length =
         isProjected_ ? std::max(0.0, dot(front_.direction(), advance)) : std::hypot(advance[0], advance[1], advance[2]);
-    setGlobal(blocks, outputField_, length);
+    setGlobal(blocks, fields_.result, length);
     return 0;
   }
 
  private:
-  CrackLength(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-              ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        front_(parameters, globalData),
-        isProjected_(parameters.get<std::string>("Measure") == "Projected"),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}
-
   CrackFront front_;
   bool isProjected_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

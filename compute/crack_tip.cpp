@@ -4,35 +4,33 @@
 
 namespace pd {
 
-class CrackTip : public PeridigmNS::Compute {
+class CrackTip : public TabledCompute {
  public:
+  struct Fields : CrackFront::Fields {
+    FieldHandle result;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : CrackFront::Fields(parameters),
+          result(writes(outputField(parameters, pd::fields::globalVector, "m", "Position of the crack tip."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Crack_Tip");
     CrackFront::declareParameters(declarations);
   }
   CrackTip(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : CrackTip(completeParameters<CrackTip>(params, "Crack_Tip"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<CrackTip>(params, "Crack_Tip"), params, comm, globalData),
+        front_(parameters_, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = front_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { front_.initialize(blocks); }
   int compute(Blocks blocks) const override {
-    setGlobal(blocks, outputField_, front_.locate(blocks, *epetraComm).data(), 3);
+    setGlobal(blocks, fields_.result, front_.locate(blocks, *epetraComm).data(), 3);
     return 0;
   }
 
  private:
-  CrackTip(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-           ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        front_(parameters, globalData),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::VECTOR)) {}
-
   CrackFront front_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

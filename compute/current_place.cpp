@@ -6,10 +6,13 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 class CurrentPlace : public SurfaceCurrent {
  public:
+  struct Fields : SurfaceCurrent::Fields {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCurrent::Fields(parameters, pd::fields::globalVector, "m", "Where the surface dissolves.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCurrent::declareParameters(declarations, "Current_Place");
     declarations
@@ -20,35 +23,26 @@ class CurrentPlace : public SurfaceCurrent {
         .defaultTo("Peak");
   }
   CurrentPlace(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : CurrentPlace(completeParameters<CurrentPlace>(params, "Current_Place"), params, comm, globalData) {}
+      : SurfaceCurrent(completeParameters<CurrentPlace>(params, "Current_Place"), params, comm, globalData),
+        isPeak_(parameters_.get<std::string>("Of") == "Peak"),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = SurfaceCurrent::FieldIds();
-    ids.push_back(coordinatesField_);
-    return ids;
-  }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     const Vector3 place = isPeak_ ? placeOfPeak(blocks) : centre(blocks);
-    setGlobal(blocks, outputField_, place.data(), 3);
+    setGlobal(blocks, fields_.result, place.data(), 3);
     return 0;
   }
 
  private:
-  CurrentPlace(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-               ComputeParameters globalData)
-      : SurfaceCurrent(parameters, params, comm, globalData, PeridigmField::VECTOR),
-        isPeak_(parameters.get<std::string>("Of") == "Peak"),
-        coordinatesField_(modelCoordinatesField()) {}
-
   const double* coordinates(const Blocks& blocks, std::size_t block, int id) const {
-    return view((*blocks)[block], coordinatesField_, PeridigmField::STEP_NONE) + 3 * id;
+    return view((*blocks)[block], fields_.modelCoordinates) + 3 * id;
   }
   Vector3 placeOfPeak(const Blocks& blocks) const;
   Vector3 centre(const Blocks& blocks) const;
 
   bool isPeak_;
-  int coordinatesField_;
+  Fields fields_;
 };
 
 /// Of points that differ by rounding, as different numbers of ranks leave it, the one with the lowest global id.

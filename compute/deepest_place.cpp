@@ -20,18 +20,27 @@ const SurfaceColumns::Column& deepestOf(const SurfaceColumns::Profile& profile) 
 
 class DeepestPlace : public SurfaceCompute {
  public:
+  struct Fields : SurfaceCompute::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCompute::Fields(parameters, pd::fields::globalVector, "m",
+                                 "Where the surface has dissolved deepest.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCompute::declareParameters(declarations, "Deepest_Place");
   }
   DeepestPlace(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : SurfaceCompute(completeParameters<DeepestPlace>(params, "Deepest_Place"), params, comm, globalData,
-                       placeResult) {}
+      : SurfaceCompute(completeParameters<DeepestPlace>(params, "Deepest_Place"), params, comm, globalData),
+        fields_(parameters_) {}
 
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     const SurfaceColumns::Profile columns = profile(blocks);
-    setGlobal(blocks, outputField_, columns_.bottom(deepestOf(columns)).data(), 3);
+    setGlobal(blocks, fields_.result, columns_.bottom(deepestOf(columns)).data(), 3);
     return 0;
   }
+
+ private:
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -6,30 +6,27 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class DeformationGradient : public PeridigmNS::Compute {
+class DeformationGradient : public TabledCompute {
  public:
+  struct Fields : DeformationGradients::Fields {
+    FieldHandle gradient;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : gradient(writes(outputField(parameters, pd::fields::elementTensor, "1",
+                                      "Deformation gradient of the point, row by row."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Deformation_Gradient");
   }
   DeformationGradient(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        outputField_(PeridigmNS::FieldManager::self().getFieldId(
-            PeridigmField::ELEMENT, PeridigmField::FULL_TENSOR, PeridigmField::CONSTANT,
-            completeParameters<DeformationGradient>(params, "Deformation_Gradient").get<std::string>("Output Label"))) {
-  }
+      : TabledCompute(completeParameters<DeformationGradient>(params, "Deformation_Gradient"), params, comm,
+                      globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = gradients_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
       const std::vector<Tensor> gradients = gradients_.of(block);
-      double* output = view(block, outputField_, PeridigmField::STEP_NONE);
+      double* output = view(block, fields_.gradient);
       for (std::size_t i = 0; i < gradients.size(); ++i)
         std::copy(gradients[i].begin(), gradients[i].end(), output + 9 * block.getNeighborhoodData()->OwnedIDs()[i]);
     }
@@ -38,7 +35,7 @@ class DeformationGradient : public PeridigmNS::Compute {
 
  private:
   DeformationGradients gradients_;
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -1,29 +1,31 @@
 // Dissolved_Amount: metal that has dissolved, mol: C_solid times its volume, wherever its ions are by now.
-#include "metal_loss.hpp"
+#include "dissolved_metal_sum.hpp"
 #include "plugins.hpp"
 
 namespace pd {
 
-class DissolvedAmount : public PeridigmNS::Compute {
+class DissolvedAmount : public DissolvedMetalSum {
  public:
+  struct Fields : DissolvedMetalSum::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : DissolvedMetalSum::Fields(parameters, "mol", "Metal that has dissolved.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
-    MetalLoss::declareParameters(declarations, "Dissolved_Amount");
+    DissolvedMetalSum::declareParameters(declarations, "Dissolved_Amount");
   }
   DissolvedAmount(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        loss_(completeParameters<DissolvedAmount>(params, "Dissolved_Amount"), globalData) {}
+      : DissolvedMetalSum(completeParameters<DissolvedAmount>(params, "Dissolved_Amount"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return loss_.fieldIds(); }
-  void initialize(Blocks blocks) override { loss_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
-    loss_.sum(blocks, *epetraComm, 1.0,
-              [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
+    sum(blocks, 1.0, [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
     return 0;
   }
 
  private:
-  MetalLoss loss_;
+  Fields fields_;
 };
 
 }  // namespace pd

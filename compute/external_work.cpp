@@ -10,10 +10,22 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class ExternalWork : public PeridigmNS::Compute {
+class ExternalWork : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle displacement = reads(pd::fields::displacement());
+    FieldHandle force = reads(pd::fields::forceDensity());
+    FieldHandle externalForce = reads(pd::fields::externalForceDensity());
+    FieldHandle lastDisplacement, lastLoad, work;
+    explicit Fields(const Teuchos::ParameterList& parameters) {
+      const auto label = parameters.get<std::string>("Output Label");
+      lastDisplacement =
+          writes(pd::fields::pointVector(label + "_Last_Displacement", "m", "Displacement at the last evaluation."));
+      lastLoad = writes(pd::fields::pointVector(label + "_Last_Load", "N/m3", "Load at the last evaluation."));
+      work = writes(pd::fields::globalScalar(label, "J", "Work of the loads since the start."));
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "External_Work");
     declarations.text("Node Set", "Points whose displacement is prescribed.");
@@ -21,46 +33,29 @@ class ExternalWork : public PeridigmNS::Compute {
     declarations.atMostOneOf({"Node Set", "Node Sets"});
   }
   ExternalWork(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : ExternalWork(completeParameters<ExternalWork>(params, "External_Work"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<ExternalWork>(params, "External_Work"), params, comm, globalData),
+        held_(parameters_, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    return {volumeField_,           displacementField_, forceField_, externalForceField_,
-            lastDisplacementField_, lastLoadField_,     outputField_};
-  }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { held_.initialize(blocks); }
   int compute(Blocks blocks) const override;
 
  private:
-  ExternalWork(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-               ComputeParameters globalData)
-      : Compute(params, comm, globalData), held_(parameters, globalData) {
-    const std::string label = parameters.get<std::string>("Output Label");
-    outputField_ = globalField(label, PeridigmField::SCALAR);
-    lastDisplacementField_ = memoryField(label + "_Last_Displacement");
-    lastLoadField_ = memoryField(label + "_Last_Load");
-  }
-
-  static int memoryField(const std::string& label) {
-    return PeridigmNS::FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR,
-                                                       PeridigmField::CONSTANT, label);
-  }
-
   PointSelection held_;
-  int volumeField_ = pd::volumeField(), displacementField_ = pd::displacementField(), forceField_ = forceDensityField(),
-      externalForceField_ = externalForceDensityField();
-  int lastDisplacementField_, lastLoadField_, outputField_;
+  Fields fields_;
 };
 
 int ExternalWork::compute(Blocks blocks) const {
   double work = 0.0;
   for (std::size_t b = 0; b < blocks->size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
-    const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
-    const double* displacement = view(block, displacementField_, PeridigmField::STEP_NP1);
-    const double* force = view(block, forceField_, PeridigmField::STEP_NP1);
-    const double* external = view(block, externalForceField_, PeridigmField::STEP_NP1);
-    double* lastDisplacement = view(block, lastDisplacementField_, PeridigmField::STEP_NONE);
-    double* lastLoad = view(block, lastLoadField_, PeridigmField::STEP_NONE);
+    const double* volume = view(block, fields_.volume);
+    const double* displacement = view(block, fields_.displacement);
+    const double* force = view(block, fields_.force);
+    const double* external = view(block, fields_.externalForce);
+    double* lastDisplacement = view(block, fields_.lastDisplacement);
+    double* lastLoad = view(block, fields_.lastLoad);
     const auto neighborhood = block.getNeighborhoodData();
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
@@ -73,8 +68,8 @@ int ExternalWork::compute(Blocks blocks) const {
       }
     }
   }
-  const double before = *view(blocks->front(), outputField_, PeridigmField::STEP_NONE);
-  setGlobal(blocks, outputField_, before + sumOverRanks(*epetraComm, work));
+  const double before = *view(blocks->front(), fields_.work);
+  setGlobal(blocks, fields_.work, before + sumOverRanks(*epetraComm, work));
   return 0;
 }
 

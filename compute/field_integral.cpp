@@ -4,27 +4,30 @@
 
 namespace pd {
 
-class FieldIntegral : public PeridigmNS::Compute {
+class FieldIntegral : public FieldReduction {
  public:
+  struct Fields : FieldReduction::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : FieldReduction::Fields(parameters, "Integral of the variable over volume.", true) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     FieldReduction::declareParameters(declarations, "Field_Integral");
   }
   FieldIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        field_(completeParameters<FieldIntegral>(params, "Field_Integral"), globalData) {}
+      : FieldReduction(completeParameters<FieldIntegral>(params, "Field_Integral"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
     double integral = 0.0;
-    field_.forEach(blocks, [&](double value, double volume) { integral += value * volume; });
-    field_.store(blocks, sumOverRanks(*epetraComm, integral));
+    forEach(blocks, [&](double value, double volume) { integral += value * volume; });
+    store(blocks, sumOverRanks(*epetraComm, integral));
     return 0;
   }
 
  private:
-  FieldReduction field_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -7,28 +7,31 @@
 
 namespace pd {
 
-class FieldMaximum : public PeridigmNS::Compute {
+class FieldMaximum : public FieldReduction {
  public:
+  struct Fields : FieldReduction::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : FieldReduction::Fields(parameters, "Largest value of the variable.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     FieldReduction::declareParameters(declarations, "Field_Maximum");
   }
   FieldMaximum(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        field_(completeParameters<FieldMaximum>(params, "Field_Maximum"), globalData) {}
+      : FieldReduction(completeParameters<FieldMaximum>(params, "Field_Maximum"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
     double largest = std::numeric_limits<double>::lowest();
-    field_.forEach(blocks, [&](double value, double) { largest = std::max(largest, value); });
+    forEach(blocks, [&](double value, double) { largest = std::max(largest, value); });
     largest = maxOverRanks(*epetraComm, largest);
-    field_.store(blocks, largest == std::numeric_limits<double>::lowest() ? 0.0 : largest);
+    store(blocks, largest == std::numeric_limits<double>::lowest() ? 0.0 : largest);
     return 0;
   }
 
  private:
-  FieldReduction field_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -4,8 +4,12 @@
 
 namespace pd {
 
-class FieldMean : public PeridigmNS::Compute {
+class FieldMean : public FieldReduction {
  public:
+  struct Fields : FieldReduction::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : FieldReduction::Fields(parameters, "Mean of the variable.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     FieldReduction::declareParameters(declarations, "Field_Mean");
     declarations.text("Weights", "Whether points count by their volume or all alike.")
@@ -13,31 +17,26 @@ class FieldMean : public PeridigmNS::Compute {
         .defaultTo("Volume");
   }
   FieldMean(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : FieldMean(completeParameters<FieldMean>(params, "Field_Mean"), params, comm, globalData) {}
+      : FieldReduction(completeParameters<FieldMean>(params, "Field_Mean"), params, comm, globalData),
+        fields_(parameters_),
+        isByVolume_(parameters_.get<std::string>("Weights") == "Volume") {}
 
-  std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
     std::vector<double> sums(2, 0.0);  // weighted values, weights
-    field_.forEach(blocks, [&](double value, double volume) {
+    forEach(blocks, [&](double value, double volume) {
       const double weight = isByVolume_ ? volume : 1.0;
       sums[0] += weight * value;
       sums[1] += weight;
     });
     sums = sumOverRanks(*epetraComm, sums);
-    field_.store(blocks, sums[1] > 0.0 ? sums[0] / sums[1] : 0.0);
+    store(blocks, sums[1] > 0.0 ? sums[0] / sums[1] : 0.0);
     return 0;
   }
 
  private:
-  FieldMean(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-            ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        field_(parameters, globalData),
-        isByVolume_(parameters.get<std::string>("Weights") == "Volume") {}
-
-  FieldReduction field_;
+  Fields fields_;
   bool isByVolume_;
 };
 

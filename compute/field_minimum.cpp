@@ -7,28 +7,31 @@
 
 namespace pd {
 
-class FieldMinimum : public PeridigmNS::Compute {
+class FieldMinimum : public FieldReduction {
  public:
+  struct Fields : FieldReduction::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : FieldReduction::Fields(parameters, "Smallest value of the variable.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     FieldReduction::declareParameters(declarations, "Field_Minimum");
   }
   FieldMinimum(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        field_(completeParameters<FieldMinimum>(params, "Field_Minimum"), globalData) {}
+      : FieldReduction(completeParameters<FieldMinimum>(params, "Field_Minimum"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return field_.fieldIds(); }
-  void initialize(Blocks blocks) override { field_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
     double smallest = std::numeric_limits<double>::max();
-    field_.forEach(blocks, [&](double value, double) { smallest = std::min(smallest, value); });
+    forEach(blocks, [&](double value, double) { smallest = std::min(smallest, value); });
     smallest = minOverRanks(*epetraComm, smallest);
-    field_.store(blocks, smallest == std::numeric_limits<double>::max() ? 0.0 : smallest);
+    store(blocks, smallest == std::numeric_limits<double>::max() ? 0.0 : smallest);
     return 0;
   }
 
  private:
-  FieldReduction field_;
+  Fields fields_;
 };
 
 }  // namespace pd

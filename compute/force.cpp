@@ -4,24 +4,25 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class Force : public PeridigmNS::Compute {
+class Force : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle forceDensity = reads(pd::fields::forceDensity());
+    FieldHandle force;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : force(writes(outputField(parameters, pd::fields::steppedVector, "N", "Force of the bonds on the point."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) { declareCommonParameters(declarations, "Force"); }
   Force(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        volumeField_(volumeField()),
-        forceDensityField_(forceDensityField()),
-        outputField_(pointVectorField(completeParameters<Force>(params, "Force").get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<Force>(params, "Force"), params, comm, globalData), fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {volumeField_, forceDensityField_, outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
-      const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
-      const double* density = view(block, forceDensityField_, PeridigmField::STEP_NP1);
-      double* force = view(block, outputField_, PeridigmField::STEP_NP1);
+      const double* volume = view(block, fields_.volume);
+      const double* density = view(block, fields_.forceDensity);
+      double* force = view(block, fields_.force);
       const auto neighborhood = block.getNeighborhoodData();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
         const int id = neighborhood->OwnedIDs()[i];
@@ -32,7 +33,7 @@ class Force : public PeridigmNS::Compute {
   }
 
  private:
-  int volumeField_, forceDensityField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -9,51 +9,53 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 class FrontSpeed : public SurfaceCompute {
  public:
+  struct Fields : SurfaceCompute::Fields {
+    FieldHandle time = reads(stepped(pd::fields::globalScalar("Time", "s", "Time of the run.")));
+    FieldHandle last;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCompute::Fields(parameters, pd::fields::globalScalar, "m/s",
+                                 "Speed of the depth since the last evaluation.") {
+      last = writes(
+          stepped(pd::fields::globalVector(parameters.get<std::string>("Output Label") + "_Last", "m, s, 1",
+                                           "Depth and time of the last evaluation, and 1 where there was one.")));
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCompute::declareParameters(declarations, "Front_Speed");
     declarations.text("Depth", "Which depth of the surface.").oneOf({"Maximum", "Mean"}).defaultTo("Maximum");
   }
   FrontSpeed(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : FrontSpeed(completeParameters<FrontSpeed>(params, "Front_Speed"), params, comm, globalData) {}
+      : SurfaceCompute(completeParameters<FrontSpeed>(params, "Front_Speed"), params, comm, globalData),
+        isMaximum_(parameters_.get<std::string>("Depth") == "Maximum"),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = SurfaceCompute::FieldIds();
-    ids.insert(ids.end(), {timeField_, lastField_});
-    return ids;
-  }
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override;
 
  private:
-  FrontSpeed(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-             ComputeParameters globalData)
-      : SurfaceCompute(parameters, params, comm, globalData, scalarResult),
-        isMaximum_(parameters.get<std::string>("Depth") == "Maximum"),
-        timeField_(stateField("Time", PeridigmField::SCALAR)),
-        lastField_(stateField(parameters.get<std::string>("Output Label") + "_Last", PeridigmField::VECTOR)) {}
-
-  static int stateField(const std::string& label, PeridigmField::Length length) {
-    return PeridigmNS::FieldManager::self().getFieldId(PeridigmField::GLOBAL, length, PeridigmField::TWO_STEP, label);
+  /// With steps: state, no result.
+  static FieldDescription stepped(FieldDescription field) {
+    field.temporal = PeridigmNS::PeridigmField::TWO_STEP;
+    return field;
   }
 
   bool isMaximum_;
-  int timeField_, lastField_;
+  Fields fields_;
 };
 
 int FrontSpeed::compute(Blocks blocks) const {
   const SurfaceColumns::Profile columns = profile(blocks);
   const double depth = isMaximum_ ? maximumDepth(columns) : meanDepth(columns);
-  const double time = *view(blocks->front(), timeField_, PeridigmField::STEP_NP1);
-  double* last = view(blocks->front(), lastField_, PeridigmField::STEP_NP1);  // depth, time, is there any
+  const double time = *view(blocks->front(), fields_.time);
+  double* last = view(blocks->front(), fields_.last);  // depth, time, is there any
   if (last[2] != 0.0 && time == last[1]) {
     if (depth == last[0]) return 0;
     throw std::runtime_error(
         "Front_Speed: the depth has changed, but not the field Time, which this host does not keep");
   }
-  setGlobal(blocks, outputField_, last[2] != 0.0 ? (depth - last[0]) / (time - last[1]) : 0.0);
+  setGlobal(blocks, fields_.result, last[2] != 0.0 ? (depth - last[0]) / (time - last[1]) : 0.0);
   last[0] = depth;
   last[1] = time;
   last[2] = 1.0;

@@ -4,26 +4,34 @@
 
 namespace pd {
 
-class GlobalKineticEnergy : public PeridigmNS::Compute {
+class GlobalKineticEnergy : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle velocity = reads(pd::fields::velocity());
+    FieldHandle energy;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : energy(writes(outputField(parameters, pd::fields::globalScalar, "J", "Kinetic energy."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Global_Kinetic_Energy");
     PointSelection::declareParameters(declarations);
   }
   GlobalKineticEnergy(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : GlobalKineticEnergy(completeParameters<GlobalKineticEnergy>(params, "Global_Kinetic_Energy"), params, comm,
-                            globalData) {}
+      : TabledCompute(completeParameters<GlobalKineticEnergy>(params, "Global_Kinetic_Energy"), params, comm,
+                      globalData),
+        points_(parameters_, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {volumeField_, velocityField_, outputField_}; }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { points_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
-    namespace PeridigmField = PeridigmNS::PeridigmField;
     std::vector<const double*> volume, velocity;
     std::vector<double> density;
     for (PeridigmNS::Block& block : *blocks) {
-      volume.push_back(view(block, volumeField_, PeridigmField::STEP_NONE));
-      velocity.push_back(view(block, velocityField_, PeridigmField::STEP_NP1));
+      volume.push_back(view(block, fields_.volume));
+      velocity.push_back(view(block, fields_.velocity));
       density.push_back(block.getMaterialModel()->Density());
     }
     double energy = 0.0;
@@ -31,21 +39,13 @@ class GlobalKineticEnergy : public PeridigmNS::Compute {
       const double* v = velocity[b] + 3 * id;
       energy += 0.5 * density[b] * volume[b][id] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     });
-    setGlobal(blocks, outputField_, sumOverRanks(*epetraComm, energy));
+    setGlobal(blocks, fields_.energy, sumOverRanks(*epetraComm, energy));
     return 0;
   }
 
  private:
-  GlobalKineticEnergy(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-                      ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        points_(parameters, globalData),
-        volumeField_(volumeField()),
-        velocityField_(velocityField()),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}
-
   PointSelection points_;
-  int volumeField_, velocityField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

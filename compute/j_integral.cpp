@@ -10,35 +10,40 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
+namespace {
 
-class JIntegral : public PeridigmNS::Compute {
+constexpr const char* tipKey = "Tip Field";
+
+bool isGlobalVector(const PeridigmNS::FieldSpec& spec) {
+  namespace Field = PeridigmNS::PeridigmField;
+  return spec.getRelation() == Field::GLOBAL && spec.getLength() == Field::VECTOR &&
+         spec.getTemporal() == Field::CONSTANT;
+}
+
+}  // namespace
+
+class JIntegral : public TabledCompute {
  public:
+  struct Fields : DeformationGradients::Fields {
+    FieldHandle tip;  ///< unused where the deck gives a position, or the label of no such field
+    FieldHandle energyReleaseRate;
+    explicit Fields(const Teuchos::ParameterList& parameters);
+  };
   static void declareParameters(ParameterDeclarations& declarations);
-  JIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : JIntegral(completeParameters<JIntegral>(params, "J_Integral"), params, comm, globalData) {}
+  JIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData);
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = gradients_.fieldIds();
-    ids.push_back(outputField_);
-    return ids;
-  }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
 
  private:
-  JIntegral(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-            ComputeParameters globalData);
   double contribution(const Tensor& deformationGradient, const HookesLaw& law, const double* fromTip) const;
 
   DeformationGradients gradients_;
-  int volumeField_ = pd::volumeField(), coordinatesField_ = modelCoordinatesField();
+  Fields fields_;
   Vector3 tip_, direction_;
-  std::string tipLabel_;
-  int tipField_ = -1;
   double innerRadius_, outerRadius_, thickness_;
   bool isPlaneStress_;
-  int outputField_;
 };
 
 void JIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -49,31 +54,37 @@ void JIntegral::declareParameters(ParameterDeclarations& declarations) {
   declarations.real("Outer Radius", "m", "Outer radius of the ring.").positive().required();
   declareVector(declarations, "Direction", "1", "Direction in which the crack grows (default: x).");
   declareVector(declarations, "Tip", "m", "Position of the crack tip; what is not given is 0.");
-  declarations.text("Tip Field", "Label of a Crack_Tip compute whose position is used instead of \"Tip X, Y, Z\".");
+  declarations.text(tipKey, "Label of a Crack_Tip compute whose position is used instead of \"Tip X, Y, Z\".");
 }
 
-JIntegral::JIntegral(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-                     ComputeParameters globalData)
-    : Compute(params, comm, globalData),
-      tip_(vectorOf(parameters, "Tip")),
-      direction_(directionOf(parameters, "Direction")),
-      innerRadius_(parameters.get<double>("Inner Radius")),
-      outerRadius_(parameters.get<double>("Outer Radius")),
-      thickness_(parameters.get<double>("Thickness")),
-      isPlaneStress_(parameters.get<bool>("Plane Stress")),
-      outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmField::SCALAR)) {
-  if (parameters.isParameter("Tip Field")) tipLabel_ = parameters.get<std::string>("Tip Field");
+JIntegral::Fields::Fields(const Teuchos::ParameterList& parameters) {
+  if (parameters.isParameter(tipKey)) {
+    const FieldDescription position =
+        pd::fields::globalVector(parameters.get<std::string>(tipKey), "m", "Position of the crack tip.");
+    auto& known = PeridigmNS::FieldManager::self();
+    if (!known.hasField(position.label) || isGlobalVector(known.getFieldSpec(position.label)))
+      tip = readsIfThere(position);
+  }
+  energyReleaseRate = writes(outputField(parameters, pd::fields::globalScalar, "J/m2", "Energy release rate."));
+}
+
+JIntegral::JIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
+    : TabledCompute(completeParameters<JIntegral>(params, "J_Integral"), params, comm, globalData),
+      fields_(parameters_),
+      tip_(vectorOf(parameters_, "Tip")),
+      direction_(directionOf(parameters_, "Direction")),
+      innerRadius_(parameters_.get<double>("Inner Radius")),
+      outerRadius_(parameters_.get<double>("Outer Radius")),
+      thickness_(parameters_.get<double>("Thickness")),
+      isPlaneStress_(parameters_.get<bool>("Plane Stress")) {
   if (!(outerRadius_ > innerRadius_))
     throw std::invalid_argument("J_Integral: \"Outer Radius\" must be larger than \"Inner Radius\"");
 }
 
 void JIntegral::initialize(Blocks blocks) {
-  if (tipLabel_.empty()) return;
-  tipField_ = PeridigmNS::FieldManager::self().getFieldId(tipLabel_);
-  const PeridigmNS::FieldSpec spec = PeridigmNS::FieldManager::self().getFieldSpec(tipField_);
-  if (spec.getRelation() != PeridigmField::GLOBAL || spec.getLength() != PeridigmField::VECTOR ||
-      !blocks->front().hasData(tipField_, PeridigmField::STEP_NONE))
-    throw std::invalid_argument("J_Integral: \"Tip Field\" \"" + tipLabel_ + "\" is not the result of a Crack_Tip");
+  if (parameters_.isParameter(tipKey) && !fields_.tip.isIn(*blocks->front().getDataManager()))
+    throw std::invalid_argument("J_Integral: \"Tip Field\" \"" + parameters_.get<std::string>(tipKey) +
+                                "\" is not the result of a Crack_Tip");
 }
 
 /// The integrand at a point of the ring, per volume and thickness.
@@ -100,14 +111,14 @@ double JIntegral::contribution(const Tensor& deformationGradient, const HookesLa
 
 int JIntegral::compute(Blocks blocks) const {
   Vector3 tip = tip_;
-  if (tipField_ >= 0) {
-    const double* position = view(blocks->front(), tipField_, PeridigmField::STEP_NONE);
+  if (fields_.tip.isUsed()) {
+    const double* position = view(blocks->front(), fields_.tip);
     tip = {position[0], position[1], position[2]};
   }
   double sum = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
-    const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const double* volume = view(block, fields_.volume);
+    const double* x = view(block, fields_.modelCoordinates);
     const std::vector<Tensor> gradients = gradients_.of(block);
     const HookesLaw law(*block.getMaterialModel(), isPlaneStress_);
     for (std::size_t i = 0; i < gradients.size(); ++i) {
@@ -118,7 +129,7 @@ int JIntegral::compute(Blocks blocks) const {
       sum += volume[id] * contribution(gradients[i], law, fromTip);
     }
   }
-  setGlobal(blocks, outputField_, sumOverRanks(*epetraComm, sum) / thickness_);
+  setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / thickness_);
   return 0;
 }
 

@@ -4,26 +4,28 @@
 
 namespace pd {
 
-class KineticEnergy : public PeridigmNS::Compute {
+class KineticEnergy : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle velocity = reads(pd::fields::velocity());
+    FieldHandle energy;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : energy(writes(outputField(parameters, pd::fields::elementScalar, "J", "Kinetic energy of the point."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Kinetic_Energy");
   }
   KineticEnergy(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        volumeField_(volumeField()),
-        velocityField_(velocityField()),
-        outputField_(elementScalarField(
-            completeParameters<KineticEnergy>(params, "Kinetic_Energy").get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<KineticEnergy>(params, "Kinetic_Energy"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {volumeField_, velocityField_, outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
-    namespace PeridigmField = PeridigmNS::PeridigmField;
     for (PeridigmNS::Block& block : *blocks) {
-      const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
-      const double* velocity = view(block, velocityField_, PeridigmField::STEP_NP1);
-      double* energy = view(block, outputField_, PeridigmField::STEP_NONE);
+      const double* volume = view(block, fields_.volume);
+      const double* velocity = view(block, fields_.velocity);
+      double* energy = view(block, fields_.energy);
       const double density = block.getMaterialModel()->Density();
       const auto neighborhood = block.getNeighborhoodData();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
@@ -36,7 +38,7 @@ class KineticEnergy : public PeridigmNS::Compute {
   }
 
  private:
-  int volumeField_, velocityField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

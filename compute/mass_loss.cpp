@@ -1,36 +1,34 @@
 // Mass_Loss: mass of the metal that has dissolved, kg.
-#include "metal_loss.hpp"
+#include "dissolved_metal_sum.hpp"
 #include "plugins.hpp"
 
 namespace pd {
 
-class MassLoss : public PeridigmNS::Compute {
+class MassLoss : public DissolvedMetalSum {
  public:
+  struct Fields : DissolvedMetalSum::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : DissolvedMetalSum::Fields(parameters, "kg", "Mass of metal that has dissolved.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
-    MetalLoss::declareParameters(declarations, "Mass_Loss");
+    DissolvedMetalSum::declareParameters(declarations, "Mass_Loss");
     declarations.real("Molar Mass", "kg/mol", "Of the metal: 0.05585 for iron.").positive().required();
   }
   MassLoss(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : MassLoss(completeParameters<MassLoss>(params, "Mass_Loss"), params, comm, globalData) {}
+      : DissolvedMetalSum(completeParameters<MassLoss>(params, "Mass_Loss"), params, comm, globalData),
+        molarMass_(parameters_.get<double>("Molar Mass")),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return loss_.fieldIds(); }
-  void initialize(Blocks blocks) override { loss_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
-    loss_.sum(blocks, *epetraComm, molarMass_,
-              [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
+    sum(blocks, molarMass_, [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
     return 0;
   }
 
  private:
-  MassLoss(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-           ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        loss_(parameters, globalData),
-        molarMass_(parameters.get<double>("Molar Mass")) {}
-
-  MetalLoss loss_;
   double molarMass_;
+  Fields fields_;
 };
 
 }  // namespace pd

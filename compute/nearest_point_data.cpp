@@ -8,10 +8,19 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
-class NearestPointData : public PeridigmNS::Compute {
+class NearestPointData : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldVariable variable;
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle result;
+    explicit Fields(const Teuchos::ParameterList& parameters) : variable(FieldVariable::of(parameters)) {
+      include(variable.fields());
+      result =
+          writes(outputField(parameters, variable.width() == 3 ? pd::fields::globalVector : pd::fields::globalScalar,
+                             variable.unit(), "The variable at the point."));
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declarations.text("Compute Class", "Name of the compute.");
     for (const char* axis : {"X", "Y", "Z"})
@@ -21,36 +30,24 @@ class NearestPointData : public PeridigmNS::Compute {
     declarations.flag("Verbose", "Print which point was found.").defaultTo(false);
   }
   NearestPointData(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : NearestPointData(completeParameters<NearestPointData>(params, "Nearest_Point_Data"), params, comm, globalData) {
-  }
+      : TabledCompute(completeParameters<NearestPointData>(params, "Nearest_Point_Data"), params, comm, globalData),
+        place_{parameters_.get<double>("X"), parameters_.get<double>("Y"), parameters_.get<double>("Z")},
+        isVerbose_(parameters_.get<bool>("Verbose")),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = variable_.fieldIds();
-    ids.insert(ids.end(), {coordinatesField_, outputField_});
-    return ids;
-  }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
 
  private:
-  NearestPointData(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-                   ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        place_{parameters.get<double>("X"), parameters.get<double>("Y"), parameters.get<double>("Z")},
-        variable_(parameters.get<std::string>("Variable")),
-        isVerbose_(parameters.get<bool>("Verbose")),
-        coordinatesField_(modelCoordinatesField()),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), variable_.length())) {}
-
   Vector3 place_;
-  FieldVariable variable_;
   bool isVerbose_;
-  int coordinatesField_, outputField_;
+  Fields fields_;
   int block_ = -1, localId_ = -1;  ///< of the point, on the rank that owns it
 };
 
 void NearestPointData::initialize(Blocks blocks) {
-  variable_.initialize(blocks);
+  fields_.variable.initialize(blocks);
   // Of several points at the same distance the one with the lowest global id is taken, on any number of ranks.
   double nearest = std::numeric_limits<double>::max();
   int globalId = INT_MAX;
@@ -59,7 +56,7 @@ void NearestPointData::initialize(Blocks blocks) {
     PeridigmNS::Block& block = (*blocks)[b];
     const auto neighborhood = block.getNeighborhoodData();
     const auto map = block.getOverlapScalarPointMap();
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const double* x = view(block, fields_.modelCoordinates);
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
       double distance = 0.0;  // squared
@@ -80,21 +77,21 @@ void NearestPointData::initialize(Blocks blocks) {
   epetraComm->MinAll(&globalId, &winner, 1);
   if (globalId != winner) block_ = localId_ = -1;
   if (isVerbose_ && localId_ >= 0) {
-    const double* x = view((*blocks)[static_cast<std::size_t>(block_)], coordinatesField_, PeridigmField::STEP_NONE);
+    const double* x = view((*blocks)[static_cast<std::size_t>(block_)], fields_.modelCoordinates);
     std::cout << "Nearest_Point_Data: point " << globalId + 1 << " at (" << x[3 * localId_] << ", "
               << x[3 * localId_ + 1] << ", " << x[3 * localId_ + 2] << ")" << std::endl;
   }
 }
 
 int NearestPointData::compute(Blocks blocks) const {
-  std::vector<double> value(static_cast<std::size_t>(variable_.width()), 0.0);
+  std::vector<double> value(static_cast<std::size_t>(fields_.variable.width()), 0.0);
   if (localId_ >= 0) {
-    const double* values = variable_.values((*blocks)[static_cast<std::size_t>(block_)]);
+    const double* values = fields_.variable.values((*blocks)[static_cast<std::size_t>(block_)]);
     for (std::size_t k = 0; k < value.size(); ++k)
       value[k] = values[value.size() * static_cast<std::size_t>(localId_) + k];
   }
   value = sumOverRanks(*epetraComm, value);
-  setGlobal(blocks, outputField_, value.data(), variable_.width());
+  setGlobal(blocks, fields_.result, value.data(), fields_.variable.width());
   return 0;
 }
 

@@ -4,25 +4,14 @@
 
 namespace pd {
 
-class NodeSetData : public PeridigmNS::Compute {
+class NodeSetData : public SetReduction {
  public:
   static void declareParameters(ParameterDeclarations& declarations) {
     declarations.text("Node Set", "Name of the node set.").required();
     SetReduction::declareParameters(declarations);
   }
   NodeSetData(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        reduction_(completeParameters<NodeSetData>(params, "Node_Set_Data"), globalData) {}
-
-  std::vector<int> FieldIds() const override { return reduction_.fieldIds(); }
-  void initialize(Blocks blocks) override { reduction_.initialize(blocks); }
-  int compute(Blocks blocks) const override {
-    reduction_.compute(blocks, *epetraComm);
-    return 0;
-  }
-
- private:
-  SetReduction reduction_;
+      : SetReduction(completeParameters<NodeSetData>(params, "Node_Set_Data"), params, comm, globalData) {}
 };
 
 }  // namespace pd

@@ -4,23 +4,27 @@
 
 namespace pd {
 
-class NumberOfNeighbors : public PeridigmNS::Compute {
+class NumberOfNeighbors : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle number;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : number(writes(
+              outputField(parameters, pd::fields::elementScalar, "1", "Bonds of the point, broken ones included."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Number_Of_Neighbors");
   }
   NumberOfNeighbors(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        outputField_(elementScalarField(
-            completeParameters<NumberOfNeighbors>(params, "Number_Of_Neighbors").get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<NumberOfNeighbors>(params, "Number_Of_Neighbors"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   // Neighbourhoods do not change during a run, but a restart overwrites fields: so in compute, not in initialize.
   int compute(Blocks blocks) const override {
     for (PeridigmNS::Block& block : *blocks) {
       const auto neighborhood = block.getNeighborhoodData();
-      double* number = view(block, outputField_, PeridigmNS::PeridigmField::STEP_NONE);
+      double* number = view(block, fields_.number);
       const int* list = neighborhood->NeighborhoodList();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
         number[neighborhood->OwnedIDs()[i]] = *list;
@@ -31,7 +35,7 @@ class NumberOfNeighbors : public PeridigmNS::Compute {
   }
 
  private:
-  int outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -36,6 +36,10 @@ double lengthAbove(std::vector<Excess> line) {
 
 class PitWidth : public SurfaceCompute {
  public:
+  struct Fields : SurfaceCompute::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCompute::Fields(parameters, pd::fields::globalScalar, "m", "Width of the pit.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCompute::declareParameters(declarations, "Pit_Width");
     declarations
@@ -46,21 +50,20 @@ class PitWidth : public SurfaceCompute {
         .defaultTo(0.5);
   }
   PitWidth(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : PitWidth(completeParameters<PitWidth>(params, "Pit_Width"), params, comm, globalData) {}
+      : SurfaceCompute(completeParameters<PitWidth>(params, "Pit_Width"), params, comm, globalData),
+        share_(parameters_.get<double>("At Depth")),
+        fields_(parameters_) {}
 
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override;
 
  private:
-  PitWidth(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-           ComputeParameters globalData)
-      : SurfaceCompute(parameters, params, comm, globalData, scalarResult),
-        share_(parameters.get<double>("At Depth")) {}
-
   double excess(const SurfaceColumns::Column& column, double largest) const {
     return column.depth - (share_ > 0.0 ? share_ * largest : 0.5 * column.firstLength);
   }
 
   double share_;
+  Fields fields_;
 };
 
 int PitWidth::compute(Blocks blocks) const {
@@ -84,7 +87,7 @@ int PitWidth::compute(Blocks blocks) const {
     if (line.back().value > 0.0) area += column.area;
   }
   constexpr double pi = 3.14159265358979323846;
-  setGlobal(blocks, outputField_, isPlane ? lengthAbove(line) : std::sqrt(4.0 * area / pi));
+  setGlobal(blocks, fields_.result, isPlane ? lengthAbove(line) : std::sqrt(4.0 * area / pi));
   return 0;
 }
 

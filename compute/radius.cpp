@@ -6,26 +6,28 @@
 
 namespace pd {
 
-class Radius : public PeridigmNS::Compute {
+class Radius : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle radius;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : radius(writes(outputField(parameters, pd::fields::elementScalar, "m",
+                                    "Radius of the ball with the volume of the point."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Radius");
   }
   Radius(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        volumeField_(volumeField()),
-        outputField_(
-            elementScalarField(completeParameters<Radius>(params, "Radius").get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<Radius>(params, "Radius"), params, comm, globalData), fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {volumeField_, outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   // Volumes do not change during a run, but a restart overwrites fields: so in compute, not in initialize.
   int compute(Blocks blocks) const override {
-    constexpr auto none = PeridigmNS::PeridigmField::STEP_NONE;
     const double pi = std::acos(-1.0);
     for (PeridigmNS::Block& block : *blocks) {
-      const double* volume = view(block, volumeField_, none);
-      double* radius = view(block, outputField_, none);
+      const double* volume = view(block, fields_.volume);
+      double* radius = view(block, fields_.radius);
       const auto neighborhood = block.getNeighborhoodData();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
         const int id = neighborhood->OwnedIDs()[i];
@@ -36,7 +38,7 @@ class Radius : public PeridigmNS::Compute {
   }
 
  private:
-  int volumeField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -4,27 +4,30 @@
 
 namespace pd {
 
-class StoredElasticEnergy : public PeridigmNS::Compute {
+class StoredElasticEnergy : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle density = writes(pd::fields::storedEnergyDensity());  ///< by the materials
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle energy;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : energy(writes(outputField(parameters, pd::fields::elementScalar, "J", "Elastic energy of the point."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Stored_Elastic_Energy");
   }
   StoredElasticEnergy(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        densityField_(storedEnergyDensityField()),
-        volumeField_(volumeField()),
-        outputField_(elementScalarField(completeParameters<StoredElasticEnergy>(params, "Stored_Elastic_Energy")
-                                            .get<std::string>("Output Label"))) {}
+      : TabledCompute(completeParameters<StoredElasticEnergy>(params, "Stored_Elastic_Energy"), params, comm,
+                      globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {densityField_, volumeField_, outputField_}; }
-
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
-    constexpr auto none = PeridigmNS::PeridigmField::STEP_NONE;
     fillStoredEnergyDensity(blocks);
     for (PeridigmNS::Block& block : *blocks) {
-      const double* density = view(block, densityField_, none);
-      const double* volume = view(block, volumeField_, none);
-      double* energy = view(block, outputField_, none);
+      const double* density = view(block, fields_.density);
+      const double* volume = view(block, fields_.volume);
+      double* energy = view(block, fields_.energy);
       const auto neighborhood = block.getNeighborhoodData();
       for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
         const int id = neighborhood->OwnedIDs()[i];
@@ -35,7 +38,7 @@ class StoredElasticEnergy : public PeridigmNS::Compute {
   }
 
  private:
-  int densityField_, volumeField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

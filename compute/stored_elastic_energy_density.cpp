@@ -4,23 +4,26 @@
 
 namespace pd {
 
-class StoredElasticEnergyDensity : public PeridigmNS::Compute {
+class StoredElasticEnergyDensity : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle density = writes(pd::fields::storedEnergyDensity());  ///< by the materials
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declarations.text("Compute Class", "Name of the compute.");
   }
   StoredElasticEnergyDensity(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), densityField_(storedEnergyDensityField()) {
-    completeParameters<StoredElasticEnergyDensity>(params, "Stored_Elastic_Energy_Density");
-  }
-  std::vector<int> FieldIds() const override { return {densityField_}; }
+      : TabledCompute(completeParameters<StoredElasticEnergyDensity>(params, "Stored_Elastic_Energy_Density"), params,
+                      comm, globalData) {}
+
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
     fillStoredEnergyDensity(blocks);
     return 0;
   }
 
  private:
-  int densityField_;
+  Fields fields_;
 };
 
 }  // namespace pd

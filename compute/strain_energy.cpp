@@ -5,43 +5,43 @@
 
 namespace pd {
 
-class StrainEnergy : public PeridigmNS::Compute {
+class StrainEnergy : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle density = writes(pd::fields::storedEnergyDensity());  ///< by the materials
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle energy;
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : energy(writes(outputField(parameters, pd::fields::globalScalar, "J", "Elastic energy."))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Strain_Energy");
     PointSelection::declareParameters(declarations);
   }
   StrainEnergy(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : StrainEnergy(completeParameters<StrainEnergy>(params, "Strain_Energy"), params, comm, globalData) {}
+      : TabledCompute(completeParameters<StrainEnergy>(params, "Strain_Energy"), params, comm, globalData),
+        points_(parameters_, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return {densityField_, volumeField_, outputField_}; }
+  const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { points_.initialize(blocks); }
 
   int compute(Blocks blocks) const override {
-    constexpr auto none = PeridigmNS::PeridigmField::STEP_NONE;
     fillStoredEnergyDensity(blocks);
     std::vector<const double*> density, volume;
     for (PeridigmNS::Block& block : *blocks) {
-      density.push_back(view(block, densityField_, none));
-      volume.push_back(view(block, volumeField_, none));
+      density.push_back(view(block, fields_.density));
+      volume.push_back(view(block, fields_.volume));
     }
     double energy = 0.0;
     points_.forEach(blocks, [&](std::size_t b, int id) { energy += density[b][id] * volume[b][id]; });
-    setGlobal(blocks, outputField_, sumOverRanks(*epetraComm, energy));
+    setGlobal(blocks, fields_.energy, sumOverRanks(*epetraComm, energy));
     return 0;
   }
 
  private:
-  StrainEnergy(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-               ComputeParameters globalData)
-      : Compute(params, comm, globalData),
-        points_(parameters, globalData),
-        densityField_(storedEnergyDensityField()),
-        volumeField_(volumeField()),
-        outputField_(globalField(parameters.get<std::string>("Output Label"), PeridigmNS::PeridigmField::SCALAR)) {}
-
   PointSelection points_;
-  int densityField_, volumeField_, outputField_;
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -6,17 +6,26 @@ namespace pd {
 
 class TotalCurrent : public SurfaceCurrent {
  public:
+  struct Fields : SurfaceCurrent::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : SurfaceCurrent::Fields(parameters, pd::fields::globalScalar, "A", "Current through the dissolving surface.") {
+    }
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
     SurfaceCurrent::declareParameters(declarations, "Total_Current");
   }
   TotalCurrent(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : SurfaceCurrent(completeParameters<TotalCurrent>(params, "Total_Current"), params, comm, globalData,
-                       PeridigmNS::PeridigmField::SCALAR) {}
+      : SurfaceCurrent(completeParameters<TotalCurrent>(params, "Total_Current"), params, comm, globalData),
+        fields_(parameters_) {}
 
+  const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
-    setGlobal(blocks, outputField_, currentAndArea(blocks)[0]);
+    setGlobal(blocks, fields_.result, currentAndArea(blocks)[0]);
     return 0;
   }
+
+ private:
+  Fields fields_;
 };
 
 }  // namespace pd

@@ -1,27 +1,31 @@
 // Volume_Loss: volume of the metal that has dissolved, m3.
-#include "metal_loss.hpp"
+#include "dissolved_metal_sum.hpp"
 #include "plugins.hpp"
 
 namespace pd {
 
-class VolumeLoss : public PeridigmNS::Compute {
+class VolumeLoss : public DissolvedMetalSum {
  public:
+  struct Fields : DissolvedMetalSum::Fields {
+    explicit Fields(const Teuchos::ParameterList& parameters)
+        : DissolvedMetalSum::Fields(parameters, "m3", "Volume of metal that has dissolved.") {}
+  };
   static void declareParameters(ParameterDeclarations& declarations) {
-    MetalLoss::declareParameters(declarations, "Volume_Loss");
+    DissolvedMetalSum::declareParameters(declarations, "Volume_Loss");
   }
   VolumeLoss(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
-      : Compute(params, comm, globalData), loss_(completeParameters<VolumeLoss>(params, "Volume_Loss"), globalData) {}
+      : DissolvedMetalSum(completeParameters<VolumeLoss>(params, "Volume_Loss"), params, comm, globalData),
+        fields_(parameters_) {}
 
-  std::vector<int> FieldIds() const override { return loss_.fieldIds(); }
-  void initialize(Blocks blocks) override { loss_.initialize(blocks); }
+  const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
-    loss_.sum(blocks, *epetraComm, 1.0, [](const DissolvedMetal::View&, int) { return 1.0; });
+    sum(blocks, 1.0, [](const DissolvedMetal::View&, int) { return 1.0; });
     return 0;
   }
 
  private:
-  MetalLoss loss_;
+  Fields fields_;
 };
 
 }  // namespace pd

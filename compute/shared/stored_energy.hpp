@@ -7,8 +7,6 @@
 
 namespace pd {
 
-inline int storedEnergyDensityField() { return elementScalarField("Stored_Elastic_Energy_Density"); }
-
 /// Has every material fill Stored_Elastic_Energy_Density (J/m3) at the owned points of its blocks. A material that
 /// does not compute it leaves zeros.
 inline void fillStoredEnergyDensity(const Blocks& blocks) {

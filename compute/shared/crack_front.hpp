@@ -15,7 +15,13 @@ class CrackFront {
   static void declareParameters(ParameterDeclarations& declarations);
   CrackFront(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
-  std::vector<int> fieldIds() const;
+  struct Fields : FieldTable {
+    FieldVariable damage;
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    explicit Fields(const Teuchos::ParameterList& parameters) : damage(FieldVariable::of(parameters)) {
+      include(damage.fields());
+    }
+  };
   void initialize(const Blocks& blocks);
 
   /// Position of the tip in the reference configuration, m; the start where no point reaches the threshold. Collective.
@@ -30,11 +36,10 @@ class CrackFront {
   double stepAhead(const Candidate& candidate, const double* x, const double* damage) const;
 
   PointSelection points_;
-  FieldVariable damage_;
+  Fields fields_;
   double threshold_;
   Vector3 direction_, start_;
   bool isInterpolated_;
-  int coordinatesField_;
 };
 
 }  // namespace pd

@@ -4,16 +4,19 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "Peridigm_Field.hpp"
-
 namespace pd {
-
-namespace PeridigmField = PeridigmNS::PeridigmField;
-using PeridigmNS::FieldManager;
 
 void declareCommonParameters(ParameterDeclarations& declarations, const char* defaultLabel) {
   declarations.text("Compute Class", "Name of the compute.");
   declarations.text("Output Label", "Name of the field that holds the result.").defaultTo(defaultLabel);
+}
+
+FieldDescription outputField(const Teuchos::ParameterList& parameters,
+                             FieldDescription (*make)(const std::string&, const std::string&, const std::string&),
+                             const std::string& unit, const std::string& meaning) {
+  constexpr const char* key = "Output Label";
+  return parameters.isParameter(key) ? make(parameters.get<std::string>(key), unit, meaning)
+                                     : fields::namedBy(key, unit, meaning);
 }
 
 void declareVector(ParameterDeclarations& declarations, const std::string& prefix, const std::string& unit,
@@ -38,43 +41,6 @@ Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string&
   if (length == 0.0) throw std::invalid_argument("\"" + prefix + " X, Y, Z\" must not all be zero");
   for (double& component : result) component /= length;
   return result;
-}
-
-int volumeField() { return elementScalarField("Volume"); }
-int modelCoordinatesField() {
-  return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::CONSTANT,
-                                         "Model_Coordinates");
-}
-
-int pointVectorField(const std::string& label) {
-  return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP, label);
-}
-
-int coordinatesField() { return pointVectorField("Coordinates"); }
-int displacementField() { return pointVectorField("Displacement"); }
-int velocityField() { return pointVectorField("Velocity"); }
-int forceDensityField() { return pointVectorField("Force_Density"); }
-int externalForceDensityField() { return pointVectorField("External_Force_Density"); }
-
-int globalField(const std::string& label, PeridigmField::Length length) {
-  return FieldManager::self().getFieldId(PeridigmField::GLOBAL, length, PeridigmField::CONSTANT, label);
-}
-
-int elementScalarField(const std::string& label) {
-  return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::CONSTANT, label);
-}
-
-double* view(PeridigmNS::Block& block, int fieldId, PeridigmField::Step step) {
-  double* values = nullptr;
-  block.getData(fieldId, step)->ExtractView(&values);
-  return values;
-}
-
-const double* bondDamageView(PeridigmNS::Block& block) {
-  FieldManager& fields = FieldManager::self();
-  if (!fields.hasField("Bond_Damage")) return nullptr;
-  const int id = fields.getFieldId("Bond_Damage");
-  return block.hasData(id, PeridigmField::STEP_NP1) ? view(block, id, PeridigmField::STEP_NP1) : nullptr;
 }
 
 std::vector<double> sumOverRanks(const Epetra_Comm& comm, std::vector<double> values) {
@@ -128,11 +94,10 @@ std::vector<double> gatherFromRanks(const Epetra_Comm& comm, const std::vector<d
   return sumOverRanks(comm, all);
 }
 
-void setGlobal(const Blocks& blocks, int fieldId, const double* values, int count) {
-  double* result = view(blocks->front(), fieldId, PeridigmField::STEP_NONE);
-  for (int k = 0; k < count; ++k) result[k] = values[k];
+void setGlobal(const Blocks& blocks, const FieldHandle& field, const double* values, int count) {
+  std::copy(values, values + count, view(blocks->front(), field));
 }
 
-void setGlobal(const Blocks& blocks, int fieldId, double value) { setGlobal(blocks, fieldId, &value, 1); }
+void setGlobal(const Blocks& blocks, const FieldHandle& field, double value) { setGlobal(blocks, field, &value, 1); }
 
 }  // namespace pd

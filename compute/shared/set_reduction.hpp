@@ -8,21 +8,28 @@
 
 namespace pd {
 
-class SetReduction {
+class SetReduction : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldVariable variable;
+    FieldHandle result;
+    explicit Fields(const Teuchos::ParameterList& parameters);
+  };
   /// Declares "Variable", "Calculation Type" and "Output Label" (required, as in Peridigm).
   static void declareParameters(ParameterDeclarations& declarations);
-  SetReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
-  std::vector<int> fieldIds() const;
-  void initialize(const Blocks& blocks);
-  void compute(const Blocks& blocks, const Epetra_Comm& comm) const;
+  const Fields& fields() const override { return fields_; }
+  void initialize(Blocks blocks) override;
+  int compute(Blocks blocks) const override;
+
+ protected:
+  SetReduction(const Teuchos::ParameterList& completed, ComputeParameters params, ComputeComm comm,
+               ComputeParameters globalData);
 
  private:
   PointSelection points_;
-  FieldVariable variable_;
+  Fields fields_;
   std::string type_;
-  int outputField_;
 };
 
 }  // namespace pd

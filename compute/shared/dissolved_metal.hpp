@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "field_variable.hpp"
+#include "compute_support.hpp"
 
 namespace pd {
 
@@ -14,11 +14,17 @@ namespace pd {
 /// follows the metal that is gone without steps.
 class DissolvedMetal {
  public:
-  explicit DissolvedMetal(bool countsPartly = true);
+  struct Fields : FieldTable {
+    FieldHandle damage = readsIfThere(pd::fields::damage());
+    FieldHandle concentration = readsIfThere(pd::fields::ionConcentration());
+    FieldHandle solid = readsIfThere(pd::fields::solidConcentration());
+    FieldHandle saturation = readsIfThere(pd::fields::saturationConcentration());
+    FieldHandle volume = reads(pd::fields::volume());
+  };
+  explicit DissolvedMetal(bool countsPartly = true) : countsPartly_(countsPartly) {}
 
-  std::vector<int> fieldIds() const;
   /// Throws std::invalid_argument where no material of the run dissolves.
-  void initialize(const Blocks& blocks);
+  void initialize(const Blocks& blocks) const;
 
   /// One block's fields.
   class View {
@@ -43,15 +49,13 @@ class DissolvedMetal {
   View of(PeridigmNS::Block& block) const;
 
  private:
-  FieldVariable damage_, concentration_;
-  int solidField_ = -1, saturationField_ = -1, volumeField_;
+  Fields fields_;
   bool countsPartly_;
 };
 
-/// The id of a field that a dissolving metal keeps, or -1 where no material of this run has registered it.
-int corrosionField(const std::string& label);
-/// Throws std::invalid_argument, naming the material to choose, where a block lacks one of these fields.
-void requireCorrosionFields(const Blocks& blocks, const std::vector<std::string>& labels);
+/// For a compute that is about dissolving metal: throws std::invalid_argument, naming the material to choose, where a
+/// block lacks a field of its table, which the material of the block brings.
+void requireDissolvingMetal(const Blocks& blocks, const FieldTable& fields);
 
 }  // namespace pd
 

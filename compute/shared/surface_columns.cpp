@@ -7,8 +7,6 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -58,14 +56,7 @@ SurfaceColumns::SurfaceColumns(const Teuchos::ParameterList& parameters, const C
       into_(directionOf(parameters, "Into")),
       axes_(axesAcross(into_)),
       width_(parameters.isParameter("Column Width") ? parameters.get<double>("Column Width") : 0.0),
-      isDeepest_(parameters.get<std::string>("Measure") == "Deepest"),
-      coordinatesField_(modelCoordinatesField()) {}
-
-std::vector<int> SurfaceColumns::fieldIds() const {
-  std::vector<int> ids = metal_.fieldIds();
-  ids.push_back(coordinatesField_);
-  return ids;
-}
+      isDeepest_(parameters.get<std::string>("Measure") == "Deepest") {}
 
 void SurfaceColumns::initialize(const Blocks& blocks, const Epetra_Comm& comm) {
   points_.initialize(blocks);
@@ -79,14 +70,14 @@ void SurfaceColumns::initialize(const Blocks& blocks, const Epetra_Comm& comm) {
 void SurfaceColumns::findColumns(const Blocks& blocks, const Epetra_Comm& comm) {
   std::vector<double> coordinates, low(3, infinity), high(3, -infinity);
   PointSelection().forEach(blocks, [&](std::size_t b, int id) {
-    const double* x = view((*blocks)[b], coordinatesField_, PeridigmField::STEP_NONE) + 3 * id;
+    const double* x = view((*blocks)[b], fields_.modelCoordinates) + 3 * id;
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], x[k]);
       high[k] = std::max(high[k], x[k]);
     }
   });
   points_.forEach(blocks, [&](std::size_t b, int id) {
-    const Place2 across = acrossOf(view((*blocks)[b], coordinatesField_, PeridigmField::STEP_NONE) + 3 * id);
+    const Place2 across = acrossOf(view((*blocks)[b], fields_.modelCoordinates) + 3 * id);
     coordinates.insert(coordinates.end(), across.begin(), across.end());
   });
   low = minOverRanks(comm, low);
@@ -104,7 +95,7 @@ void SurfaceColumns::findMembers(const Blocks& blocks, const Epetra_Comm& comm) 
   surface_.clear();
   members_.clear();
   const auto memberOf = [&](std::size_t b, int id) {
-    const double* x = view((*blocks)[b], coordinatesField_, PeridigmField::STEP_NONE) + 3 * id;
+    const double* x = view((*blocks)[b], fields_.modelCoordinates) + 3 * id;
     return Member{b, id, static_cast<std::size_t>(layout_.columnOf(acrossOf(x))), dot(into_, x)};
   };
   std::vector<double> start(static_cast<std::size_t>(layout_.count()), infinity);

@@ -18,14 +18,18 @@ using Tensor = std::array<double, 9>;
 /// all where a point is loose) the pseudo-inverse leaves the identity.
 class DeformationGradients {
  public:
-  DeformationGradients();
-  std::vector<int> fieldIds() const { return {volumeField_, modelCoordinatesField_, coordinatesField_}; }
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    FieldHandle coordinates = reads(pd::fields::coordinates());
+    FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+  };
 
   /// One a point, in the order of the block's OwnedIDs.
   std::vector<Tensor> of(PeridigmNS::Block& block) const;
 
  private:
-  int volumeField_, modelCoordinatesField_, coordinatesField_;
+  Fields fields_;
 };
 
 /// "Small" (F + F^T)/2 - I, or "Green-Lagrange" (F^T F - I)/2.

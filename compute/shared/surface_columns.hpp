@@ -18,7 +18,9 @@ class SurfaceColumns {
   static void declareParameters(ParameterDeclarations& declarations);
   SurfaceColumns(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
-  std::vector<int> fieldIds() const;
+  struct Fields : DissolvedMetal::Fields {
+    FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+  };
   /// Throws std::invalid_argument. Collective, as are profile() and what uses it.
   void initialize(const Blocks& blocks, const Epetra_Comm& comm);
 
@@ -75,7 +77,7 @@ class SurfaceColumns {
   std::array<Vector3, 2> axes_;  ///< across it
   double width_;                 ///< of columns, m; 0: one a point
   bool isDeepest_;
-  int coordinatesField_;
+  Fields fields_;
   double tolerance_ = 0.0;
   ColumnLayout layout_;
   std::vector<Member> surface_;             ///< points of the node set

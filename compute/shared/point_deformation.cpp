@@ -4,8 +4,6 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 namespace {
 
 Tensor product(const Tensor& a, const Tensor& b) {
@@ -36,16 +34,11 @@ Tensor pseudoInverse(const Tensor& symmetric) {
 
 }  // namespace
 
-DeformationGradients::DeformationGradients()
-    : volumeField_(volumeField()),
-      modelCoordinatesField_(modelCoordinatesField()),
-      coordinatesField_(pd::coordinatesField()) {}
-
 std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
-  const double* volume = view(block, volumeField_, PeridigmField::STEP_NONE);
-  const double* x = view(block, modelCoordinatesField_, PeridigmField::STEP_NONE);
-  const double* y = view(block, coordinatesField_, PeridigmField::STEP_NP1);
-  const double* bondDamage = bondDamageView(block);
+  const double* volume = view(block, fields_.volume);
+  const double* x = view(block, fields_.modelCoordinates);
+  const double* y = view(block, fields_.coordinates);
+  const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
   const auto neighborhood = block.getNeighborhoodData();
   const int* list = neighborhood->NeighborhoodList();
 

@@ -6,10 +6,12 @@
 #include <Teuchos_RCP.hpp>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "Peridigm_Block.hpp"
 #include "Peridigm_Compute.hpp"
+#include "fields.hpp"
 #include "parameters.hpp"
 
 namespace pd {
@@ -19,6 +21,21 @@ using ComputeParameters = Teuchos::RCP<const Teuchos::ParameterList>;
 using ComputeComm = Teuchos::RCP<const Epetra_Comm>;
 using Vector3 = std::array<double, 3>;
 
+/// A compute whose fields stand in a table. That of a derived class, `Fields`, is made from completed parameters, or
+/// from the defaults alone where the class is described.
+class TabledCompute : public PeridigmNS::Compute, public FieldUser {
+ public:
+  std::vector<int> FieldIds() const override { return fields().ids(); }
+
+ protected:
+  /// `completed`: completeParameters().
+  TabledCompute(Teuchos::ParameterList completed, ComputeParameters params, ComputeComm comm,
+                ComputeParameters globalData)
+      : Compute(params, comm, globalData), parameters_(std::move(completed)) {}
+
+  const Teuchos::ParameterList parameters_;
+};
+
 /// "Compute Class", which a host leaves in the list, and "Output Label".
 void declareCommonParameters(ParameterDeclarations& declarations, const char* defaultLabel);
 
@@ -26,10 +43,13 @@ void declareCommonParameters(ParameterDeclarations& declarations, const char* de
 /// output variables. Throws std::invalid_argument that lists every mistake.
 template <class ComputeClass>
 Teuchos::ParameterList completeParameters(ComputeParameters params, const std::string& name) {
-  ParameterDeclarations declarations;
-  ComputeClass::declareParameters(declarations);
-  return declarations.complete(params.is_null() ? Teuchos::ParameterList() : *params, name);
+  return completed<ComputeClass>(params.is_null() ? Teuchos::ParameterList() : *params, name);
 }
+
+/// The field that "Output Label" names. `make`: what it is, fields::globalScalar or another.
+FieldDescription outputField(const Teuchos::ParameterList& parameters,
+                             FieldDescription (*make)(const std::string&, const std::string&, const std::string&),
+                             const std::string& unit, const std::string& meaning);
 
 /// Keys "<prefix> X", "<prefix> Y", "<prefix> Z".
 void declareVector(ParameterDeclarations& declarations, const std::string& prefix, const std::string& unit,
@@ -41,23 +61,8 @@ Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string&
 
 inline double dot(const Vector3& a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Ids of fields that several computes use.
-int volumeField();
-int modelCoordinatesField();
-int coordinatesField();
-int displacementField();
-int velocityField();
-int forceDensityField();
-int externalForceDensityField();
-int globalField(const std::string& label, PeridigmNS::PeridigmField::Length length);
-int elementScalarField(const std::string& label);  ///< not stepped
-int pointVectorField(const std::string& label);    ///< of two steps, as Peridigm has those of its computes
-
-double* view(PeridigmNS::Block& block, int fieldId, PeridigmNS::PeridigmField::Step step);
-
-/// The block's Bond_Damage, or null in a run without it. Not declared by computes, since a run that breaks no bonds
-/// need not pay for it.
-const double* bondDamageView(PeridigmNS::Block& block);
+/// Values of a field as the block sees it, at the end of the step.
+inline double* view(PeridigmNS::Block& block, const FieldHandle& field) { return field.of(*block.getDataManager()); }
 
 /// Sums over all ranks.
 std::vector<double> sumOverRanks(const Epetra_Comm& comm, std::vector<double> values);
@@ -71,8 +76,8 @@ std::vector<double> minOverRanks(const Epetra_Comm& comm, std::vector<double> va
 std::vector<double> gatherFromRanks(const Epetra_Comm& comm, const std::vector<double>& values);
 
 /// Stores a result for the whole body. Global fields belong to all blocks, so the first one is enough.
-void setGlobal(const Blocks& blocks, int fieldId, const double* values, int count);
-void setGlobal(const Blocks& blocks, int fieldId, double value);
+void setGlobal(const Blocks& blocks, const FieldHandle& field, const double* values, int count);
+void setGlobal(const Blocks& blocks, const FieldHandle& field, double value);
 
 }  // namespace pd
 

@@ -9,27 +9,38 @@ namespace pd {
 
 /// The surface is spread over the electrolyte next to it: a point has Interface_Area_Density times its volume of it, at
 /// the Current_Density of the point.
-class SurfaceCurrent : public PeridigmNS::Compute {
+class SurfaceCurrent : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    FieldHandle current = readsIfThere(pd::fields::currentDensity());
+    FieldHandle area = readsIfThere(pd::fields::interfaceAreaDensity());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle result;
+    /// `make`: what the result is, fields::globalScalar or another.
+    Fields(const Teuchos::ParameterList& parameters,
+           FieldDescription (*make)(const std::string&, const std::string&, const std::string&),
+           const std::string& unit, const std::string& meaning)
+        : result(writes(outputField(parameters, make, unit, meaning))) {}
+  };
   static void declareParameters(ParameterDeclarations& declarations, const char* defaultLabel);
 
-  std::vector<int> FieldIds() const override;
+  const Fields& fields() const override = 0;
   /// Throws std::invalid_argument where no material of the run dissolves.
   void initialize(Blocks blocks) override;
 
  protected:
-  /// `parameters`: completed.
-  SurfaceCurrent(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-                 ComputeParameters globalData, PeridigmNS::PeridigmField::Length length);
+  SurfaceCurrent(const Teuchos::ParameterList& completed, ComputeParameters params, ComputeComm comm,
+                 ComputeParameters globalData)
+      : TabledCompute(completed, params, comm, globalData), points_(completed, globalData) {}
 
   /// Calls visit(block number, local id, A/m2, m2) for every chosen point of this rank that has surface.
   template <class Visit>
   void forEach(const Blocks& blocks, Visit&& visit) const {
     std::vector<const double*> currents, areas, volumes;
     for (PeridigmNS::Block& block : *blocks) {
-      currents.push_back(view(block, currentField_, PeridigmNS::PeridigmField::STEP_NONE));
-      areas.push_back(view(block, areaField_, PeridigmNS::PeridigmField::STEP_NONE));
-      volumes.push_back(view(block, volumeField_, PeridigmNS::PeridigmField::STEP_NONE));
+      currents.push_back(view(block, fields().current));
+      areas.push_back(view(block, fields().area));
+      volumes.push_back(view(block, fields().volume));
     }
     points_.forEach(blocks, [&](std::size_t b, int id) {
       if (areas[b][id] > 0.0) visit(b, id, currents[b][id], areas[b][id] * volumes[b][id]);
@@ -41,11 +52,8 @@ class SurfaceCurrent : public PeridigmNS::Compute {
   /// Current, A, and surface, m2. Collective.
   std::array<double, 2> currentAndArea(const Blocks& blocks) const;
 
-  int outputField_;
-
  private:
   PointSelection points_;
-  int currentField_, areaField_, volumeField_;
 };
 
 }  // namespace pd

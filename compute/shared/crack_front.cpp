@@ -7,8 +7,6 @@
 
 namespace pd {
 
-namespace PeridigmField = PeridigmNS::PeridigmField;
-
 /// A damaged point that may be the foremost one.
 struct CrackFront::Candidate {
   std::size_t block;
@@ -30,24 +28,17 @@ void CrackFront::declareParameters(ParameterDeclarations& declarations) {
 
 CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData)
     : points_(parameters, globalData),
-      damage_(parameters.get<std::string>("Variable")),
+      fields_(parameters),
       threshold_(parameters.get<double>("Threshold")),
       direction_(directionOf(parameters, "Direction")),
       start_(vectorOf(parameters, "Start")),
-      isInterpolated_(parameters.get<bool>("Interpolate")),
-      coordinatesField_(modelCoordinatesField()) {
-  if (damage_.width() != 1) throw std::invalid_argument("\"Variable\" of a crack must be a scalar field");
-}
-
-std::vector<int> CrackFront::fieldIds() const {
-  std::vector<int> ids = damage_.fieldIds();
-  ids.push_back(coordinatesField_);
-  return ids;
+      isInterpolated_(parameters.get<bool>("Interpolate")) {
+  if (fields_.damage.width() != 1) throw std::invalid_argument("\"Variable\" of a crack must be a scalar field");
 }
 
 void CrackFront::initialize(const Blocks& blocks) {
   points_.initialize(blocks);
-  damage_.initialize(blocks);
+  fields_.damage.initialize(blocks);
 }
 
 std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks) const {
@@ -55,8 +46,8 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks) 
   for (std::size_t b = 0; b < blocks->size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
     const auto neighborhood = block.getNeighborhoodData();
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
-    const double* damage = damage_.values(block);
+    const double* x = view(block, fields_.modelCoordinates);
+    const double* damage = fields_.damage.values(block);
     const int* list = neighborhood->NeighborhoodList();
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
@@ -102,7 +93,7 @@ Vector3 CrackFront::locate(const Blocks& blocks, const Epetra_Comm& comm) const 
   std::vector<double> sums(4, 0.0);  // positions, number of points
   for (const Candidate& candidate : cracked) {
     PeridigmNS::Block& block = (*blocks)[candidate.block];
-    const double* x = view(block, coordinatesField_, PeridigmField::STEP_NONE);
+    const double* x = view(block, fields_.modelCoordinates);
     const double* own = x + 3 * candidate.id;
     // Equally far ahead: closer to the foremost point than a millionth of the spacing.
     double spacing = 0.0;
@@ -112,7 +103,7 @@ Vector3 CrackFront::locate(const Blocks& blocks, const Epetra_Comm& comm) const 
       if (spacing == 0.0 || length < spacing) spacing = length;
     }
     if (candidate.ahead < foremost - 1e-6 * spacing) continue;
-    const double step = isInterpolated_ ? stepAhead(candidate, x, damage_.values(block)) : 0.0;
+    const double step = isInterpolated_ ? stepAhead(candidate, x, fields_.damage.values(block)) : 0.0;
     for (std::size_t k = 0; k < 3; ++k) sums[k] += own[k] + step * direction_[k];
     sums[3] += 1.0;
   }

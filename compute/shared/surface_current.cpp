@@ -7,24 +7,8 @@ void SurfaceCurrent::declareParameters(ParameterDeclarations& declarations, cons
   PointSelection::declareParameters(declarations);
 }
 
-SurfaceCurrent::SurfaceCurrent(const Teuchos::ParameterList& parameters, ComputeParameters params, ComputeComm comm,
-                               ComputeParameters globalData, PeridigmNS::PeridigmField::Length length)
-    : Compute(params, comm, globalData),
-      outputField_(globalField(parameters.get<std::string>("Output Label"), length)),
-      points_(parameters, globalData),
-      currentField_(corrosionField("Current_Density")),
-      areaField_(corrosionField("Interface_Area_Density")),
-      volumeField_(volumeField()) {}
-
-std::vector<int> SurfaceCurrent::FieldIds() const {
-  std::vector<int> ids = {volumeField_, outputField_};
-  for (const int id : {currentField_, areaField_})
-    if (id >= 0) ids.push_back(id);
-  return ids;
-}
-
 void SurfaceCurrent::initialize(Blocks blocks) {
-  requireCorrosionFields(blocks, {"Current_Density", "Interface_Area_Density"});
+  requireDissolvingMetal(blocks, fields());
   points_.initialize(blocks);
 }
 

@@ -8,36 +8,43 @@
 
 namespace pd {
 
-class FieldReduction {
+class FieldReduction : public TabledCompute {
  public:
+  struct Fields : FieldTable {
+    ScalarVariable variable;
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle result;
+    /// `isIntegral`: over volume.
+    Fields(const Teuchos::ParameterList& parameters, const std::string& meaning, bool isIntegral = false);
+  };
   static void declareParameters(ParameterDeclarations& declarations, const char* defaultLabel);
-  FieldReduction(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
+  const Fields& fields() const override = 0;
+  void initialize(Blocks blocks) override;
 
-  std::vector<int> fieldIds() const;
-  void initialize(const Blocks& blocks);
+ protected:
+  FieldReduction(const Teuchos::ParameterList& completed, ComputeParameters params, ComputeComm comm,
+                 ComputeParameters globalData);
 
   /// Calls visit(value, volume) for every chosen point of this rank whose value is not ignored.
   template <class Visit>
   void forEach(const Blocks& blocks, Visit&& visit) const {
     std::vector<const double*> values, volumes;
     for (PeridigmNS::Block& block : *blocks) {
-      values.push_back(variable_.values(block));
-      volumes.push_back(view(block, volumeField_, PeridigmNS::PeridigmField::STEP_NONE));
+      values.push_back(fields().variable.values(block));
+      volumes.push_back(view(block, fields().volume));
     }
     points_.forEach(blocks, [&](std::size_t b, int id) {
-      const double value = variable_.at(values[b], id);
+      const double value = fields().variable.at(values[b], id);
       if (!hasFloor_ || value >= floor_) visit(value, volumes[b][id]);
     });
   }
 
-  void store(const Blocks& blocks, double value) const { setGlobal(blocks, outputField_, value); }
+  void store(const Blocks& blocks, double value) const { setGlobal(blocks, fields().result, value); }
 
  private:
   PointSelection points_;
-  ScalarVariable variable_;
   bool hasFloor_;
   double floor_ = 0.0;
-  int volumeField_, outputField_;
 };
 
 }  // namespace pd
