@@ -54,8 +54,8 @@ class PluginCheck {
       makePart(*solver, [&] {
         const auto made = SolverRegistry::self().create(solver->section.plugin, solver->list);
         for (const std::string& label : made->fieldsWithFarField()) run_.fieldsWithFarField.insert(label);
-        for (const int id : made->fieldIds()) run_.solverFields.insert(FieldManager::self().getFieldSpec(id).label);
-        return made->fieldIds();
+        for (const FieldUse& use : made->fields().uses()) run_.solverFields.insert(use.field.label);
+        return made->fields().ids();
       });
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver)) watchedFields(*solver);
     bool hasAllConditions = true;

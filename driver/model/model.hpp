@@ -50,6 +50,8 @@ class Model {
   bool hasField(const std::string& label) const;
   /// Overlap array of a point field, at STEP_NP1 (or STEP_NONE for constant fields). Throws std::invalid_argument.
   double* field(const std::string& label);
+  /// The same of a field of the caller's table.
+  double* field(const FieldHandle& handle) const { return handle.of(*shared_); }
   /// The same at STEP_N.
   double* fieldAtN(const std::string& label);
   int fieldWidth(const std::string& label) const;  ///< values a point

@@ -30,7 +30,7 @@ std::set<std::string> namesOf(const RestartState& state) {
 
 std::set<std::string> fieldsOf(const Solver& solver) {
   std::set<std::string> labels;
-  for (const int id : solver.fieldIds()) labels.insert(PeridigmNS::FieldManager::self().getFieldSpec(id).label);
+  for (const FieldUse& use : solver.fields().uses()) labels.insert(use.field.label);
   return labels;
 }
 

@@ -174,7 +174,7 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   model.timers().add("mesh and neighborhoods", readingTime);
   std::vector<Stage> stages = createStages(deck);
   const std::set<std::string> ofPlugins = fieldLabels(model);
-  for (const Stage& stage : stages) model.allocateFields(stage.solver->fieldIds());
+  for (const Stage& stage : stages) model.allocateFields(stage.solver->fields().ids());
   const std::set<std::string> ofSolvers = fieldLabels(model);
   BoundaryConditions conditions(deck, model);
   std::set<std::string> ofConditions;

@@ -6,19 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "Peridigm_Field.hpp"
 #include "absolute_row_sums.hpp"
+#include "damage_watch.hpp"
 
 namespace pd {
-
-namespace {
-
-// Point data of a relaxation that a restart needs.
-constexpr const char* velocityField = "Relaxation_Velocity";
-constexpr const char* accelerationField = "Relaxation_Acceleration";  ///< F / Lambda of the iteration before
-constexpr const char* massField = "Relaxation_Mass";                  ///< one Lambda a point
-
-}  // namespace
 
 void AdaptiveDynamicRelaxation::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
@@ -38,25 +29,13 @@ void AdaptiveDynamicRelaxation::declareParameters(ParameterDeclarations& declare
 }
 
 AdaptiveDynamicRelaxation::AdaptiveDynamicRelaxation(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  declareParameters(declarations);
-  const auto parameters = declarations.complete(given, "Adaptive Dynamic Relaxation");
+  const auto parameters = completed<AdaptiveDynamicRelaxation>(given, "Adaptive Dynamic Relaxation");
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Iterations Per Load Step"))
     iterationsPerLoadStep_ = parameters.get<int>("Iterations Per Load Step");
   relativeTolerance_ =
       parameters.isParameter("Relative Tolerance") ? parameters.get<double>("Relative Tolerance") : 1.0e-5;
   maximumIterations_ = parameters.get<int>("Maximum Iterations");
-}
-
-std::vector<int> AdaptiveDynamicRelaxation::fieldIds() const {
-  using namespace PeridigmNS::PeridigmField;
-  auto& fields = PeridigmNS::FieldManager::self();
-  std::vector<int> ids = mechanicsFieldIds(false);
-  ids.push_back(fields.getFieldId(NODE, VECTOR, CONSTANT, velocityField));
-  ids.push_back(fields.getFieldId(NODE, VECTOR, CONSTANT, accelerationField));
-  ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, massField));
-  return ids;
 }
 
 void AdaptiveDynamicRelaxation::initialize(Simulation& simulation) {
@@ -80,7 +59,7 @@ void AdaptiveDynamicRelaxation::setRestartState(const RestartState& state) {
 void AdaptiveDynamicRelaxation::prepareMasses(Simulation& simulation) {
   Model& model = simulation.model;
   const auto n = static_cast<std::size_t>(model.nOwned());
-  double* mass = model.field(massField);
+  double* mass = model.field(fields_.mass);
   if (!hasMasses_) {
     // Breaking bonds only lowers the row sums: one estimate keeps the pseudo time step of one stable for the whole run.
     const auto overlap = model.blocks()->front().getDataManager()->getOverlapScalarPointMap();
@@ -112,8 +91,8 @@ void AdaptiveDynamicRelaxation::evaluateForce(Simulation& simulation, double dt,
 AdaptiveDynamicRelaxation::Norms AdaptiveDynamicRelaxation::measure(Simulation& simulation) const {
   Model& model = simulation.model;
   const Timers::Scope timer(model.timers(), "relaxation update");
-  const double *force = model.field("Force_Density"), *volume = model.field("Volume");
-  const double *velocity = model.field(velocityField), *before = model.field(accelerationField);
+  const double *force = model.field(fields_.force), *volume = model.field("Volume");
+  const double *velocity = model.field(fields_.velocity), *before = model.field(fields_.acceleration);
   double free = 0.0, external = 0.0, reaction = 0.0, stiffness = 0.0, kinetic = 0.0;
   const std::size_t n = inverseMass_.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -141,9 +120,9 @@ AdaptiveDynamicRelaxation::Norms AdaptiveDynamicRelaxation::measure(Simulation& 
 void AdaptiveDynamicRelaxation::move(Simulation& simulation, double damping) {
   Model& model = simulation.model;
   const Timers::Scope timer(model.timers(), "relaxation update");
-  const double* force = model.field("Force_Density");
-  double *displacement = model.field("Displacement"), *velocity = model.field(velocityField);
-  double* before = model.field(accelerationField);
+  const double* force = model.field(fields_.force);
+  double *displacement = model.field(fields_.displacement), *velocity = model.field(fields_.velocity);
+  double* before = model.field(fields_.acceleration);
   // The first step of a motion starts from rest at half a step.
   const double keep = isMoving_ ? (2.0 - damping) / (2.0 + damping) : 0.0;
   const double push = isMoving_ ? 2.0 / (2.0 + damping) : 0.5;
@@ -179,7 +158,7 @@ void AdaptiveDynamicRelaxation::iterateFixed(Simulation& simulation, double dt) 
 
 int AdaptiveDynamicRelaxation::relax(Simulation& simulation, double t, double dt, int nAllowed) {
   Model& model = simulation.model;
-  double* velocity = model.field(velocityField);
+  double* velocity = model.field(fields_.velocity);
   std::fill(velocity, velocity + inverseMass_.size(), 0.0);
   isMoving_ = false;
   for (int k = 0;; ++k) {

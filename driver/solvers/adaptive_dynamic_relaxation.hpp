@@ -27,7 +27,16 @@ class AdaptiveDynamicRelaxation : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit AdaptiveDynamicRelaxation(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  struct Fields : MechanicsFields {
+    // What a restart needs. The pseudo time has no unit.
+    FieldHandle velocity =
+        writes(pd::fields::pointVector("Relaxation_Velocity", "m", "Motion an iteration of the relaxation."));
+    FieldHandle acceleration = writes(pd::fields::pointVector(
+        "Relaxation_Acceleration", "m", "Force density over fictitious mass in the iteration before."));
+    FieldHandle mass =
+        writes(pd::fields::pointScalar("Relaxation_Mass", "N/m4", "Fictitious mass of the relaxation, per volume."));
+  };
+  const Fields& fields() const override { return fields_; }
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
@@ -52,6 +61,7 @@ class AdaptiveDynamicRelaxation : public Solver {
   int relax(Simulation& simulation, double t, double dt, int nAllowed);
   double residual(const Norms& norms);
 
+  Fields fields_;
   int iterationsPerLoadStep_ = 0;  ///< 0: to the tolerance
   int maximumIterations_, nIncrements_;
   double relativeTolerance_;

@@ -2,14 +2,14 @@
 
 #include <map>
 
-#include "Peridigm_Field.hpp"
 #include "declarations.hpp"
 #include "diffusion/scalar_unknown.hpp"
-#include "field_names.hpp"
 
 namespace pd {
 
 namespace {
+
+constexpr const char* name = "Diffusion";
 
 std::string joined(const std::vector<std::string>& names) {
   std::string result;
@@ -52,10 +52,10 @@ void Diffusion::declareParameters(ParameterDeclarations& declare) {
   addDeclarations(declare, marked);
 }
 
-Diffusion::Diffusion(const Teuchos::ParameterList& given) {
+Diffusion::Diffusion(const Teuchos::ParameterList& given) : fields_(completed<Diffusion>(given, name)) {
+  const auto parameters = completed<Diffusion>(given, name);
   ParameterDeclarations declarations;
   declareParameters(declarations);
-  const auto parameters = declarations.complete(given, "Diffusion");
   field_ = parameters.get<std::string>("Field");
   nIncrements_ = parameters.get<int>("Load Steps");
 
@@ -74,15 +74,6 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given) {
   }
   if (!mistakes.empty()) throw std::invalid_argument(mistakes);
   integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters));
-}
-
-std::vector<int> Diffusion::fieldIds() const {
-  using namespace PeridigmNS::PeridigmField;
-  auto& fields = PeridigmNS::FieldManager::self();
-  std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, field_),
-                          fields.getFieldId(NODE, SCALAR, TWO_STEP, fluxDivergenceField(field_))};
-  for (const int id : integrator_->fieldIds()) ids.push_back(id);
-  return ids;
 }
 
 void Diffusion::initialize(Simulation& simulation) {

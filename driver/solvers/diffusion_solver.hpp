@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diffusion/rate_integrator.hpp"
+#include "diffusion/scalar_fields.hpp"
 #include "solver.hpp"
 
 namespace pd {
@@ -18,7 +19,8 @@ class Diffusion : public Solver {
   /// Throws std::invalid_argument for a key of another method.
   explicit Diffusion(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  using Fields = ScalarFields;
+  const Fields& fields() const override { return fields_; }
   /// Throws RunError where no material of the run gives a flux divergence of the field.
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
@@ -29,6 +31,7 @@ class Diffusion : public Solver {
   void modelHasChanged() override { integrator_->modelHasChanged(); }
 
  private:
+  Fields fields_;
   std::string field_, method_;
   int nIncrements_;
   Teuchos::RCP<RateIntegrator> integrator_;

@@ -6,22 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "Peridigm_Field.hpp"
+#include "damage_watch.hpp"
 #include "diffusion/scalar_unknown.hpp"
 #include "field_names.hpp"
-#include "supports.hpp"
 
 namespace pd {
-
-namespace {
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  ImplicitDiffusion::declareParameters(declarations);
-  return declarations.complete(given, "ImplicitDiffusion");
-}
-
-}  // namespace
 
 void ImplicitDiffusion::declareParameters(ParameterDeclarations& declare) {
   declare.text("Field", "The scalar point field whose steady state is wanted.").defaultTo("Temperature");
@@ -38,8 +27,10 @@ void ImplicitDiffusion::declareParameters(ParameterDeclarations& declare) {
 }
 
 ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
-    : loadSteps_(completed(given), "ImplicitDiffusion"), linear_(completed(given)) {
-  const auto parameters = completed(given);
+    : fields_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion")),
+      loadSteps_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion"), "ImplicitDiffusion"),
+      linear_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion")) {
+  const auto parameters = completed<ImplicitDiffusion>(given, "ImplicitDiffusion");
   field_ = parameters.get<std::string>("Field");
   fluxField_ = fluxDivergenceField(field_);
   maximumIterations_ = parameters.get<int>("Maximum Solver Iterations");
@@ -48,12 +39,6 @@ ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
     relativeTolerance_ = 0.0;
   }
   if (parameters.isParameter("Relative Tolerance")) relativeTolerance_ = parameters.get<double>("Relative Tolerance");
-}
-
-std::vector<int> ImplicitDiffusion::fieldIds() const {
-  using namespace PeridigmNS::PeridigmField;
-  auto& fields = PeridigmNS::FieldManager::self();
-  return {fields.getFieldId(NODE, SCALAR, TWO_STEP, field_), fields.getFieldId(NODE, SCALAR, TWO_STEP, fluxField_)};
 }
 
 void ImplicitDiffusion::initialize(Simulation& simulation) {

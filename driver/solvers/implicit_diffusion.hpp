@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../linear/linear_system.hpp"
+#include "diffusion/scalar_fields.hpp"
 #include "linear_solver_settings.hpp"
 #include "load_steps.hpp"
 #include "solver.hpp"
@@ -24,7 +25,8 @@ class ImplicitDiffusion : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit ImplicitDiffusion(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  using Fields = ScalarFields;
+  const Fields& fields() const override { return fields_; }
   /// Throws RunError where no material of the run gives a flux divergence of the field.
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double t0, double t1) override { return loadSteps_.count(t0, t1); }
@@ -44,6 +46,7 @@ class ImplicitDiffusion : public Solver {
   void solveLinear(Simulation& simulation, double tolerance);
   double largestValue(Simulation& simulation) const;
 
+  Fields fields_;
   std::string field_, fluxField_;
   LoadSteps loadSteps_;
   LinearSolverSettings linear_;

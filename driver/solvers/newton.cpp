@@ -16,9 +16,6 @@ namespace pd {
 
 namespace {
 
-/// Where the tangent was made: from this a restart makes the same one again.
-constexpr const char* tangentField = "Tangent_Displacement";
-
 /// Watches a tangent for values that couple two points of which neither is one of `centres`.
 class FamilyCouplingProbe : public PeridigmNS::SerialMatrix {
  public:
@@ -49,11 +46,6 @@ constexpr double goodReduction = 0.3;
 
 }  // namespace
 
-std::vector<int> Newton::fieldIds() {
-  using namespace PeridigmNS::PeridigmField;
-  return {PeridigmNS::FieldManager::self().getFieldId(NODE, VECTOR, CONSTANT, tangentField)};
-}
-
 void Newton::hold(const std::vector<char>& isHeld) {
   if (isHeld != isHeld_) hasTangent_ = false;
   isHeld_ = isHeld;
@@ -63,7 +55,7 @@ Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::v
   Model& model = simulation.model;
   model.updateCoordinates();
   model.evaluateForce(dt);
-  const double *force = model.field("Force_Density"), *volume = model.field("Volume");
+  const double *force = model.field(fields_.force), *volume = model.field("Volume");
   const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
   residual_.assign(isHeld_.size(), 0.0);
   std::array<double, 3> mine{}, all{};  // squares of the free, external and reaction forces
@@ -127,9 +119,9 @@ void Newton::assemble(Simulation& simulation, double dt) {
   stiffenLoosePoints(model);
   damp(model);
 
-  const double* displacement = model.field("Displacement");
-  const double* coordinates = model.field("Coordinates");
-  std::copy(displacement, displacement + isHeld_.size(), model.field(tangentField));
+  const double* displacement = model.field(fields_.displacement);
+  const double* coordinates = model.field(fields_.coordinates);
+  std::copy(displacement, displacement + isHeld_.size(), model.field(fields_.tangentDisplacement));
   const std::vector<double> diagonal = system_->diagonal();
   double farthest = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < isHeld_.size(); ++i) {
@@ -187,9 +179,9 @@ void Newton::prepareTangent(Simulation& simulation, double dt) {
 
 void Newton::restoreTangent(Simulation& simulation, double dt) {
   Model& model = simulation.model;
-  double* displacement = model.field("Displacement");
+  double* displacement = model.field(fields_.displacement);
   const std::vector<double> present(displacement, displacement + isHeld_.size());
-  const double* remembered = model.field(tangentField);
+  const double* remembered = model.field(fields_.tangentDisplacement);
   std::copy(remembered, remembered + isHeld_.size(), displacement);
   hasTangent_ = false;
   prepareTangent(simulation, dt);
@@ -216,7 +208,7 @@ LinearSolveReport Newton::solveLinear(Simulation& simulation, double tolerance) 
 
 void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
-  double* displacement = model.field("Displacement");
+  double* displacement = model.field(fields_.displacement);
   const double* start = model.fieldAtN("Displacement");
   const std::size_t n = isHeld_.size();
   std::vector<double> moved(n);
@@ -244,7 +236,7 @@ void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vect
 
 /// Moves along step_, halved until the residual decreases. Returns the reduction; 1 or more where there is none.
 double Newton::search(Simulation& simulation, double dt, const std::vector<double>& externalForce, Balance& balance) {
-  double* displacement = simulation.model.field("Displacement");
+  double* displacement = simulation.model.field(fields_.displacement);
   const std::vector<double> origin(displacement, displacement + isHeld_.size());
   const double before = balance.free;
   double length = 1.0;

@@ -8,6 +8,7 @@
 
 #include "../linear/linear_system.hpp"
 #include "../model/simulation.hpp"
+#include "mechanics.hpp"
 
 namespace pd {
 
@@ -36,8 +37,10 @@ class Newton {
  public:
   explicit Newton(NewtonSettings settings) : settings_(std::move(settings)) {}
 
-  /// Registers the fields that Newton needs beyond those of mechanics.
-  static std::vector<int> fieldIds();
+  struct Fields : MechanicsFields {
+    FieldHandle tangentDisplacement = writes(pd::fields::pointVector(
+        "Tangent_Displacement", "m", "Where the tangent was made: from this a restart makes the same one again."));
+  };
 
   /// `isHeld` [3 nOwned]. A tangent of other held degrees of freedom is dropped.
   void hold(const std::vector<char>& isHeld);
@@ -78,6 +81,7 @@ class Newton {
   LinearSolveReport solveLinear(Simulation& simulation, double tolerance);
   double search(Simulation& simulation, double dt, const std::vector<double>& externalForce, Balance& balance);
 
+  Fields fields_;
   NewtonSettings settings_;
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isHeld_;             ///< [3 nOwned]

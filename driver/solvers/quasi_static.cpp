@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Peridigm_Field.hpp"
+#include "damage_watch.hpp"
 #include "linear_solver_settings.hpp"
 #include "mechanics.hpp"
 
 namespace pd {
 
 namespace {
-
-/// Displacement increment of the load step before, from which the next one is predicted.
-constexpr const char* incrementField = "Displacement_Increment";
 
 NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   NewtonSettings settings;
@@ -34,12 +31,6 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
   return settings;
-}
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  QuasiStatic::declareParameters(declarations);
-  return declarations.complete(given, "QuasiStatic");
 }
 
 }  // namespace
@@ -83,19 +74,12 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
 }
 
 QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given)
-    : loadSteps_(completed(given), "QuasiStatic"), newton_(newtonSettings(completed(given))) {
-  const auto parameters = completed(given);
+    : fields_(completed<QuasiStatic>(given, "QuasiStatic")),
+      loadSteps_(completed<QuasiStatic>(given, "QuasiStatic"), "QuasiStatic"),
+      newton_(newtonSettings(completed<QuasiStatic>(given, "QuasiStatic"))) {
+  const auto parameters = completed<QuasiStatic>(given, "QuasiStatic");
   maximumBreakagePasses_ = parameters.get<int>("Maximum Breakage Passes");
   maximumHalvings_ = parameters.get<int>("Maximum Load Step Reductions");
-  setsVelocity_ = parameters.get<bool>("Velocity From Increments");
-}
-
-std::vector<int> QuasiStatic::fieldIds() const {
-  using namespace PeridigmNS::PeridigmField;
-  std::vector<int> ids = mechanicsFieldIds(setsVelocity_);
-  for (const int id : Newton::fieldIds()) ids.push_back(id);
-  ids.push_back(PeridigmNS::FieldManager::self().getFieldId(NODE, VECTOR, CONSTANT, incrementField));
-  return ids;
 }
 
 void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
@@ -106,9 +90,9 @@ double QuasiStatic::incrementEnd(int increment, int nIncrements, double t0, doub
   return loadSteps_.end(increment, nIncrements, t0, t1);
 }
 
-void QuasiStatic::findSupports(Simulation& simulation) {
+void QuasiStatic::findLooseParts(Simulation& simulation) {
   const HeldInPlace before = std::move(held_);
-  held_ = supports_->find(simulation.model, heldDisplacements(simulation));
+  held_ = looseParts_->find(simulation.model, heldDisplacements(simulation));
   newton_.hold(held_.isHeld);
   if (held_.sameCounts(before)) return;
   simulation.output.log(fmt::format(
@@ -125,14 +109,14 @@ void QuasiStatic::takeUpBreakage(Simulation& simulation) {
     mustRestoreTangent_ = false;
     lastLength_ = 0.0;
   }
-  if (supports_ && !hasBroken) return;
-  if (!supports_) supports_ = std::make_unique<Supports>(simulation.model);
-  findSupports(simulation);
+  if (looseParts_ && !hasBroken) return;
+  if (!looseParts_) looseParts_ = std::make_unique<LooseParts>(simulation.model);
+  findLooseParts(simulation);
 }
 
 void QuasiStatic::extrapolate(Simulation& simulation, double dt) {
-  double* displacement = simulation.model.field("Displacement");
-  const double* increment = simulation.model.field(incrementField);
+  double* displacement = simulation.model.field(fields_.displacement);
+  const double* increment = simulation.model.field(fields_.increment);
   for (std::size_t i = 0; i < held_.isHeld.size(); ++i)
     if (!held_.isHeld[i]) displacement[i] += increment[i] * (dt / lastLength_);
 }
@@ -163,7 +147,7 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
     before = after;
     lastLength_ = 0.0;
     ++nPasses_;
-    findSupports(simulation);
+    findLooseParts(simulation);
     newton_.dropTangent();
     if (!reachEquilibrium(simulation, dt)) fail(t + dt, " after bonds broke");
   }
@@ -202,8 +186,8 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
     advanceInParts(simulation, t + 0.5 * dt, 0.5 * dt, nHalvings + 1);
     return;
   }
-  const double *displacement = model.field("Displacement"), *start = model.fieldAtN("Displacement");
-  double* increment = model.field(incrementField);
+  const double *displacement = model.field(fields_.displacement), *start = model.fieldAtN("Displacement");
+  double* increment = model.field(fields_.increment);
   for (std::size_t i = 0; i < held_.isHeld.size(); ++i) increment[i] = displacement[i] - start[i];
   lastLength_ = dt;
   breakBonds(simulation, t, dt);
@@ -217,12 +201,12 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);
-  const double* displacement = simulation.model.field("Displacement");
+  const double* displacement = simulation.model.field(fields_.displacement);
   std::vector<double> start;
-  if (setsVelocity_) start.assign(displacement, displacement + held_.isHeld.size());
+  if (fields_.velocity.isUsed()) start.assign(displacement, displacement + held_.isHeld.size());
   advanceInParts(simulation, t, dt, 0);
-  if (setsVelocity_) {
-    double* velocity = simulation.model.field("Velocity");
+  if (fields_.velocity.isUsed()) {
+    double* velocity = simulation.model.field(fields_.velocity);
     for (std::size_t i = 0; i < start.size(); ++i) velocity[i] = (displacement[i] - start[i]) / dt;
   }
   simulation.model.requireFinite("Displacement", loadStep_);

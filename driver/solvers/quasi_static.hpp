@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "load_steps.hpp"
+#include "loose_parts.hpp"
 #include "newton.hpp"
 #include "solver.hpp"
-#include "supports.hpp"
 
 namespace pd {
 
@@ -23,7 +23,15 @@ class QuasiStatic : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit QuasiStatic(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  struct Fields : Newton::Fields {
+    FieldHandle increment = writes(pd::fields::pointVector(
+        "Displacement_Increment", "m", "Displacement in the load step before, from which the next is predicted."));
+    FieldHandle velocity;
+    explicit Fields(const Teuchos::ParameterList& parameters) {
+      if (parameters.get<bool>("Velocity From Increments")) velocity = writes(pd::fields::velocity());
+    }
+  };
+  const Fields& fields() const override { return fields_; }
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
@@ -35,8 +43,8 @@ class QuasiStatic : public Solver {
   void fieldsHaveChanged() override { looksForBreakage_ = true; }
 
  private:
-  void findSupports(Simulation& simulation);
-  /// Finds supports, anew where other solvers have broken bonds since the last load step.
+  void findLooseParts(Simulation& simulation);
+  /// Finds loose parts, anew where other solvers have broken bonds since the last load step.
   void takeUpBreakage(Simulation& simulation);
   /// Adds the increment of the load step before, in proportion to the length.
   void extrapolate(Simulation& simulation, double dt);
@@ -46,11 +54,11 @@ class QuasiStatic : public Solver {
   void breakBonds(Simulation& simulation, double t, double dt);
   [[noreturn]] void fail(double t, const std::string& when) const;
 
+  Fields fields_;
   LoadSteps loadSteps_;
   int maximumBreakagePasses_, maximumHalvings_;
-  bool setsVelocity_;
   Newton newton_;
-  std::unique_ptr<Supports> supports_;
+  std::unique_ptr<LooseParts> looseParts_;
   HeldInPlace held_;
   NewtonOutcome outcome_;
   std::vector<double> externalForce_;  ///< [3 nOwned] N/m3

@@ -13,12 +13,10 @@
 namespace pd {
 
 /// Registered by the name of its list in the deck's Solver section ("Verlet", "Staggered", ...).
-class Solver {
+class Solver : public FieldUser {
  public:
-  virtual ~Solver() = default;
-
-  /// Labels of fields that this solver needs beyond the plug-ins'; registers them with the FieldManager.
-  virtual std::vector<int> fieldIds() const { return {}; }
+  /// Fields of points that this solver needs, the plug-ins' among them.
+  const FieldTable& fields() const override = 0;
   /// Fields whose far field (BoundaryConditions::farField) this solver takes into account.
   virtual std::vector<std::string> fieldsWithFarField() const { return {}; }
   /// Called once when the model is initialised.

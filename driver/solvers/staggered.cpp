@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "declarations.hpp"
+#include "mechanics.hpp"
 
 namespace pd {
 
@@ -40,9 +41,7 @@ void Staggered::declareParameters(ParameterDeclarations& declare) {
 }
 
 Staggered::Staggered(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  declareParameters(declarations);
-  const auto parameters = declarations.complete(given, "Staggered");
+  const auto parameters = completed<Staggered>(given, "Staggered");
   nLoadSteps_ = parameters.get<int>("Load Steps");
   hasNames_ = parameters.isSublist("Solvers");
   if (!hasNames_) {
@@ -69,11 +68,17 @@ Staggered::Staggered(const Teuchos::ParameterList& given) {
   }
 }
 
-std::vector<int> Staggered::fieldIds() const {
-  std::vector<int> ids;
-  for (const StaggeredPart& part : parts_)
-    for (const int id : part.fieldIds()) ids.push_back(id);
-  return ids;
+FieldTable Staggered::describeFields() {
+  FieldTable fields = SolverRegistry::self().find("Diffusion")->fields();
+  fields.include(MechanicsFields());
+  return fields;
+}
+
+/// Made when asked for: a part may watch a field that only the rest of the deck makes known.
+const FieldTable& Staggered::fields() const {
+  fields_ = FieldTable();
+  for (const StaggeredPart& part : parts_) fields_.include(part.fields());
+  return fields_;
 }
 
 std::vector<std::string> Staggered::fieldsWithFarField() const {

@@ -20,7 +20,9 @@ class Staggered : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit Staggered(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  /// With the default field of diffusion.
+  static FieldTable describeFields();
+  const FieldTable& fields() const override;
   std::vector<std::string> fieldsWithFarField() const override;
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
@@ -31,6 +33,7 @@ class Staggered : public Solver {
   void modelHasChanged() override;
 
  private:
+  mutable FieldTable fields_;  ///< of the parts
   int nLoadSteps_;
   bool hasNames_;  ///< the parts have names that the deck gave them
   double endTime_ = std::numeric_limits<double>::infinity();

@@ -104,26 +104,35 @@ std::string StaggeredPart::memoryField() const {
   return label;
 }
 
-std::vector<int> StaggeredPart::fieldIds() const {
-  std::vector<int> ids = solver_->fieldIds();
-  FieldManager& fields = FieldManager::self();
-  if (watchedField_.empty() || !fields.hasField(watchedField_)) return ids;
-  ids.push_back(fields.getFieldId(watchedField_));
-  ids.push_back(fields.getFieldId(PeridigmField::NODE, fields.getFieldSpec(watchedField_).length,
-                                  PeridigmField::CONSTANT, memoryField()));
-  return ids;
+FieldTable StaggeredPart::fields() const {
+  struct Fields : FieldTable {
+    explicit Fields(const FieldTable& solver) { include(solver); }
+    using FieldTable::reads;
+    using FieldTable::writes;
+  } fields(solver_->fields());
+  if (watchedField_.empty() || !FieldManager::self().hasField(watchedField_)) return std::move(fields);
+  const PeridigmNS::FieldSpec watched = FieldManager::self().getFieldSpec(watchedField_);
+  FieldDescription field = pd::fields::pointScalar(watchedField_, "unit of the field", "What the part watches.");
+  field.relation = watched.relation;
+  field.length = watched.length;
+  field.temporal = watched.temporal;
+  fields.reads(field);
+  FieldDescription memory = pd::fields::pointScalar(memoryField(), "unit of the field",
+                                                    watchedField_ + " when the part " + name_ + " last ran.");
+  memory.length = watched.length;
+  fields.writes(memory);
+  return std::move(fields);
 }
 
 bool StaggeredPart::changesDamage() const {
-  const std::vector<int> ids = solver_->fieldIds();
-  return std::any_of(ids.begin(), ids.end(), [](int id) {
-    const std::string label = FieldManager::self().getFieldSpec(id).label;
-    return label == "Displacement" || label == "Damage";
+  const std::vector<FieldUse>& uses = solver_->fields().uses();
+  return std::any_of(uses.begin(), uses.end(), [](const FieldUse& use) {
+    return use.field.label == "Displacement" || use.field.label == "Damage";
   });
 }
 
 bool StaggeredPart::isLike(const StaggeredPart& other) const {
-  return solverName_ == other.solverName_ && solver_->fieldIds() == other.solver_->fieldIds();
+  return solverName_ == other.solverName_ && solver_->fields().ids() == other.solver_->fields().ids();
 }
 
 void StaggeredPart::remember(Model& model) {

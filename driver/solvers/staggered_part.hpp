@@ -28,7 +28,7 @@ class StaggeredPart {
   const std::string& name() const { return name_; }
   Solver& solver() const { return *solver_; }
   /// Its solver's, and what remembers the field of `When` (which the check of a deck has looked for).
-  std::vector<int> fieldIds() const;
+  FieldTable fields() const;
   /// Whether its solver moves or damages the body.
   bool changesDamage() const;
   /// Whether another does the same on the same fields, so that the two would share what they keep there.

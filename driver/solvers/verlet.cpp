@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bulk_modulus_step.hpp"
-#include "mechanics.hpp"
+#include "largest_frequency.hpp"
 
 namespace pd {
 
@@ -32,9 +32,7 @@ void Verlet::declareParameters(ParameterDeclarations& declare) {
 }
 
 Verlet::Verlet(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  declareParameters(declarations);
-  const auto parameters = declarations.complete(given, "Verlet");
+  const auto parameters = completed<Verlet>(given, "Verlet");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
   usesBulkModulus_ =
       parameters.isParameter("Critical Step") && parameters.get<std::string>("Critical Step") == "Bulk Modulus";
@@ -43,8 +41,6 @@ Verlet::Verlet(const Teuchos::ParameterList& given) {
   allowUnstableStep_ = parameters.get<bool>("Allow Unstable Step");
   damping_ = parameters.get<double>("Damping");
 }
-
-std::vector<int> Verlet::fieldIds() const { return mechanicsFieldIds(true); }
 
 RestartState Verlet::restartState() const {
   return {{"steps", static_cast<double>(step_)}, {"critical step", criticalStep_}};
@@ -146,8 +142,8 @@ void Verlet::advance(Simulation& simulation, double t, double dt) {
     forceIsCurrent_ = true;
   }
   const std::size_t n = inverseDensity_.size();
-  double *displacement = model.field("Displacement"), *velocity = model.field("Velocity");
-  const double* force = model.field("Force_Density");
+  double *displacement = model.field(fields_.displacement), *velocity = model.field(fields_.velocity);
+  const double* force = model.field(fields_.force);
   {
     const Timers::Scope timer(model.timers(), "time stepping");
     const double keep = 1.0 - 0.5 * dt * damping_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics.hpp"
 #include "solver.hpp"
 
 namespace pd {
@@ -15,7 +16,10 @@ class Verlet : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit Verlet(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  struct Fields : MechanicsFields {
+    FieldHandle velocity = writes(pd::fields::velocity());
+  };
+  const Fields& fields() const override { return fields_; }
   /// Estimates the critical time step. Throws RunError where "Fixed dt" is above it.
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
@@ -34,6 +38,7 @@ class Verlet : public Solver {
   void evaluateForce(Simulation& simulation, double t, double dt);
   double stepToUse() const;
 
+  Fields fields_;
   double fixedStep_ = 0.0;  ///< 0: not given
   double safetyFactor_, damping_;
   bool allowUnstableStep_, usesBulkModulus_;

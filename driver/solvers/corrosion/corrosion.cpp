@@ -7,23 +7,15 @@
 #include <limits>
 
 #include "../declarations.hpp"
-#include "Peridigm_Field.hpp"
+#include "dissolve_loose_metal.hpp"
 #include "field_names.hpp"
-#include "loose_metal.hpp"
 #include "transport_methods.hpp"
 
 namespace pd {
 
 namespace {
 
-const std::string lastTransportRate = "Last_Transport_Rate";  // of liquid points, NaN elsewhere; in checkpoints
 const std::string rateField = fluxDivergenceField("Concentration");
-
-Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  Corrosion::declareParameters(declarations);
-  return declarations.complete(given, "Corrosion");
-}
 
 /// Throws RunError where a point has less than no metal, or more than the solid or, electrolyte, `fullest` times
 /// saturation, by more than the share `slack` of saturation.
@@ -70,7 +62,7 @@ void Corrosion::declareParameters(ParameterDeclarations& declare) {
 }
 
 Corrosion::Corrosion(const Teuchos::ParameterList& given) {
-  const auto parameters = completed(given);
+  const auto parameters = completed<Corrosion>(given, "Corrosion");
   transport_ = makeTransportStep(parameters);
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
@@ -82,23 +74,9 @@ Corrosion::Corrosion(const Teuchos::ParameterList& given) {
                                                       : std::numeric_limits<double>::infinity();
 }
 
-std::vector<int> Corrosion::fieldIds() const {
-  using namespace PeridigmNS::PeridigmField;
-  auto& fields = PeridigmNS::FieldManager::self();
-  std::vector<int> ids = {fields.getFieldId(NODE, SCALAR, TWO_STEP, "Concentration"),
-                          fields.getFieldId(NODE, SCALAR, TWO_STEP, rateField),
-                          fields.getFieldId(ELEMENT, SCALAR, TWO_STEP, "Damage")};
-  for (const char* label :
-       {"Salt_Coverage", "Dissolution_Demand", "Interface_Area_Density", "Dissolution_Rate", "Dissolution_Rate_Slope",
-        "Solid_Concentration", "Saturation_Concentration", "Transport_Unknown", lastTransportRate.c_str()})
-    ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, label));
-  ids.push_back(fields.getFieldId(NODE, SCALAR, CONSTANT, "Current_Density"));
-  return ids;
-}
-
 void Corrosion::initialize(Simulation& simulation) {
   Model& model = simulation.model;
-  const double* saturation = model.field("Saturation_Concentration");
+  const double* saturation = model.field(fields_.saturation);
   bool isCorrosion = model.hasDamage();
   for (int i = 0; i < model.nOwned(); ++i) isCorrosion = isCorrosion && saturation[i] > 0.0;
   if (model.comm().any(!isCorrosion))
@@ -112,7 +90,7 @@ void Corrosion::initialize(Simulation& simulation) {
 double Corrosion::metal(Simulation& simulation) const {
   Model& model = simulation.model;
   const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
-  const double *volume = model.field("Volume"), *concentration = model.field("Concentration");
+  const double *volume = model.field("Volume"), *concentration = model.field(fields_.concentration);
   double sum = 0.0;
   for (int i = 0; i < model.nOwned(); ++i)
     if (isHeld[static_cast<std::size_t>(i)] == 0) sum += volume[i] * concentration[i];
@@ -121,8 +99,8 @@ double Corrosion::metal(Simulation& simulation) const {
 
 double Corrosion::frontAdvance(Simulation& simulation) const {
   Model& model = simulation.model;
-  const double* concentration = model.field("Concentration");
-  const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
+  const double* concentration = model.field(fields_.concentration);
+  const double *solid = model.field(fields_.solid), *saturation = model.field(fields_.saturation);
   double largest = 0.0;
   for (const auto& [i, before] : untouched_)
     largest = std::max(largest, (before - concentration[i]) / (solid[i] - saturation[i]));
@@ -133,8 +111,8 @@ double Corrosion::frontAdvance(Simulation& simulation) const {
 double Corrosion::timeError(Simulation& simulation, double h) const {
   Model& model = simulation.model;
   if (nSteps_ == 0) return 0.0;
-  const double *volume = model.field("Volume"), *saturation = model.field("Saturation_Concentration");
-  const double *area = model.field("Interface_Area_Density"), *lastRate = model.field(lastTransportRate);
+  const double *volume = model.field("Volume"), *saturation = model.field(fields_.saturation);
+  const double *area = model.field(fields_.area), *lastRate = model.field(fields_.lastRate);
   double square = 0.0, total = 0.0;
   for (std::size_t k = 0; k < lists_.liquid().size(); ++k) {
     const int i = lists_.liquid()[k];
@@ -149,7 +127,7 @@ double Corrosion::timeError(Simulation& simulation, double h) const {
 
 void Corrosion::evaluateDamage(Model& model, double h) {
   model.evaluateDamage(h);
-  const double* concentration = model.field("Concentration");
+  const double* concentration = model.field(fields_.concentration);
   const std::vector<int> reached = lists_.update(model);
   model.touch(reached);
   for (const int i : reached) untouched_.push_back({i, concentration[i]});
@@ -157,9 +135,9 @@ void Corrosion::evaluateDamage(Model& model, double h) {
 
 bool Corrosion::carryOver(Simulation& simulation, double h) {
   Model& model = simulation.model;
-  double *concentration = model.field("Concentration"), *demand = model.field("Dissolution_Demand");
-  const double *saturation = model.field("Saturation_Concentration"), *rate = model.field(rateField);
-  double* salt = model.field("Salt_Coverage");
+  double *concentration = model.field(fields_.concentration), *demand = model.field(fields_.demand);
+  const double *saturation = model.field(fields_.saturation), *rate = model.field(fields_.rate);
+  double* salt = model.field(fields_.salt);
   const auto fillLiquid = [&](double* values, double value) {
     for (const int i : lists_.liquid()) values[i] = value;
     std::fill(values + model.nOwned(), values + model.nPoints(), value);
@@ -209,7 +187,7 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
 
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
-  const double* concentration = model.field("Concentration");
+  const double* concentration = model.field(fields_.concentration);
   model.beginStep(lists_.liquid());
   model.touch(lists_.dissolving());
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
@@ -240,7 +218,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   }
   const double* volume = model.field("Volume");
   double left = 0.0;
-  double* lastRate = model.field(lastTransportRate);
+  double* lastRate = model.field(fields_.lastRate);
   for (std::size_t k = 0; k < transport_->points().size(); ++k) {
     const int i = transport_->points()[k];
     left += volume[i] * h * (transport_->isUnknown()[k] == 0 ? transport_->rate()[k] : -transport_->inflow()[k]);
@@ -269,7 +247,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
   surface_.hide(simulation.model);
   lists_.reset(simulation.model);
   if (nSteps_ == 0) {
-    double* lastRate = simulation.model.field(lastTransportRate);
+    double* lastRate = simulation.model.field(fields_.lastRate);
     std::fill(lastRate, lastRate + simulation.model.nPoints(), std::numeric_limits<double>::quiet_NaN());
   }
   transport_->forget();

@@ -16,7 +16,24 @@ class Corrosion : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit Corrosion(const Teuchos::ParameterList& given);
 
-  std::vector<int> fieldIds() const override;
+  struct Fields : FieldTable {
+    FieldHandle concentration = writes(pd::fields::ionConcentration());
+    FieldHandle rate = reads(pd::fields::ionFluxDivergence());
+    FieldHandle damage = reads(pd::fields::damage());
+    FieldHandle salt = writes(pd::fields::saltCoverage());
+    FieldHandle demand = writes(pd::fields::dissolutionDemand());
+    FieldHandle area = reads(pd::fields::interfaceAreaDensity());
+    FieldHandle dissolution = reads(pd::fields::dissolutionRate());
+    FieldHandle slope = reads(pd::fields::dissolutionRateSlope());
+    FieldHandle solid = reads(pd::fields::solidConcentration());
+    FieldHandle saturation = reads(pd::fields::saturationConcentration());
+    FieldHandle current = reads(pd::fields::currentDensity());
+    FieldHandle unknown =
+        writes(pd::fields::pointScalar("Transport_Unknown", "1", "Of the linear system of a step, for its exchange."));
+    FieldHandle lastRate = writes(pd::fields::pointScalar(
+        "Last_Transport_Rate", "mol/(m3 s)", "Rate of liquid points in the step before; no number elsewhere."));
+  };
+  const Fields& fields() const override { return fields_; }
   std::vector<std::string> fieldsWithFarField() const override { return {"Concentration"}; }
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
@@ -38,6 +55,7 @@ class Corrosion : public Solver {
   double metal(Simulation& simulation) const;
   double nextStep(double h) const;
 
+  Fields fields_;
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, slack_, frontLimit_, largestStep_;
   std::unique_ptr<TransportStep> transport_;

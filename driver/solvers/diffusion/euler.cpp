@@ -27,9 +27,7 @@ class Euler : public RateIntegrator {
   }
 
   explicit Euler(const Teuchos::ParameterList& given) {
-    ParameterDeclarations declarations;
-    declareParameters(declarations);
-    const auto parameters = declarations.complete(given, "Euler");
+    const auto parameters = completed<Euler>(given, "Euler");
     if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
     if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
     safetyFactor_ = parameters.get<double>("Safety Factor");

@@ -19,8 +19,9 @@ class ImplicitEuler : public RateIntegrator {
     ImplicitStage::declareParameters(declare);
   }
 
-  explicit ImplicitEuler(const Teuchos::ParameterList& given) : stage_(completed(given)) {
-    const auto parameters = completed(given);
+  explicit ImplicitEuler(const Teuchos::ParameterList& given)
+      : stage_(completed<ImplicitEuler>(given, "Implicit Euler")) {
+    const auto parameters = completed<ImplicitEuler>(given, "Implicit Euler");
     if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
     if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
   }
@@ -46,12 +47,6 @@ class ImplicitEuler : public RateIntegrator {
   void setRestartState(const RestartState& state) override { stage_.setMatrixStep(state["step of the matrix"]); }
 
  private:
-  static Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-    ParameterDeclarations declarations;
-    declareParameters(declarations);
-    return declarations.complete(given, "Implicit Euler");
-  }
-
   ImplicitStage stage_;
   int nSubSteps_ = 1;
   double timeStep_ = 0.0;  // 0: not given

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../supports.hpp"
+#include "../damage_watch.hpp"
 #include "scalar_unknown.hpp"
 
 namespace pd {

@@ -20,8 +20,6 @@ class RateIntegrator {
  public:
   virtual ~RateIntegrator() = default;
 
-  /// Labels of fields beyond `field` and its flux divergence; registers them with the FieldManager.
-  virtual std::vector<int> fieldIds() const { return {}; }
   /// Called once when the model is initialised. `field` exists, and so does fluxDivergenceField(field).
   virtual void initialize(Simulation&, const std::string& /*field*/) {}
   /// Advances `field` at STEP_NP1, which holds the values at t, to t + dt, ghosts included. Prescribed points hold
@@ -31,7 +29,7 @@ class RateIntegrator {
   virtual std::vector<std::string> summary() const { return {}; }
 
   /// Numbers that a bit-identical restart needs (the step that the controller proposes next). Point data (older levels
-  /// of a multi-step method) belong in fields of fieldIds().
+  /// of a multi-step method) belong in fields.
   virtual RestartState restartState() const { return {}; }
   virtual void setRestartState(const RestartState& /*state*/) {}
   /// After setRestartState(), as Solver::modelHasChanged().

@@ -33,9 +33,7 @@ void StabilizedRungeKutta::declareParameters(ParameterDeclarations& declare) {
 StabilizedRungeKutta::StabilizedRungeKutta(const Teuchos::ParameterList& given, const std::string& name,
                                            StabilizedFamily family)
     : name_(name), family_(family) {
-  ParameterDeclarations declarations;
-  declareParameters(declarations);
-  const auto parameters = declarations.complete(given, name);
+  const auto parameters = completed<StabilizedRungeKutta>(given, name);
   if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
   if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
   relativeTolerance_ =

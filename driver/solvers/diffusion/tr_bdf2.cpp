@@ -14,12 +14,6 @@ const double root2 = std::sqrt(2.0);
 const double gamma = 2.0 - root2;
 const double d = 1.0 - 0.5 * root2;
 
-Teuchos::ParameterList completed(const Teuchos::ParameterList& given) {
-  ParameterDeclarations declarations;
-  TrBdf2::declareParameters(declarations);
-  return declarations.complete(given, "TR-BDF2");
-}
-
 }  // namespace
 
 void TrBdf2::declareParameters(ParameterDeclarations& declare) {
@@ -39,8 +33,8 @@ void TrBdf2::declareParameters(ParameterDeclarations& declare) {
   ImplicitStage::declareParameters(declare);
 }
 
-TrBdf2::TrBdf2(const Teuchos::ParameterList& given) : stage_(completed(given)) {
-  const auto parameters = completed(given);
+TrBdf2::TrBdf2(const Teuchos::ParameterList& given) : stage_(completed<TrBdf2>(given, "TR-BDF2")) {
+  const auto parameters = completed<TrBdf2>(given, "TR-BDF2");
   if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
   if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
   if (parameters.isParameter("Relative Tolerance")) relativeTolerance_ = parameters.get<double>("Relative Tolerance");

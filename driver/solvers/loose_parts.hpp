@@ -1,6 +1,6 @@
-// What holds a body in place: its connected parts, their prescribed displacements, and what is missing.
-#ifndef PD_SUPPORTS_HPP
-#define PD_SUPPORTS_HPP
+// Parts of a body that nothing holds, and how a static solution holds them.
+#ifndef PD_LOOSE_PARTS_HPP
+#define PD_LOOSE_PARTS_HPP
 
 #include <vector>
 
@@ -25,9 +25,9 @@ struct HeldInPlace {
 /// Parts whose prescribed displacements leave a rigid-body motion free get as many further degrees of freedom held as
 /// there are free motions: they are then statically determinate, so that holding them adds no stress. The choice
 /// depends on geometry and global ids alone, not on ranks.
-class Supports {
+class LooseParts {
  public:
-  explicit Supports(const Model& model);
+  explicit LooseParts(const Model& model);
 
   /// `isPrescribed` [3 nOwned], with the components outside the dimension of the mesh set. Reads Bond_Damage: a bond
   /// below 1 carries force. Collective.
@@ -36,9 +36,6 @@ class Supports {
  private:
   GhostExchange ghosts_;
 };
-
-/// Sum of Bond_Damage over the directed bonds of all ranks: it grows whenever a bond breaks. Collective.
-double totalBondDamage(Model& model);
 
 }  // namespace pd
 

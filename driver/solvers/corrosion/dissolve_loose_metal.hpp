@@ -1,6 +1,6 @@
 // Points of dissolving metal that hang by no bond any more.
-#ifndef PD_LOOSE_METAL_HPP
-#define PD_LOOSE_METAL_HPP
+#ifndef PD_DISSOLVE_LOOSE_METAL_HPP
+#define PD_DISSOLVE_LOOSE_METAL_HPP
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "supports.hpp"
+#include "loose_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -242,10 +242,10 @@ class Holder {
 
 }  // namespace
 
-Supports::Supports(const Model& model)
+LooseParts::LooseParts(const Model& model)
     : ghosts_(model.comm(), model.discretization().globalIds, model.discretization().nOwned) {}
 
-HeldInPlace Supports::find(Model& model, const std::vector<char>& isPrescribed) const {
+HeldInPlace LooseParts::find(Model& model, const std::vector<char>& isPrescribed) const {
   HeldInPlace result;
   result.isHeld = isPrescribed;
   const ConnectedParts connected = findConnectedParts(model, ghosts_);
@@ -258,12 +258,6 @@ HeldInPlace Supports::find(Model& model, const std::vector<char>& isPrescribed) 
   result.nPointsWithoutBonds = model.comm().sum(result.nPointsWithoutBonds);
   Holder(model, connected, result.isHeld).holdLooseParts(result);
   return result;
-}
-
-double totalBondDamage(Model& model) {
-  double sum = 0.0;
-  forEachBond(model, [&](int, int, double damage) { sum += damage; });
-  return model.comm().sum(sum);
 }
 
 }  // namespace pd

@@ -1,4 +1,4 @@
-#include "loose_metal.hpp"
+#include "dissolve_loose_metal.hpp"
 
 #include <algorithm>
 
