@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "../deck/deck.hpp"
+#include "explain_fields.hpp"
 
 namespace pd {
 
@@ -67,10 +68,16 @@ std::string sectionText(const ReferenceChapter& chapter, const std::vector<Refer
          topicsText(topics);
 }
 
+std::string fieldsText(const ReferenceTopic& topic) {
+  std::string result;
+  for (const std::string& line : fieldLines(topic.fields())) result += wrapped(line, "    ");
+  return result.empty() ? "" : "\n  Fields; it\n" + result;
+}
+
 std::string topicText(const ReferenceChapter& chapter, const ReferenceTopic& topic) {
   const std::string keys = declarationsText(topic.declarations, "  ");
   return topic.name + " (" + chapter.title + ": " + chapter.useOf(topic) + ")\n" + wrapped(topic.brief, "  ") + "\n" +
-         (keys.empty() ? "  It takes no parameters.\n" : keys);
+         (keys.empty() ? "  It takes no parameters.\n" : keys) + fieldsText(topic);
 }
 
 void append(std::string& all, const std::string& text) { all += (all.empty() ? "" : "\n") + text; }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "../output/atomic_file.hpp"
+#include "explain_fields.hpp"
 
 namespace pd {
 
@@ -75,6 +76,13 @@ std::string keys(const ParameterDeclarations& declarations, const std::string& p
   return result;
 }
 
+std::string fieldsTable(const FieldTable& fields) {
+  std::string result;
+  for (const ExplainedField& field : explainedFields(fields))
+    result += "|" + cell("`" + field.label + "`") + cell(field.use) + cell(field.unit) + cell(field.meaning) + "\n";
+  return result.empty() ? "" : "| Field | Use | Unit | Meaning |\n|---|---|---|---|\n" + result + "\n";
+}
+
 std::string fileName(const ReferenceChapter& chapter) {
   std::string result;
   for (const char c : chapter.name())
@@ -106,7 +114,7 @@ std::string markdownPage(const ReferenceChapter& chapter) {
     const std::string topicKeys = keys(topic.declarations, "");
     result += "## " + topic.name + "\n\n" + (topic.brief.empty() ? "" : topic.brief + " ") +
               "In a deck: " + chapter.useOf(topic) + ".\n\n" +
-              (topicKeys.empty() ? "It takes no keys.\n\n" : topicKeys);
+              (topicKeys.empty() ? "It takes no keys.\n\n" : topicKeys) + fieldsTable(topic.fields());
   }
   return result;
 }

@@ -20,7 +20,7 @@ std::vector<ReferenceTopic> pluginsOf() {
   std::vector<ReferenceTopic> topics;
   for (const std::string& name : Registry::self().names()) {
     const auto* entry = Registry::self().find(name);
-    topics.push_back({name, entry->brief, entry->declare()});
+    topics.push_back({name, entry->brief, entry->declare(), entry->fields});
   }
   return topics;
 }

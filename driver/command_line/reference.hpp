@@ -3,9 +3,11 @@
 #ifndef PD_REFERENCE_HPP
 #define PD_REFERENCE_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "../../materials/registry/fields.hpp"
 #include "../../materials/registry/parameters.hpp"
 
 namespace pd {
@@ -14,6 +16,7 @@ namespace pd {
 struct ReferenceTopic {
   std::string name, brief;
   ParameterDeclarations declarations;
+  std::function<FieldTable()> fields = [] { return FieldTable(); };  ///< of a plug-in
 };
 
 /// A section of a deck with what may stand in it.

@@ -101,6 +101,7 @@ void FieldWriter::write(int step, double time, const std::vector<PointField>& fi
   std::vector<FieldShape> shapes;
   for (const PointField& field : fields) {
     file.write(field.name, order_.toRows(field.values, field.width), order_.rows(), field.width);
+    if (!field.unit.empty()) file.writeAttribute(field.name, "units", field.unit);
     shapes.push_back({field.name, field.width});
   }
   // As HDF5 lists them, so that a restart, which finds them so, writes the same.

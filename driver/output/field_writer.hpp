@@ -2,7 +2,8 @@
 //
 // Files of a run with Output Filename "plate":
 //   plate.steps/mesh.h5     coordinates [n x 3] (reference, m), block_id [n], volume [n] (m3), connectivity [n]
-//   plate.steps/000123.h5   the fields of step 123: Damage [n], Displacement [n x 3], ...; attributes time and step
+//   plate.steps/000123.h5   the fields of step 123: Damage [n], Displacement [n x 3], ...; attributes time and step,
+//                           and of each field units ("m", "J/m3"; "1" of a pure number), unless only the deck knows
 //   plate.h5                links to these: /mesh/coordinates, /steps/000123/Damage, /steps/000123 with its time, ...
 //   plate.xdmf              the same for ParaView and meshio
 // In Python: h5py.File("plate.h5")["steps/000123/Damage"][:]. Copy plate.steps along with plate.h5 or plate.xdmf.
@@ -31,6 +32,7 @@ struct PointField {
   std::string name;
   int width = 1;
   const double* values = nullptr;
+  std::string unit;  ///< empty where only the deck knows
 };
 
 /// Every call is collective and throws RunError on all ranks.

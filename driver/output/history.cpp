@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "atomic_file.hpp"
@@ -43,6 +45,21 @@ void History::row(int step, double time, const std::vector<double>& values) {
   line += '\n';
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     throwFileError("write", path_, errno);
+}
+
+void writeColumnUnits(const std::string& path, const std::vector<std::string>& columns,
+                      const std::vector<std::string>& units) {
+  using nlohmann::ordered_json;
+  ordered_json described = {{{"name", "step"}}, {{"name", "time"}, {"schema:unitText", "s"}}};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    ordered_json column = {{"name", columns[k]}};
+    if (!units[k].empty()) column["schema:unitText"] = units[k];
+    described.push_back(column);
+  }
+  const ordered_json json = {{"@context", "http://www.w3.org/ns/csvw"},
+                             {"url", std::filesystem::path(path).filename().string()},
+                             {"tableSchema", {{"columns", described}}}};
+  writeFileAtomically(path + "-metadata.json", json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 std::vector<std::string> columnNames(const std::string& label, int width) {

@@ -28,6 +28,12 @@ class History {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
+/// Writes what the columns of the CSV file `path` are measured in (empty: only the deck knows) into
+/// <path>-metadata.json, the place and form that the W3C's "Metadata Vocabulary for Tabular Data" gives it. Throws
+/// RunError.
+void writeColumnUnits(const std::string& path, const std::vector<std::string>& columns,
+                      const std::vector<std::string>& units);
+
 /// Names of the columns of a field with `width` values: the label; with X, Y, Z; XX, XY .. ZZ; or _1, _2 ...
 std::vector<std::string> columnNames(const std::string& label, int width);
 

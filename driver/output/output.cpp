@@ -28,17 +28,15 @@ const Clock::time_point programStart = Clock::now();
 /// The rank that owns each point, Peridigm's name for it.
 const char* const rankLabel = "Proc_Num";
 
-/// Fields of points that the driver fills by itself, whatever plug-ins there are; -1 for another label.
-int driverField(const std::string& label) {
-  for (const char* known : {"Volume", "Block_Id", "Element_Id", "Horizon", "Stored_Elastic_Energy_Density"})
-    if (label == known)
-      return FieldManager::self().getFieldId(PeridigmField::ELEMENT, PeridigmField::SCALAR, PeridigmField::CONSTANT,
-                                             label);
-  for (const char* known : {"Coordinates", "External_Force_Density"})
-    if (label == known)
-      return FieldManager::self().getFieldId(PeridigmField::NODE, PeridigmField::VECTOR, PeridigmField::TWO_STEP,
-                                             label);
-  return -1;
+/// Fields of points that the driver fills by itself, whatever plug-ins there are.
+std::vector<FieldDescription> driverFields() {
+  return {fields::volume(),
+          fields::blockId(),
+          fields::elementId(),
+          fields::horizon(),
+          fields::coordinates(),
+          fields::externalForceDensity(),
+          fields::storedEnergyDensity()};
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -90,9 +88,11 @@ void Output::Implementation::refuse(Model& model, const OutputVariable& variable
   for (const std::string& label : FieldManager::self().getFieldLabels())
     if (model.hasField(label)) known.push_back(label);
   const std::string nearest = nearestWord(variable.label, known);
-  const std::string message =
-      isBondField ? "\"" + variable.label + "\" is a field of bonds, which are written to checkpoints only"
-                  : "no plug-in of this run provides \"" + variable.label + "\"";
+  const std::string message = isBondField ? "\"" + variable.label +
+                                                "\" is a field of bonds, which are written to checkpoints only; the "
+                                                "compute Bond_Field_Mean makes a field of "
+                                                "points of it"
+                                          : "no plug-in of this run provides \"" + variable.label + "\"";
   // Peridigm leaves out in silence what no plug-in provides.
   if (deck.isPeridigmDeck())
     line("note: " + variable.place + ": " + message + "; it is left out");
@@ -138,13 +138,12 @@ Output::~Output() = default;
 
 std::vector<int> Output::fieldIds() {
   Implementation& self = *implementation_;
-  std::vector<std::string> labels;
-  for (const OutputSection& section : self.sections)
-    for (const OutputVariable& variable : section.variables) labels.push_back(variable.label);
   self.computes = std::make_unique<ComputeSet>(self.deck, self.comm);
   std::vector<int> ids = self.computes->fieldIds();
-  for (const std::string& label : labels)
-    if (const int id = driverField(label); id >= 0) ids.push_back(id);
+  for (const OutputSection& section : self.sections)
+    for (const OutputVariable& variable : section.variables)
+      for (const FieldDescription& field : driverFields())
+        if (field.label == variable.label) ids.push_back(field.id());
   return ids;
 }
 

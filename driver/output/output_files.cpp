@@ -58,10 +58,14 @@ void OutputFiles::open(Model& model, const GlobalOrder& order, int firstStep) {
   if (columns_.empty()) return;
   collectively(model.comm(), [&] {
     if (!model.comm().isRoot()) return;
-    std::vector<std::string> names;
+    std::vector<std::string> names, units;
     for (const std::string& label : columns_)
-      for (const std::string& name : columnNames(label, model.fieldWidth(label))) names.push_back(name);
+      for (const std::string& name : columnNames(label, model.fieldWidth(label))) {
+        names.push_back(name);
+        units.push_back(fields::unitOf(label));
+      }
     history_ = std::make_unique<History>(fileName_ + ".csv", names, firstStep);
+    writeColumnUnits(fileName_ + ".csv", names, units);
   });
 }
 
@@ -79,9 +83,9 @@ void OutputFiles::writeFields(Model& model, int step, double time, bool isLast) 
   std::vector<PointField> fields;
   for (const std::string& label : labels) {
     if (model.hasField(label))
-      fields.push_back({label, model.fieldWidth(label), model.field(label)});
+      fields.push_back({label, model.fieldWidth(label), model.field(label), fields::unitOf(label)});
     else
-      fields.push_back({label, 1, rank.data()});  // Proc_Num, which no plug-in holds
+      fields.push_back({label, 1, rank.data(), "1"});  // Proc_Num, which no plug-in holds
   }
   fields_->write(step, time, fields);
 }

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from .components import component_of
-from .results import PlotError, Results, read_history
+from .results import PlotError, Results, history_units, read_history
 
 _EPILOG = """sample runs
   pdplot                                       the newest results here: Damage (or the first field) at the last step
@@ -90,7 +90,8 @@ def _draw_history(options, figures):
     if len({label for label, _ in histories}) < len(histories):
         histories = [(str(name), history) for name, (_, history) in zip(names, histories)]
     columns = [column.strip() for column in options.history.split(",") if column.strip()]
-    figure = history_panels(histories, columns, options.against)
+    figure = history_panels(histories, columns, options.against,
+                            history_units(names[0] or ".", histories[0][1]))
     output = options.output or f"{Path(histories[0][0]).name}_history.png"
     return _write(figures, figure, output)
 

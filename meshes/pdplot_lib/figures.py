@@ -10,7 +10,7 @@ import numpy as np  # noqa: E402
 from .components import component_of, default_component, title_of  # noqa: E402
 from .raster import Raster, window_of  # noqa: E402
 from .results import PlotError  # noqa: E402
-from .units import plain, scaled, time_text, unit_of, with_unit  # noqa: E402
+from .units import plain, scaled, time_text, with_unit  # noqa: E402
 
 # Perceptually uniform; dark is little, so that cracks and saturation stand out.
 _MAPS = {"Damage": "inferno", "Concentration": "viridis", "Coverage": "viridis", "Temperature": "magma"}
@@ -38,9 +38,7 @@ class View:
         return title_of(self.field, width, self._component(width))
 
     def units(self, results):
-        if self.unit is not None:
-            return self.unit
-        return results.concentration_unit() if self.field == "Concentration" else unit_of(self.field)
+        return results.unit(self.field) if self.unit is None else self.unit
 
     def _component(self, width):
         return self.component or default_component(self.field, width)

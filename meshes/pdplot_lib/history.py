@@ -3,12 +3,12 @@ import numpy as np
 
 from .figures import plt
 from .results import PlotError
-from .units import history_unit, time_unit, with_unit
+from .units import time_unit, with_unit
 
 
-def history_panels(runs, columns=None, against=None):
-    """Histories of several runs: a panel for each column. runs: [(label, {column: values})]."""
-    first = runs[0][1]
+def history_panels(runs, columns=None, against=None, units=None):
+    """Histories of several runs: a panel for each column. runs: [(label, {column: values})]; units: {column: unit}."""
+    first, units = runs[0][1], units or {}
     against = _found(first, against)[0] if against else ("time" if "time" in first else "step")
     if columns:
         columns = [name for wanted in columns for name in _found(first, wanted)]
@@ -25,13 +25,13 @@ def history_panels(runs, columns=None, against=None):
     for axis in axes.ravel()[len(columns):]:
         axis.axis("off")
     seconds, unit = time_unit(max(np.max(run["time"]) for _, run in runs if "time" in run)) if against == "time" else (
-        1.0, history_unit(against))
+        1.0, units.get(against, ""))
     for axis, column in zip(axes.ravel(), columns):
         for label, history in runs:
             if column in history and against in history:
                 axis.plot(history[against] / seconds, history[column], label=label, linewidth=1.2)
         axis.set_xlabel(with_unit(against, unit))
-        axis.set_ylabel(with_unit(column, history_unit(column)))
+        axis.set_ylabel(with_unit(column, units.get(column, "")))
         axis.grid(alpha=0.3)
         if len(runs) > 1:
             axis.legend()

@@ -1,5 +1,6 @@
 """Reads what pdrun writes: fields in <name>.h5, histories in <name>.csv."""
 import csv
+import json
 from pathlib import Path
 
 import h5py
@@ -7,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from .raster import reach_of
+from .units import OF_THE_DECK, history_unit, printed, unit_of
 
 
 class PlotError(Exception):
@@ -55,6 +57,17 @@ class Results:
         values = self._group(self.steps[-1])[name]
         return 1 if values.ndim == 1 else values.shape[1]
 
+    def unit(self, name):
+        """What the field is measured in, as it is read; empty for pure numbers. Results that do not say it of any field
+        are old ones."""
+        group = self._group(self.steps[-1])
+        if name in group and "units" in group[name].attrs:
+            unit = group[name].attrs["units"]
+            return printed(unit.decode() if isinstance(unit, bytes) else str(unit))
+        if any("units" in field.attrs for field in group.values()):
+            return OF_THE_DECK
+        return self.concentration_unit() if name == "Concentration" else unit_of(name)
+
     def varies(self, name):
         """Whether a field differs between points at the last step."""
         values = self.field(name, self.steps[-1])
@@ -84,7 +97,7 @@ class Results:
             deck = self.path.with_suffix(".resolved.yaml").read_text(encoding="utf-8", errors="replace")
         except OSError:
             deck = ""
-        return "mol/m³" if "Corrosion Dissolution" in deck else "in the deck's unit"
+        return "mol/m³" if "Corrosion Dissolution" in deck else OF_THE_DECK
 
     def _group(self, step):
         try:
@@ -130,11 +143,7 @@ def find_results(name=None):
 
 def read_history(name):
     """Columns of the CSV file of a run: name -> [rows]."""
-    path = Path(name)
-    if path.suffix != ".csv":
-        path = find_results(name).with_suffix(".csv") if path.is_dir() else path.with_suffix("").with_name(
-            path.name[:-3] if path.name.endswith(".h5") else path.name)
-        path = path if path.suffix == ".csv" else path.with_name(path.name + ".csv")
+    path = history_file(name)
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
@@ -145,3 +154,23 @@ def read_history(name):
         raise PlotError(f"{path}: the history has no rows yet")
     table = np.array(body, dtype=float)
     return {column.strip(): table[:, i] for i, column in enumerate(header)}
+
+
+def history_units(name, columns):
+    """Of the columns of that file: name -> unit as it is read; empty where only the deck knows. Guessed from the names
+    where the run has not written units beside it."""
+    try:
+        described = json.loads(Path(f"{history_file(name)}-metadata.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {column: history_unit(column) for column in columns}
+    known = {column["name"]: column.get("schema:unitText", "1") for column in described["tableSchema"]["columns"]}
+    return {column: printed(known.get(column, "1")) for column in columns}
+
+
+def history_file(name):
+    path = Path(name)
+    if path.suffix == ".csv":
+        return path
+    path = find_results(name).with_suffix(".csv") if path.is_dir() else path.with_suffix("").with_name(
+        path.name[:-3] if path.name.endswith(".h5") else path.name)
+    return path if path.suffix == ".csv" else path.with_name(path.name + ".csv")

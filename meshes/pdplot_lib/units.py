@@ -1,6 +1,9 @@
 """Units of fields, and the prefix that makes numbers readable."""
+import re
+
 import numpy as np
 
+# Of results that do not say what they are measured in: those written before fields had the attribute "units".
 _UNITS = {
     "Displacement": "m", "Coordinates": "m", "Model_Coordinates": "m", "Velocity": "m/s", "Force_Density": "N/m³",
     "External_Force_Density": "N/m³", "Temperature": "K", "Bond_Stress": "Pa", "Volume": "m³", "Horizon": "m",
@@ -13,12 +16,19 @@ _HISTORY_UNITS = [("reaction", "N"), ("crack_length", "m"), ("crack_tip", "m"), 
                   ("dissolved_amount", "mol"), ("depth", "m"), ("deepest_place", "m"), ("pit_width", "m"),
                   ("front_speed", "m/s"), ("current_density", "A/m²"), ("current_place", "m"),
                   ("total_current", "A")]
+_POWERS = dict(zip("23456789", "²³⁴⁵⁶⁷⁸⁹"))
+OF_THE_DECK = "in the deck's unit"
 _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
 
 
 def unit_of(field):
-    """Empty for pure numbers and for what only the deck knows, as the names of computes."""
+    """Of a field of old results. Empty for pure numbers and for what only the deck knows, as the names of computes."""
     return _UNITS.get(field, "Pa" if "stress" in field.lower() else "")
+
+
+def printed(unit):
+    """A unit as results have it ("J/m3", "1") as it is read: "J/m³", ""."""
+    return "" if unit == "1" else re.sub("(?<=[A-Za-z])[2-9]", lambda power: _POWERS[power.group()], unit)
 
 
 def scaled(limit, unit):
@@ -53,7 +63,7 @@ def time_unit(longest):
 
 
 def history_unit(column):
-    """Of a column of the history, whose name the deck chooses: known where it says what it is."""
+    """Of a column of an old history, whose name the deck chooses: known where it says what it is."""
     for part, unit in _HISTORY_UNITS:
         if part in column.lower():
             return unit
