@@ -174,7 +174,7 @@ struct Scene {
       : deck(deckOf(deckText)),
         model(deck, comm, points, {}),
         solver(SolverRegistry::self().create(solverName, solverParameters)) {
-    model.allocateFields(solver->fieldIds());
+    model.allocateFields(solver->fields().ids());
     conditions = std::make_unique<BoundaryConditions>(deck, model);
     output = std::make_unique<Output>(deck, comm, true);
     conditions->applyInitial();

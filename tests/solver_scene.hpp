@@ -37,7 +37,7 @@ class SolverScene {
     const auto* plugin = SolverRegistry::self().find(name);
     const auto given = deckOf("List: " + parameters)["List"].parameters(plugin->declare());
     const auto solver = plugin->create(given);
-    model_.allocateFields(solver->fieldIds());
+    model_.allocateFields(solver->fields().ids());
     return solver;
   }
 

@@ -120,7 +120,7 @@ FieldTable StaggeredPart::fields() const {
   FieldDescription memory = pd::fields::pointScalar(memoryField(), "unit of the field",
                                                     watchedField_ + " when the part " + name_ + " last ran.");
   memory.length = watched.length;
-  fields.writes(memory);
+  fields.writes(memory.state());
   return std::move(fields);
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Tests of meshes/pdplot on files laid out as driver/output/field_writer.hpp says."""
+import json
 import shutil
 import subprocess
 import sys
@@ -23,8 +24,8 @@ from pdplot_lib.components import component_of  # noqa: E402
 from pdplot_lib.command_line import main  # noqa: E402
 from pdplot_lib.history import history_panels  # noqa: E402
 from pdplot_lib.raster import Raster  # noqa: E402
-from pdplot_lib.results import PlotError, Results, find_results, read_history  # noqa: E402
-from pdplot_lib.units import plain, scaled, time_text  # noqa: E402
+from pdplot_lib.results import PlotError, Results, find_results, history_units, read_history  # noqa: E402
+from pdplot_lib.units import plain, printed, scaled, time_text  # noqa: E402
 
 
 def write_run(folder, name, x, steps, fields):
@@ -81,8 +82,17 @@ class PdplotTest(unittest.TestCase):
         np.testing.assert_array_equal(results.field("Displacement", 10), self.x * 0.01 * 10)
         self.assertAlmostEqual(results.spacing(), 0.01, delta=5e-4)
         self.assertEqual(find_results(self.folder), self.folder / "plate.h5")
+        self.assertEqual([results.unit(name) for name in results.fields()],
+                         ["in the deck's unit", "", "m"])  # old results do not say
         with self.assertRaisesRegex(PlotError, "no step 7"):
             results.time(7)
+
+    def test_units_are_those_of_the_results(self):
+        with h5py.File(self.folder / "plate.steps/000010.h5", "a") as file:
+            file["Damage"].attrs["units"] = np.bytes_(b"1")
+            file["Displacement"].attrs["units"] = "kg/m3"
+        results = Results(self.folder / "plate")
+        self.assertEqual([results.unit(name) for name in results.fields()], ["in the deck's unit", "", "kg/m³"])
 
     def test_pixels_take_the_nearest_point_and_stay_empty_far_away(self):
         x = lattice(10, 10, 1.0)[:, :2]
@@ -303,6 +313,15 @@ class PdplotTest(unittest.TestCase):
 
     def test_history_and_units(self):
         np.testing.assert_array_equal(read_history(self.folder / "plate")["Crack_Length"], [0, 0.05, 0.1])
+        self.assertEqual(history_units(self.folder / "plate", ["Crack_Length", "Of_A_Name"]),
+                         {"Crack_Length": "m", "Of_A_Name": ""})  # guessed from the name: an old run
+        columns = [{"name": "Crack_Length", "schema:unitText": "mm2"}, {"name": "Of_A_Name", "schema:unitText": "J/m3"},
+                   {"name": "Share", "schema:unitText": "1"}, {"name": "Of_The_Deck"}]
+        (self.folder / "plate.csv-metadata.json").write_text(json.dumps({"tableSchema": {"columns": columns}}))
+        self.assertEqual(list(history_units(self.folder / "plate", [column["name"] for column in columns]).values()),
+                         ["mm²", "J/m³", "", ""])
+        self.assertEqual([printed(unit) for unit in ("mol/(m3 s)", "m2/s", "1", "1/m", "N/m4")],
+                         ["mol/(m³ s)", "m²/s", "", "1/m", "N/m⁴"])
         self.assertEqual(scaled(2e-5, "m"), (1 / 1e-6, "µm"))
         self.assertEqual(scaled(2e-5, ""), (1.0, ""))
         self.assertEqual([plain(value) for value in (4030.0, 51.26, 0.00123, 4.03e9)],

@@ -92,6 +92,12 @@ class Pdrun(unittest.TestCase):
         explained = self.run_pdrun("--explain", "PDHE").stdout
         self.assertIn("Young's Modulus: a number > 0 Pa", explained)
         self.assertIn('Give at most one of "Plane Stress", "Plane Strain", "One Dimensional".', explained)
+        self.assertIn("    reads Volume (m3): Volume of the point's cell.", explained)
+        self.assertIn("    reads, where it is there, Bond_Damage: Of bonds: 1 where the bond is broken", explained)
+        self.assertIn("    adds to Force_Density (N/m3): Internal force per volume.", explained)
+        explained = self.run_pdrun("--explain", "Field_Mean").stdout
+        self.assertIn("    reads <Variable> (unit of the deck): What it is taken of.", explained)
+        self.assertIn("    writes Velocity (m/s): Velocity.", self.run_pdrun("--explain", "Verlet").stdout)
 
     def test_the_whole_reference_is_pages_of_a_folder_or_text(self):
         done = self.run_pdrun("--explain", "--all", "--markdown", "reference")

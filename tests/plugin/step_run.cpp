@@ -115,6 +115,21 @@ std::vector<int> StepRun::fieldIds() {
                                        : damageModels_.front().front()->FieldIds();
 }
 
+std::vector<int> StepRun::synchronised(pd::Ghosts when) {
+  const auto of = [&](const auto& plugin) {
+    return when == pd::Ghosts::AfterInitialize ? plugin.FieldIdsForSynchronizationAfterInitialize()
+                                               : plugin.FieldIdsForSynchronizationAfterPrecompute();
+  };
+  return kind_ == PluginKind::Material ? of(*materials_.front().front()) : of(*damageModels_.front().front());
+}
+
+const pd::FieldTable& StepRun::table() {
+  const pd::FieldTable* table = kind_ == PluginKind::Material ? pd::fieldTableOf(*materials_.front().front())
+                                                              : pd::fieldTableOf(*damageModels_.front().front());
+  if (table == nullptr) throw std::invalid_argument(sample_.plugin + " has no table of fields");
+  return *table;
+}
+
 template <class Work>
 void StepRun::forEachBlock(const Work& work) {
   for (std::size_t r = 0; r < bodies_.size(); ++r)
@@ -194,6 +209,9 @@ void StepRun::evaluate() {
       materials_[r][b]->computeForce(dt, list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList(), data);
       materials_[r][b]->computeFluxDivergence(dt, list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList(),
                                               data);
+      if (bodies_[r]->hasField("Stored_Elastic_Energy_Density"))
+        materials_[r][b]->computeStoredElasticEnergyDensity(dt, list->NumOwnedPoints(), list->OwnedIDs(),
+                                                            list->NeighborhoodList(), data);
     }
 }
 
@@ -219,12 +237,10 @@ void StepRun::step(double toLoad) {
 }
 
 std::vector<int> StepRun::keptFieldIds() {
-  const pd::FieldTable* table = kind_ == PluginKind::Material ? pd::fieldTableOf(*materials_.front().front())
-                                                              : pd::fieldTableOf(*damageModels_.front().front());
   std::vector<int> kept;
   for (const int id : fieldIds()) {
     const FieldSpec spec = FieldManager::self().getFieldSpec(id);
-    const pd::FieldUse* use = table == nullptr ? nullptr : table->find(id);
+    const pd::FieldUse* use = table().find(id);
     const bool isState = use != nullptr && use->field.isState;
     if (isState || (spec.temporal == PeridigmField::TWO_STEP && !isSummed(spec.label))) kept.push_back(id);
   }

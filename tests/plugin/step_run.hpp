@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "Peridigm_DamageModel.hpp"
+#include "fields.hpp"
 #include "material_run.hpp"
 
 namespace pdtest {
@@ -42,10 +43,16 @@ class StepRun {
   void goOnFrom(const FieldState& state);
   FieldState state();
 
+  // Of the first rank and block.
+  SmallBody& body() { return *bodies_.front(); }
+  std::vector<int> fieldIds();
+  std::vector<int> synchronised(pd::Ghosts when);
+  /// Throws std::invalid_argument where the plug-in has none.
+  const pd::FieldTable& table();
+
  private:
   template <class Work>
   void forEachBlock(const Work& work);
-  std::vector<int> fieldIds();
   std::vector<int> keptFieldIds();
   void copyDeclared(const std::vector<int>& fieldIds);
   void initialize();

@@ -183,6 +183,99 @@ TEST(NumberOfNeighbors, OfALatticeInTwoBlocks) {
   for (int i = 0; i < 9; ++i) EXPECT_EQ(body.value("Number_Of_Neighbors", i), expected[i]) << i;
 }
 
+/// Four points in a row, the last in a block of its own: bonds 0-1, 1-0, 1-2, 2-1, 2-3, 3-2 in their order.
+class BondFieldMean : public ::testing::Test {
+ protected:
+  BondFieldMean() : body(lattice(4, 1, 1, 1.0), options()) {
+    life = pd::fields::bondScalar("Test_Life_Left", "kg", "Unit as in no other test.").id();
+    const std::vector<double> ofFirst{0.1, 0.2, 0.6, 0.3, 0.5};
+    body.block(0).getDataManager()->allocateData({life});
+    for (int k = 0; k < 5; ++k) (*body.block(0).getData(life, PeridigmField::STEP_NP1))[k] = ofFirst[k];
+    parameters.set<std::string>("Variable", "Test_Life_Left");
+  }
+  static BodyOptions options() {
+    BodyOptions result;
+    result.blockOf = [](int id) { return id < 3 ? 1 : 2; };
+    return result;
+  }
+  std::vector<double> points() {
+    const auto compute = makeCompute(body, "Bond_Field_Mean", parameters);
+    compute->compute(body.blocks());
+    const double* values = body.field("Bond_Field_Mean");
+    return {values, values + 4};
+  }
+  SmallBody body;
+  int life;
+  Teuchos::ParameterList parameters;
+};
+
+TEST_F(BondFieldMean, TakesMeanMinimumOrMaximumOfEachPointsBonds) {
+  EXPECT_EQ(points(), (std::vector<double>{0.1, 0.4, 0.4, 0.0})) << "the second block does not keep the field";
+  body.block(1).getDataManager()->allocateData({life});
+  (*body.block(1).getData(life, PeridigmField::STEP_NP1))[0] = 0.7;
+  EXPECT_EQ(points(), (std::vector<double>{0.1, 0.4, 0.4, 0.7}));
+  parameters.set<std::string>("Calculation Type", "Minimum");
+  EXPECT_EQ(points(), (std::vector<double>{0.1, 0.2, 0.3, 0.7}));
+  parameters.set<std::string>("Calculation Type", "Maximum");
+  EXPECT_EQ(points(), (std::vector<double>{0.1, 0.6, 0.5, 0.7}));
+}
+
+TEST_F(BondFieldMean, HasTheUnitOfItsVariable) {
+  points();
+  EXPECT_EQ(pd::fields::unitOf("Bond_Field_Mean"), "kg");
+}
+
+TEST_F(BondFieldMean, RefusesFieldsOfPointsAndWhatNobodyKeeps) {
+  const auto complaint = [&](const char* variable) {
+    parameters.set<std::string>("Variable", variable);
+    try {
+      points();
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaint("Volume").find("must be a field of bonds, which \"Volume\" is not"), std::string::npos);
+  EXPECT_NE(complaint("Test_Nothing").find("Test_Nothing"), std::string::npos);
+  pd::fields::bondScalar("Test_Nobodys_Bonds", "1", "Registered and not allocated.").id();
+  EXPECT_NE(complaint("Test_Nobodys_Bonds").find("no plug-in of this run uses"), std::string::npos);
+}
+
+TEST(FieldUnits, OfResultsFollowFromTheVariable) {
+  SmallBody body(lattice(2, 1, 1, 1.0), {});
+  body.allocate({pd::fields::displacement().id(), pd::fields::storedEnergyDensity().id(),
+                 pd::fields::steppedScalar("Test_Pressure", "Pa", "Of a test.").id(), scalarField("Temperature")});
+  const auto unitOf = [&](const char* compute, const char* variable) {
+    Teuchos::ParameterList parameters;
+    const std::string label = std::string("Test_Unit_Of_") + compute + variable;
+    parameters.set<std::string>("Variable", variable);
+    parameters.set<std::string>("Output Label", label);
+    makeCompute(body, compute, parameters);
+    return pd::fields::unitOf(label);
+  };
+  EXPECT_EQ(unitOf("Field_Mean", "Displacement"), "m");
+  EXPECT_EQ(unitOf("Field_Maximum", "Test_Pressure"), "Pa");
+  EXPECT_EQ(unitOf("Field_Integral", "Stored_Elastic_Energy_Density"), "J");
+  EXPECT_EQ(unitOf("Field_Integral", "Test_Pressure"), "Pa m3");
+  // Which unit a concentration has, only the deck knows.
+  body.allocate({pd::fields::diffusingScalar("Concentration").id()});
+  EXPECT_EQ(unitOf("Field_Mean", "Concentration"), "");
+  EXPECT_EQ(unitOf("Field_Integral", "Concentration"), "");
+}
+
+TEST(FieldVariable, IsNotBroughtToLifeByWhatWouldUseIt) {
+  // A material asks for it where a damage model brings it: that alone is no damage.
+  struct Wish : pd::FieldTable {
+    pd::FieldHandle wished = readsIfThere(pd::fields::steppedScalar("Test_Wished_For", "1", "Of a test."));
+  } wish;
+  SmallBody body(lattice(2, 1, 1, 1.0), {});
+  Teuchos::ParameterList parameters;
+  parameters.set<std::string>("Variable", "Test_Wished_For");
+  EXPECT_THROW(makeCompute(body, "Field_Mean", parameters), std::invalid_argument);
+  body.allocate({wish.wished.id()});
+  EXPECT_NO_THROW(makeCompute(body, "Field_Mean", parameters));
+}
+
 TEST(Computes, EveryOneIsDocumentedAndNamedAfterItsResult) {
   for (const std::string& name : pd::ComputeRegistry::self().names()) {
     const auto* entry = pd::ComputeRegistry::self().find(name);

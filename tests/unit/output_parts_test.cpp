@@ -66,6 +66,19 @@ TEST(HistoryFile, OtherColumnsAreKeptApart) {
   EXPECT_EQ(contentOf(file + ".old"), old);
 }
 
+TEST(HistoryFile, UnitsStandBesideIt) {
+  const TestFolder folder("pd_history_test");
+  writeColumnUnits(folder / "plate.csv", {"TipX", "Mean"}, {"m", ""});
+  const auto json = nlohmann::json::parse(contentOf(folder / "plate.csv-metadata.json"));
+  EXPECT_EQ(json["url"], "plate.csv");
+  const auto& columns = json["tableSchema"]["columns"];
+  ASSERT_EQ(columns.size(), 4u);
+  EXPECT_EQ(columns[1]["schema:unitText"], "s");
+  EXPECT_EQ(columns[2]["name"], "TipX");
+  EXPECT_EQ(columns[2]["schema:unitText"], "m");
+  EXPECT_FALSE(columns[3].contains("schema:unitText"));
+}
+
 TEST(HistoryFile, NamesTheFileThatCannotBeWritten) {
   const TestFolder folder("pd_history_test");
   std::ofstream(folder / "file") << "no folder";

@@ -13,6 +13,7 @@
 #include "../test_folder.hpp"
 #include "Peridigm_Discretization.hpp"
 #include "driver/output/checkpoint.hpp"
+#include "driver/output/hdf5_file.hpp"
 #include "driver/output/output_section.hpp"
 
 namespace pd::test {
@@ -158,6 +159,20 @@ TEST_F(OutputRun, WritesWhatIsAskedForWhenItIsDue) {
   const std::string xdmf = contentOf(folder / "plate.xdmf");
   for (const char* label : {"\"Displacement\" AttributeType=\"Vector\"", "\"Block_Id\"", "\"Proc_Num\""})
     EXPECT_CONTAINS(xdmf, label);
+}
+
+TEST_F(OutputRun, FieldsSayTheirUnits) {
+  const auto output = start(
+      "Compute Class Parameters: {Mean: {Compute Class: Field_Mean, Variable: Displacement, Output Label: Mean}}\n"
+      "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement, Block_Id, Proc_Num]}\n");
+  writeSteps(*output, 0, 0);
+  const Hdf5File file(folder / "plate.steps/000000.h5", Hdf5File::Mode::Read, comm);
+  EXPECT_EQ(file.textAttribute("Displacement", "units"), "m");
+  EXPECT_EQ(file.textAttribute("Block_Id", "units"), "1");
+  EXPECT_EQ(file.textAttribute("Proc_Num", "units"), "1");
+  const auto json = nlohmann::json::parse(contentOf(folder / "plate.csv-metadata.json"));
+  EXPECT_EQ(json["tableSchema"]["columns"][2]["name"], "Mean");
+  EXPECT_EQ(json["tableSchema"]["columns"][2]["schema:unitText"], "m");
 }
 
 TEST_F(OutputRun, AComputeIsMadeForTheNameOfItsClass) {

@@ -190,7 +190,7 @@ TEST(QuasiStatic, APointOnOneBondAndAFreeFragmentLeaveAPlateSolvable) {
               1e-6);
 }
 
-TEST(Supports, CountWhatIsMissingInEachDimension) {
+TEST(LooseParts, CountWhatIsMissingInEachDimension) {
   struct Case {
     Lattice lattice;
     int heldAxes;  // on the face x = 0
@@ -208,7 +208,7 @@ TEST(Supports, CountWhatIsMissingInEachDimension) {
       for (int axis = 0; axis < 3; ++axis)
         isPrescribed[static_cast<std::size_t>(3 * i + axis)] =
             axis >= points.dimension || (points.x[static_cast<std::size_t>(3 * i)] == 0.0 && axis < c.heldAxes);
-    const HeldInPlace held = Supports(model).find(model, isPrescribed);
+    const HeldInPlace held = LooseParts(model).find(model, isPrescribed);
     EXPECT_EQ(
         std::count(held.isHeld.begin(), held.isHeld.end(), 1) - std::count(isPrescribed.begin(), isPrescribed.end(), 1),
         c.missing);

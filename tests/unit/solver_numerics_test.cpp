@@ -6,6 +6,7 @@
 
 #include "driver/solvers/diffusion/stabilized_scheme.hpp"
 #include "driver/solvers/lanczos.hpp"
+#include "driver/solvers/solver.hpp"
 
 namespace pd {
 namespace {
@@ -124,6 +125,18 @@ TEST(Lanczos, StartDependsOnGlobalIdsAlone) {
   EXPECT_EQ(one[4], other[0]);
   EXPECT_NE(one[0], one[1]);
   for (const double value : one) EXPECT_LE(std::abs(value), 1.0);
+}
+
+TEST(Solvers, SayOfEachFieldItsUnitAndMeaning) {
+  ASSERT_GE(SolverRegistry::self().names().size(), 7u);
+  for (const std::string& name : SolverRegistry::self().names()) {
+    const FieldTable table = SolverRegistry::self().find(name)->fields();
+    EXPECT_FALSE(table.uses().empty()) << name;
+    for (const FieldUse& use : table.uses()) {
+      EXPECT_FALSE(use.field.unit.empty()) << name << " " << use.field.label;
+      EXPECT_FALSE(use.field.meaning.empty()) << name << " " << use.field.label;
+    }
+  }
 }
 
 }  // namespace

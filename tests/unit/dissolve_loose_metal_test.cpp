@@ -1,5 +1,5 @@
 // Metal that hangs by no bond, and bonds of steps that are not taken.
-#include "driver/solvers/corrosion/loose_metal.hpp"
+#include "driver/solvers/corrosion/dissolve_loose_metal.hpp"
 
 #include <gtest/gtest.h>
 #include <mpi.h>
