@@ -52,7 +52,7 @@ class SolverScene {
       model_.field(field)[width * i] = initialValue(x(i), model_.discretization().x[3 * i + 1]);
     model_.initialize();
     conditions_->applyPrescribed(0.0);
-    model_.updateCoordinates();
+    if (model_.hasMechanics()) model_.updateCoordinates();
     model_.adoptState();
   }
 

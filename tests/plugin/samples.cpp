@@ -39,7 +39,27 @@ Teuchos::ParameterList plate(Teuchos::ParameterList list, const char* plane) {
   return with(with(std::move(list), plane, true), "Thickness", thickness);
 }
 
+std::vector<Sample>& addedMaterials() {
+  static std::vector<Sample> samples;
+  return samples;
+}
+
+std::vector<Sample>& addedDamageModels() {
+  static std::vector<Sample> samples;
+  return samples;
+}
+
 }  // namespace
+
+bool addMaterialSample(const Sample& sample) {
+  addedMaterials().push_back(sample);
+  return true;
+}
+
+bool addDamageSample(const Sample& sample) {
+  addedDamageModels().push_back(sample);
+  return true;
+}
 
 std::vector<Sample> materialSamples() {
   std::vector<Sample> samples{
@@ -88,6 +108,7 @@ std::vector<Sample> materialSamples() {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;
   }
+  samples.insert(samples.end(), addedMaterials().begin(), addedMaterials().end());
   return samples;
 }
 
@@ -108,7 +129,7 @@ std::vector<Sample> damageSamples() {
   polynomial.set("Polynomial", coefficients);
   Sample dissolution{"Dissolution", "Dissolution", 2, Teuchos::ParameterList()};
   dissolution.breaksBonds = false;
-  return {
+  std::vector<Sample> samples{
       {"Plate", "Critical Stretch", 2, stretch},
       {"Solid", "Critical Stretch", 3, stretch},
       {"FromFractureEnergy", "Critical Stretch", 2, energy},
@@ -117,6 +138,8 @@ std::vector<Sample> damageSamples() {
       {"HydrogenPolynomial", "Hydrogen Critical Stretch", 2, polynomial},
       dissolution,
   };
+  samples.insert(samples.end(), addedDamageModels().begin(), addedDamageModels().end());
+  return samples;
 }
 
 double noise(int globalId, int salt) {

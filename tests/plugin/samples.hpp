@@ -1,5 +1,5 @@
 // What the contract of plug-ins is tested with: for every registered material and damage model a few parameter sets.
-// A new plug-in adds its own to samples.cpp.
+// A new plug-in adds its own, in samples.cpp or in a source of its own.
 #ifndef PD_TESTS_SAMPLES_HPP
 #define PD_TESTS_SAMPLES_HPP
 
@@ -27,6 +27,10 @@ struct Sample {
 
 std::vector<Sample> materialSamples();
 std::vector<Sample> damageSamples();
+
+/// Adds a sample, at start-up: `const bool isAdded = addDamageSample(...)` at file scope. True.
+bool addMaterialSample(const Sample& sample);
+bool addDamageSample(const Sample& sample);
 
 /// What GoogleTest prints of a sample.
 inline void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.plugin << ", " << sample.title; }
