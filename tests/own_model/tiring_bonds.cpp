@@ -15,8 +15,7 @@ class TiringBonds : public pd::BondDamageModel {
   };
   static void declareParameters(pd::ParameterDeclarations& declare) {
     declare.text("Damage Model", "Name of this model.");
-    declare.real("Rate", "1/s", "A: share of its life that a bond would lose in a second at a stretch of 1.")
-        .required();
+    declare.real("Rate", "1/s", "A: life that a second at a stretch of 1 would take.").positive().required();
     declare.real("Exponent", "1", "m: power of the stretch.").atLeast(1.0).defaultTo(2.0);
   }
   explicit TiringBonds(const Teuchos::ParameterList& given) : BondDamageModel(given) {
