@@ -79,7 +79,7 @@ run_sanitized_tests() {
   # Open MPI keeps memory until the process ends, which the search for leaks takes for a leak.
   export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
   # Runs on four ranks only take long, pdmesh and pdplot are not compiled, and nobody installs this build.
-  run_tests -L 'unit|plugin|cli|stability|verification' -E 'pdmesh|pdplot|installation|_np4'
+  run_tests -L 'unit|plugin|own_model|cli|stability|verification' -E 'pdmesh|pdplot|installation|_np4'
 }
 
 case "${1:-}" in
