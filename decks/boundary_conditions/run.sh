@@ -9,3 +9,11 @@ cd "$results"
 "$pdplot" conditions --field Displacement --component y --deformed -o displacement.png
 "$pdplot" conditions --field Concentration -o concentration.png
 "$pdplot" conditions --history ReactionY -o reaction.png
+
+# A quarter of a plate, and the whole.
+"$pdmesh" grid box --size 0.1 0.05 --spacing 0.005 --thickness 0.004 -o "$here/quarter.txt"
+"$pdmesh" grid box --size 0.2 0.1 --origin -0.1 -0.05 --spacing 0.005 --thickness 0.004 -o "$here/whole.txt"
+"$pdrun" "$here/quarter.yaml"
+"$pdrun" "$here/quarter.yaml" --set "Discretization/Symmetry={}" --set "Discretization/Input Mesh File=whole.txt" \
+  --set "Output/Output Filename=whole"
+"$pdplot" quarter --field Damage --deformed --step 8 -o quarter.png

@@ -16,7 +16,7 @@ Condition::Condition(const ConditionSection& section, std::string field, int wid
 void Condition::findPoints(const Discretization& mesh) {
   const DeckNode setNode = node_["Node Set"];
   if (!setNode) {
-    points_.resize(static_cast<std::size_t>(mesh.nPoints));
+    points_.resize(static_cast<std::size_t>(mesh.firstImage()));
     std::iota(points_.begin(), points_.end(), 0);
     return;
   }
@@ -44,6 +44,7 @@ const std::vector<double>& Condition::evaluate(const Discretization& mesh, doubl
 void Condition::write(Model& model, const std::vector<double>& values) const {
   double* field = model.field(field_);
   for (std::size_t k = 0; k < values.size(); ++k) field[width_ * points_[k] + component_] = values[k];
+  model.fillImages(field_);
 }
 
 void declareNodeSet(ParameterDeclarations& declare) {

@@ -68,6 +68,8 @@ std::vector<ReferenceChapter> sectionsOfBodies() {
            "Bond filters",
            "an entry of Discretization/Bond Filters with \"Type: {}\"",
            typesOf(bondFilterTypes(), bondFilterDeclarations)},
+          ownKeysOnly("Symmetry", "In Discretization: planes of symmetry, entries by names of your choice.",
+                      symmetryPlaneDeclarations()),
           {"Materials",
            "Entries by names of your choice, each with a Material Model and its keys.",
            {},

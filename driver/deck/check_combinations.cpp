@@ -9,6 +9,7 @@
 #include "check_deck.hpp"
 #include "deck_data.hpp"
 #include "function.hpp"
+#include "symmetry_planes.hpp"
 
 namespace pd {
 
@@ -35,6 +36,9 @@ class CombinationCheck {
       damageAgreesWithMaterial(*block);
     }
     for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) directions(*filter);
+    const std::vector<const CheckedSection*> planes = check_.ofKind(Kind::SymmetryPlane);
+    if (std::all_of(planes.begin(), planes.end(), [](const CheckedSection* plane) { return plane->isGood; }))
+      readSymmetryPlanes(deck_, mistakes_);
     for (const CheckedSection* set : check_.ofKind(Kind::NodeSet)) {
       if (set->section.node["Box"]) box(set->section.node["Box"]);
       isTimeless(set->section.node["Expression"]);

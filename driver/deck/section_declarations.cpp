@@ -78,7 +78,22 @@ Declarations declareDiscretization(const std::string& type) {
   declare.real("Thickness", "m", "Of a plane scene: turns volumes into areas.").positive();
   declare.real("Cross Section Area", "m2", "Of a scene along one line: turns volumes into lengths.").positive();
   declare.sublist("Bond Filters", "Surfaces that cut bonds (pre-cracks), by names of your choice.");
+  declare.sublist("Symmetry",
+                  "Planes of symmetry, by names of your choice: the mesh is the part of the body beside one plane, or "
+                  "in the corner of two or three that are perpendicular to each other.");
   declare.atMostOneOf({"Thickness", "Cross Section Area"});
+  return declare;
+}
+
+Declarations declareSymmetryPlane() {
+  Declarations declare;
+  declare.reals("Point", "m", "A point of the plane, [x, y, z].").required();
+  declare
+      .reals(
+          "Normal", "1",
+          "Direction across the plane, [x, y, z], of any length and sign. Points of the mesh are on one side, half a "
+          "spacing or so away from it.")
+      .required();
   return declare;
 }
 
@@ -212,6 +227,11 @@ const Declarations& bondFilterDeclarations(const std::string& type) {
   const auto it = bondFilters().find(type);
   if (it == bondFilters().end()) throw std::invalid_argument("unknown type of bond filter \"" + type + "\"");
   return it->second;
+}
+
+const Declarations& symmetryPlaneDeclarations() {
+  static const Declarations declarations = declareSymmetryPlane();
+  return declarations;
 }
 
 const Declarations& nodeSetDeclarations() {

@@ -127,20 +127,30 @@ class SectionFinder {
     const bool isKnown = std::find(types.begin(), types.end(), given) != types.end();
     DeckSection& section =
         add(Kind::Discretization, "Discretization", node, discretizationDeclarations(isKnown ? given : types.front()));
-    // The filters have names of the user's choice.
-    section.declarations = withoutSublist(section.declarations, "Bond Filters");
-    section.hostKeys.known.emplace_back("Bond Filters");
+    // The entries of these have names of the user's choice.
+    for (const char* list : {"Bond Filters", "Symmetry"}) {
+      section.declarations = withoutSublist(section.declarations, list);
+      section.hostKeys.known.emplace_back(list);
+    }
     if (const DeckNode horizon = node["Horizon"]) {
       mistakes_.add(horizon.keyPlace(), "the Horizon belongs to the entries of Blocks, not to Discretization");
       section.hostKeys.known.emplace_back("Horizon");
     }
-    const DeckNode filters = node["Bond Filters"];
-    if (!filters || !isSection(filters)) return;
-    for (const auto& [name, filter] : filters.entries()) {
-      if (!isSection(filter)) continue;
+    for (const auto& [name, filter] : sectionsIn(node["Bond Filters"])) {
       const std::string type = choice(filter, "Type", bondFilterTypes());
       if (!type.empty()) add(Kind::BondFilter, name, filter, bondFilterDeclarations(type)).plugin = type;
     }
+    for (const auto& [name, plane] : sectionsIn(node["Symmetry"]))
+      add(Kind::SymmetryPlane, name, plane, symmetryPlaneDeclarations());
+  }
+
+  /// The entries of a section whose keys are names of the user's choice; none where it is not there.
+  std::vector<std::pair<std::string, DeckNode>> sectionsIn(const DeckNode& list) {
+    std::vector<std::pair<std::string, DeckNode>> sections;
+    if (!list || !isSection(list)) return sections;
+    for (const auto& entry : list.entries())
+      if (isSection(entry.second)) sections.push_back(entry);
+    return sections;
   }
 
   static ParameterDeclarations withoutSublist(const ParameterDeclarations& declarations, const std::string& name) {

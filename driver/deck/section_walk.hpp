@@ -14,6 +14,7 @@ struct DeckSection {
   enum class Kind {
     Discretization,
     BondFilter,
+    SymmetryPlane,
     Material,
     DamageModel,
     Block,

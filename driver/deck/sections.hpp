@@ -10,9 +10,10 @@
 namespace pd {
 
 std::vector<std::string> discretizationTypes();
-/// "Discretization" with this Type, without its bond filters; throws for an unknown type.
+/// "Discretization" with this Type, without its bond filters and planes of symmetry; throws for an unknown type.
 const ParameterDeclarations& discretizationDeclarations(const std::string& type);
 const ParameterDeclarations& bondFilterDeclarations(const std::string& type);  ///< throws for an unknown type
+const ParameterDeclarations& symmetryPlaneDeclarations();                      ///< an entry of Symmetry
 const ParameterDeclarations& nodeSetDeclarations();                            ///< node sets by geometry
 const ParameterDeclarations& blockDeclarations();
 std::vector<std::string> bondFilterTypes();

@@ -67,11 +67,14 @@ class NodeSetPairFilter : public BondFilter {
   }
 
   bool cuts(int a, int b) const override {
-    const int setsA = membership_[a], setsB = membership_[b];
+    const int setsA = setsOf(a), setsB = setsOf(b);
     return ((setsA & 1) != 0 && (setsB & 2) != 0) || ((setsA & 2) != 0 && (setsB & 1) != 0);
   }
 
  private:
+  /// An image is where its source is.
+  int setsOf(int point) const { return membership_[static_cast<std::size_t>(point) % membership_.size()]; }
+
   std::vector<unsigned char> membership_;  ///< bit 0: in the first set, bit 1: in the second
 };
 

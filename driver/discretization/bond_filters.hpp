@@ -18,7 +18,7 @@ namespace pd {
 class BondFilter {
  public:
   virtual ~BondFilter() = default;
-  virtual bool cuts(int a, int b) const = 0;  ///< ids of points in the mesh
+  virtual bool cuts(int a, int b) const = 0;  ///< ids of points in the whole body (wholeBody())
 };
 
 /// The "Bond Filters" of a discretization, and "Omit Bonds Between Blocks". Types:
@@ -30,9 +30,9 @@ class BondFilter {
 /// Cut bonds are removed, or with `Count In Damage: true` kept and marked, so that they count as broken.
 class BondFilters {
  public:
-  enum class Verdict { keep, mark, remove };
+  enum class Verdict { keep, mark, remove };  ///< the worse, the greater
 
-  /// Refers to `points`, which must outlive this object. Mistakes are added to deck.mistakes().
+  /// Refers to `points`, of the whole body, which must outlive this object. Mistakes are added to deck.mistakes().
   /// Collective.
   BondFilters(const Deck& deck, const Communicator& comm, const MeshPoints& points, const NodeSets& nodeSets);
 

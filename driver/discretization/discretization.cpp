@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "block_horizons.hpp"
 #include "bond_filters.hpp"
@@ -18,6 +19,7 @@
 #include "partition.hpp"
 #include "quick_grid.hpp"
 #include "resolution_check.hpp"
+#include "symmetric_body.hpp"
 
 namespace pd {
 
@@ -34,13 +36,18 @@ double positiveLength(const DeckNode& section, const std::string& key, Mistakes&
   return value;
 }
 
-/// The rule of distances, and a filter where neighbourhoods are boxes.
-NeighborRule neighborRule(const Deck& deck, const MeshPoints& points, const std::vector<double>& horizon,
-                          const std::vector<double>& spacing, BondFilters& filters) {
-  if (deck["Discretization"].text("Type", "") != "PdQuickGrid") return NeighborRule::make(horizon, spacing);
-  const auto box = quickGridNeighborBox(deck, horizon.front());
+/// Half edges of neighbourhoods that are boxes.
+std::optional<std::array<double, 3>> neighborBox(const Deck& deck, const std::vector<double>& horizon) {
+  if (deck["Discretization"].text("Type", "") != "PdQuickGrid") return std::nullopt;
+  return quickGridNeighborBox(deck, horizon.front());
+}
+
+/// The rule of distances, and a filter where neighbourhoods are boxes. `body`: what filters see.
+NeighborRule neighborRule(const std::optional<std::array<double, 3>>& box, const MeshPoints& body,
+                          const std::vector<double>& horizon, const std::vector<double>& spacing,
+                          BondFilters& filters) {
   if (!box) return NeighborRule::make(horizon, spacing);
-  filters.keepWithin(*box, points);
+  filters.keepWithin(*box, body);
   const double diagonal = std::hypot((*box)[0], (*box)[1], (*box)[2]);
   return NeighborRule::make(std::vector<double>(horizon.size(), diagonal), {});
 }
@@ -59,7 +66,7 @@ MeshPoints mappedPoints(const MeshPoints& points, const kernels::HorizonShape& s
 /// Local ids of the points of each node set.
 NodeSets localNodeSets(const NodeSets& nodeSets, const Discretization& d) {
   std::vector<int> localId(static_cast<std::size_t>(d.nGlobal), -1);
-  for (int i = 0; i < d.nPoints; ++i) localId[d.globalIds[i]] = i;
+  for (int i = 0; i < d.firstImage(); ++i) localId[d.globalIds[i]] = i;
   NodeSets result;
   for (const auto& [name, ids] : nodeSets) {
     std::vector<int>& local = result[name];
@@ -70,13 +77,13 @@ NodeSets localNodeSets(const NodeSets& nodeSets, const Discretization& d) {
   return result;
 }
 
-/// Takes over the values of this rank's points.
-void fillPoints(const MeshPoints& points, const std::vector<double>& horizon, Discretization& d) {
+/// Takes over the values of this rank's points. `horizon`: of those of the mesh.
+void fillPoints(const MeshPoints& body, const std::vector<double>& horizon, Discretization& d) {
   for (const int id : d.globalIds) {
-    d.x.insert(d.x.end(), points.at(id), points.at(id) + 3);
-    d.volume.push_back(points.volume[id]);
-    d.horizon.push_back(horizon[id]);
-    d.blockId.push_back(points.blockId[id]);
+    d.x.insert(d.x.end(), body.at(id), body.at(id) + 3);
+    d.volume.push_back(body.volume[id]);
+    d.horizon.push_back(horizon[static_cast<std::size_t>(id) % horizon.size()]);
+    d.blockId.push_back(body.blockId[id]);
   }
 }
 
@@ -98,7 +105,7 @@ std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, c
 }
 
 /// Pairs of points that are nearly at the same place, a line each.
-std::string coincidingPoints(const MeshPoints& points, const Discretization& d) {
+std::string coincidingPoints(const MeshPoints& body, const Discretization& d) {
   std::string lines;
   int count = 0;
   for (int i = 0; i < d.nOwned && count < maximumListed; ++i) {
@@ -109,8 +116,8 @@ std::string coincidingPoints(const MeshPoints& points, const Discretization& d) 
           std::hypot(d.x[3 * i] - d.x[3 * j], d.x[3 * i + 1] - d.x[3 * j + 1], d.x[3 * i + 2] - d.x[3 * j + 2]);
       if (length > closest * d.horizon[i] || d.globalIds[i] > d.globalIds[j]) continue;
       ++count;
-      lines += fmt::format("{}: the point of {} is only {:g} m away; remove one of them\n",
-                           points.place(d.globalIds[i]), points.row(d.globalIds[j]), length);
+      lines += fmt::format("{}: the point of {} is only {:g} m away; remove one of them\n", body.place(d.globalIds[i]),
+                           body.row(d.globalIds[j]), length);
     }
   }
   return lines;
@@ -125,18 +132,18 @@ void addLines(const std::string& lines, Mistakes& mistakes) {
 }
 
 /// Mistakes that show only in the neighbourhoods. The same on all ranks.
-void checkNeighborhoods(const MeshPoints& points, const BondFilters& filters, const Communicator& comm,
+void checkNeighborhoods(const MeshPoints& body, const BondFilters& filters, const Communicator& comm,
                         const Discretization& d, const Deck& deck) {
-  const std::string lonely = lonelyPoints(points, filters, d);
+  const std::string lonely = lonelyPoints(body, filters, d);
   if (deck.isPeridigmDeck()) addLines(comm.gather(lonely), deck.warnings());  // as there
   std::string lines = deck.isPeridigmDeck() ? "" : lonely;
   const bool hasPoints = !d.horizon.empty();
   if (hasPoints && d.shortestBond <= closest * *std::max_element(d.horizon.begin(), d.horizon.end()))
-    lines += coincidingPoints(points, d);
+    lines += coincidingPoints(body, d);
   if (d.neighborhoodList.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     lines +=
         fmt::format("{}: rank {} has {} bonds, more than the 2.1e9 that fit; use more ranks or a smaller Horizon\n",
-                    points.fileName, comm.rank(), d.nBonds());
+                    body.fileName, comm.rank(), d.nBonds());
   addLines(comm.gather(lines), deck.mistakes());
   deck.mistakes().report();
 }
@@ -148,39 +155,46 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const MeshPoints points = readMesh(deck, comm);
   const DeckNode section = deck["Discretization"];
   const NodeSets nodeSets = allNodeSets(deck, comm, points);
-  BondFilters filters(deck, comm, points, nodeSets);
 
   Discretization d;
   d.nGlobal = points.nRows;
   d.blockNumbers = blockNumbersOf(points);
   d.blockNames = points.blockNames;
   d.dimension = meshDimension(boundingBox(points));
+  const std::vector<SymmetryPlane> planes = readSymmetryPlanes(deck, mistakes);
+  d.symmetry = symmetryOf(planes, points, d.dimension, mistakes);
+  const MeshPoints copies = d.symmetry.empty() ? MeshPoints() : wholeBody(points, d.symmetry);
+  const MeshPoints& body = d.symmetry.empty() ? points : copies;
+  BondFilters filters(deck, comm, body, nodeSets);
   const double thickness = positiveLength(section, "Thickness", mistakes);
   const double area = positiveLength(section, "Cross Section Area", mistakes);
   const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
   const std::vector<double> horizon = pointHorizons(points, entries, mistakes);
   mistakes.report();
   const kernels::HorizonShape shape = horizonShape(deck, entries);
+  const auto box = neighborBox(deck, horizon);
+  checkHorizon(planes, shape, box.has_value(), mistakes);
   mistakes.report();
-  const MeshPoints mapped = shape.isBall() ? MeshPoints() : mappedPoints(points, shape);
-  const MeshPoints& searched = shape.isBall() ? points : mapped;
+  const MeshPoints mapped = shape.isBall() ? MeshPoints() : mappedPoints(body, shape);
+  const MeshPoints& searched = shape.isBall() ? body : mapped;
 
   const std::vector<double> spacing = pointSpacings(searched.volume, d.dimension, thickness, area);
   const bool includesPartial = section.flag("Include Partial Neighbors", !deck.isPeridigmDeck());
   const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
-  NeighborRule rule = neighborRule(deck, points, horizon, ruleSpacing, filters);
+  NeighborRule rule = neighborRule(box, body, wholeBody(horizon, d.symmetry), ruleSpacing, filters);
   rule.isBox = shape.isBox();
-  checkResolution(deck, searched, ruleSpacing, d.dimension, rule, comm.size());
+  checkResolution(deck, searched, ruleSpacing, d.dimension, rule, comm.size(), d.symmetry.nCopies());
+  checkBesidePlanes(deck, planes, points, searched, spacing, rule);
   mistakes.report();
 
-  const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(points.size());
-  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing, points.x),
-                     partitionPoints(searched.x, comm.mpi()), comm.rank(), d);
+  const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(body.size());
+  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing, body.x),
+                     partitionPoints(searched.x, points.size(), comm.mpi()), comm.rank(), d);
   filters.warnOfIdle(comm, deck.warnings());
-  fillPoints(points, horizon, d);
+  fillPoints(body, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);
-  checkNeighborhoods(points, filters, comm, d, deck);
+  checkNeighborhoods(body, filters, comm, d, deck);
   return d;
 }
 

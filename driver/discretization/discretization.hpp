@@ -8,17 +8,20 @@
 
 #include "../deck/deck.hpp"
 #include "../parallel/communicator.hpp"
+#include "symmetry.hpp"
 
 namespace pd {
 
-/// Local numbering: owned points first (0 .. nOwned-1), then ghosts. Owned points are numbered along lines of the
-/// mesh where it has such lines, so that neighbouring points sit next to each other in memory.
+/// Local numbering: owned points first (0 .. nOwned-1), then ghosts, then images: mirrored points beyond planes of
+/// symmetry. Owned points are numbered along lines of the mesh where it has such lines, so that neighbouring points sit
+/// next to each other in memory.
 struct Discretization {
   int dimension = 3;  ///< 1 (all points on a line along x), 2 (all in one z plane) or 3
   int nOwned = 0;
-  int nPoints = 0;                ///< owned + ghosts
+  int nPoints = 0;                ///< owned + ghosts + images
   long long nGlobal = 0;          ///< points of the whole mesh
-  std::vector<int> globalIds;     ///< [nPoints] 0-based number of the point in the mesh file
+  std::vector<int> globalIds;     ///< [nPoints] 0-based number of the point in the mesh file; of an image: nGlobal
+                                  ///< times the number of its copy of the body more than that of its source
   std::vector<double> x;          ///< [3 nPoints] reference coordinates, m
   std::vector<double> volume;     ///< [nPoints] m3
   std::vector<double> horizon;    ///< [nPoints] m
@@ -34,8 +37,21 @@ struct Discretization {
   /// [bonds] 1 where a bond filter that counts in Damage cuts the bond (others have removed it). Empty where none.
   std::vector<char> bondIsCut;
 
-  /// Local ids (owned and ghost) by name of the node set as the deck writes it.
+  /// Local ids (owned and ghosts) by name of the node set as the deck writes it.
   std::map<std::string, std::vector<int>> nodeSets;
+
+  Symmetry symmetry;
+  std::vector<int> imageSource;  ///< [images] local id of the owned point or ghost that an image mirrors
+  std::vector<int> imageCopy;    ///< [images] in which copy of the body it is
+
+  /// Local id of the first image: owned + ghosts.
+  int firstImage() const { return nPoints - static_cast<int>(imageSource.size()); }
+  bool isImage(int point) const { return point >= firstImage(); }
+  /// The point itself, or what it mirrors.
+  int sourceOf(int point) const {
+    return isImage(point) ? imageSource[static_cast<std::size_t>(point - firstImage())] : point;
+  }
+  int copyOf(int point) const { return isImage(point) ? imageCopy[static_cast<std::size_t>(point - firstImage())] : 0; }
 
   double shortestBond = 0.0;  ///< over all ranks, m
   long long nBonds() const { return static_cast<long long>(neighborhoodList.size()) - nOwned; }

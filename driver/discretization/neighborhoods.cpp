@@ -13,7 +13,7 @@ std::vector<int> candidatesOf(const MeshPoints& points, const std::vector<int>& 
                               int rank, double reach) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
-  for (int i = 0; i < points.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(owner.size()); ++i) {
     if (owner[i] != rank) continue;
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], points.at(i)[k] - reach);
@@ -64,32 +64,54 @@ void forEachNeighborhood(Discretization& d, Visit visit) {
   }
 }
 
-/// Numbers the ghosts behind the owned points and puts local ids, sorted, in place of positions.
-void numberLocally(const std::vector<int>& candidates, const std::vector<int>& ownedPositions, Discretization& d) {
-  constexpr int isFarAway = -1, isGhost = -2;
-  std::vector<int> localId(candidates.size(), isFarAway);
-  for (std::size_t i = 0; i < ownedPositions.size(); ++i) localId[ownedPositions[i]] = static_cast<int>(i);
+/// Numbers the ghosts behind the owned points, images behind these, and puts local ids, sorted, in place of positions.
+/// `nMesh`: points of the mesh; `order`: of those of the whole body.
+void numberLocally(const std::vector<int>& candidates, const std::vector<int>& ownedPositions,
+                   const std::vector<int>& order, int nMesh, Discretization& d) {
+  constexpr int isFarAway = -1, isOther = -2;
+  std::vector<char> isNeighbor(candidates.size(), 0);
   forEachNeighborhood(d, [&](int, const int* neighbors, int n) {
-    for (int k = 0; k < n; ++k) {
-      int& id = localId[neighbors[k]];
-      if (id == isFarAway) id = isGhost;
-    }
+    for (int k = 0; k < n; ++k) isNeighbor[neighbors[k]] = 1;
   });
-  for (const int position : ownedPositions) d.globalIds.push_back(candidates[position]);
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (localId[c] != isGhost) continue;
-    localId[c] = static_cast<int>(d.globalIds.size());
-    d.globalIds.push_back(candidates[c]);
+  std::vector<int> localId(order.size(), isFarAway);
+  const auto number = [&](int id) {
+    localId[id] = static_cast<int>(d.globalIds.size());
+    d.globalIds.push_back(id);
+  };
+  for (const int position : ownedPositions) number(candidates[position]);
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (const int id : {candidates[c], candidates[c] % nMesh})  // an image needs what it mirrors
+      if (isNeighbor[c] != 0 && localId[id] == isFarAway) localId[id] = isOther;
+  for (const int id : order)
+    if (localId[id] == isOther && id < nMesh) number(id);
+  for (const int id : order) {
+    if (localId[id] != isOther) continue;
+    number(id);
+    d.imageSource.push_back(localId[id % nMesh]);
+    d.imageCopy.push_back(id / nMesh);
   }
   d.nPoints = static_cast<int>(d.globalIds.size());
+  std::vector<int> localIdOf;
+  for (const int id : candidates) localIdOf.push_back(localId[id]);
   forEachNeighborhood(d, [&](int, int* neighbors, int n) {
-    for (int k = 0; k < n; ++k) neighbors[k] = localId[neighbors[k]];
+    for (int k = 0; k < n; ++k) neighbors[k] = localIdOf[neighbors[k]];
     std::sort(neighbors, neighbors + n);
   });
 }
 
+/// What filters say to a bond, and their images: those cut the bond that they would cut if it were mirrored.
+BondFilters::Verdict judge(BondFilters& filters, const Symmetry& symmetry, int nMesh, int a, int b) {
+  if (symmetry.empty()) return filters.judge(a, b);
+  BondFilters::Verdict worst = BondFilters::Verdict::keep;
+  for (int copy = 0; copy < symmetry.nCopies(); ++copy) {
+    const auto mirrored = [&](int id) { return (id / nMesh ^ copy) * nMesh + id % nMesh; };
+    worst = std::max(worst, filters.judge(mirrored(a), mirrored(b)));
+  }
+  return worst;
+}
+
 /// Takes removed bonds out of the list and marks cut ones.
-void applyFilters(BondFilters& filters, Discretization& d) {
+void applyFilters(BondFilters& filters, int nMesh, Discretization& d) {
   if (filters.empty()) return;
   const bool marks = filters.canMark();
   std::size_t out = 0;
@@ -98,7 +120,7 @@ void applyFilters(BondFilters& filters, Discretization& d) {
     const std::size_t start = out++;
     for (int k = 0; k < n; ++k) {
       const int j = neighbors[k];
-      const BondFilters::Verdict verdict = filters.judge(d.globalIds[i], d.globalIds[j]);
+      const BondFilters::Verdict verdict = judge(filters, d.symmetry, nMesh, d.globalIds[i], d.globalIds[j]);
       if (verdict == BondFilters::Verdict::remove) continue;
       d.neighborhoodList[out++] = j;
       if (marks) d.bondIsCut.push_back(verdict == BondFilters::Verdict::mark ? 1 : 0);
@@ -114,17 +136,18 @@ void applyFilters(BondFilters& filters, Discretization& d) {
 
 void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, BondFilters& filters,
                         const std::vector<int>& order, const std::vector<int>& owner, int rank, Discretization& d) {
+  const int nMesh = static_cast<int>(owner.size());
   const std::vector<int> candidates = candidatesOf(points, order, owner, rank, rule.widest());
   std::vector<int> ownedPositions;
   for (std::size_t c = 0; c < candidates.size(); ++c)
-    if (owner[candidates[c]] == rank) ownedPositions.push_back(static_cast<int>(c));
+    if (candidates[c] < nMesh && owner[candidates[c]] == rank) ownedPositions.push_back(static_cast<int>(c));
   d.nOwned = static_cast<int>(ownedPositions.size());
   {
     const NeighborSearch search(points.x, rule, candidates);
     d.shortestBond = std::sqrt(searchAll(search, ownedPositions, d));
   }
-  numberLocally(candidates, ownedPositions, d);
-  applyFilters(filters, d);
+  numberLocally(candidates, ownedPositions, order, nMesh, d);
+  applyFilters(filters, nMesh, d);
 }
 
 }  // namespace pd

@@ -11,9 +11,11 @@
 
 namespace pd {
 
-/// Fills nOwned, nPoints, globalIds, neighborhoodList, neighborhoodStart, bondIsCut and shortestBond (of this rank).
-/// `order`: all points of the mesh in the order that local numbers follow; `owner`: rank of each point. Ghosts are
-/// the points of other ranks that are neighbours of owned points before bond filters remove any.
+/// Fills nOwned, nPoints, globalIds, imageSource, imageCopy, neighborhoodList, neighborhoodStart, bondIsCut and
+/// shortestBond (of this rank). `points`: of the whole body, of which `discretization.symmetry` makes copies
+/// (wholeBody()). `order`: all of them in the order that local numbers follow; `owner`: rank of each point of the mesh.
+/// Ghosts are the points of other ranks that are neighbours of owned points before bond filters remove any, or whose
+/// images are.
 void buildNeighborhoods(const MeshPoints& points, const NeighborRule& rule, BondFilters& filters,
                         const std::vector<int>& order, const std::vector<int>& owner, int rank,
                         Discretization& discretization);

@@ -31,12 +31,11 @@ std::vector<int> partitionShare(const std::vector<double>& x, int first, int las
 
 }  // namespace
 
-std::vector<int> partitionPoints(const std::vector<double>& x, MPI_Comm comm) {
-  const std::size_t nPoints = x.size() / 3;
+std::vector<int> partitionPoints(const std::vector<double>& x, int nPoints, MPI_Comm comm) {
   int rank = 0, nRanks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &nRanks);
-  if (nRanks == 1) return std::vector<int>(nPoints, 0);
+  if (nRanks == 1) return std::vector<int>(static_cast<std::size_t>(nPoints), 0);
 
   std::vector<int> starts, counts;
   const auto startOf = [&](int r) { return static_cast<int>(static_cast<long long>(nPoints) * r / nRanks); };
@@ -45,7 +44,7 @@ std::vector<int> partitionPoints(const std::vector<double>& x, MPI_Comm comm) {
     counts.push_back(startOf(r + 1) - startOf(r));
   }
   const std::vector<int> share = partitionShare(x, startOf(rank), startOf(rank + 1), comm);
-  std::vector<int> owner(nPoints);
+  std::vector<int> owner(static_cast<std::size_t>(nPoints));
   MPI_Allgatherv(share.data(), counts[rank], MPI_INT, owner.data(), counts.data(), starts.data(), MPI_INT, comm);
   return owner;
 }

@@ -9,9 +9,9 @@
 
 namespace pd {
 
-/// [n] Rank of every point: boxes that hold equally many points (Zoltan2, multijagged). `x` [3 n] is the same on all
-/// ranks, and so is the answer. Collective.
-std::vector<int> partitionPoints(const std::vector<double>& x, MPI_Comm comm);
+/// [nPoints] Rank of every point: boxes that hold equally many points (Zoltan2, multijagged). `x` [3 nPoints, or
+/// longer] is the same on all ranks, and so is the answer. Collective.
+std::vector<int> partitionPoints(const std::vector<double>& x, int nPoints, MPI_Comm comm);
 
 }  // namespace pd
 

@@ -79,7 +79,8 @@ void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<
     addSpacingMistake(deck, points, spacing, dimension, extreme);
 }
 
-void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Surroundings>& sampled, int nRanks) {
+void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Surroundings>& sampled, int nRanks,
+               int nCopies) {
   long long nNeighbors = 0;
   double nearest = 0.0;
   for (const Surroundings& s : sampled) {
@@ -88,7 +89,7 @@ void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Sur
   }
   const auto n = static_cast<double>(sampled.size());
   const double perPoint = static_cast<double>(nNeighbors) / n;
-  const double bondsOnARank = perPoint * points.size() / nRanks;
+  const double bondsOnARank = perPoint * points.size() / nCopies / nRanks;
   if (bondsOnARank < std::numeric_limits<int>::max()) return;
   const DeckNode blocks = deck["Blocks"];
   deck.mistakes().add(
@@ -102,11 +103,11 @@ void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Sur
 }  // namespace
 
 void checkResolution(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
-                     const NeighborRule& rule, int nRanks) {
+                     const NeighborRule& rule, int nRanks, int nCopies) {
   if (points.size() < 2) return;  // a single point is reported as one without neighbours
   const std::vector<Surroundings> sampled = sample(points, rule);
   if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, rule, sampled);
-  checkSize(deck, points, sampled, nRanks);
+  checkSize(deck, points, sampled, nRanks, nCopies);
 }
 
 }  // namespace pd

@@ -12,9 +12,10 @@ namespace pd {
 
 /// Looks at a sample of the points. Adds a mistake where volumes do not belong to the distances between points (the
 /// wrong thickness, millimetres mixed with metres), and where the neighbourhoods would hold more bonds than lists on
-/// `nRanks` ranks can. `spacing`: from the volumes, empty where nothing depends on it.
+/// `nRanks` ranks can, of one of the `nCopies` copies that `points` are of. `spacing`: from the volumes, empty where
+/// nothing depends on it.
 void checkResolution(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
-                     const NeighborRule& rule, int nRanks);
+                     const NeighborRule& rule, int nRanks, int nCopies);
 
 }  // namespace pd
 

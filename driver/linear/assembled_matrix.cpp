@@ -13,10 +13,14 @@ AssembledMatrix::AssembledMatrix(const Communicator& comm, const Discretization&
     : comm_(comm),
       graph_(makePointGraph(comm, discretization, couplesFamilies)),
       width_(width),
-      kept_(width == 3 ? discretization.dimension : width) {
-  pointOfGlobalId_.reserve(discretization.globalIds.size());
-  for (std::size_t point = 0; point < discretization.globalIds.size(); ++point)
-    pointOfGlobalId_.emplace(discretization.globalIds[point], static_cast<int>(point));
+      kept_(width == 3 ? discretization.dimension : width),
+      symmetry_(discretization.symmetry) {
+  placeOfGlobalId_.reserve(discretization.globalIds.size());
+  for (std::size_t k = 0; k < discretization.globalIds.size(); ++k) {
+    const int point = static_cast<int>(k);
+    placeOfGlobalId_.emplace(discretization.globalIds[k],
+                             Place{discretization.sourceOf(point), discretization.copyOf(point)});
+  }
   ghostValues_.assign(graph_.ghostColumns.size() * pairs(), 0.0);
   makeMatrix();
 }
@@ -106,9 +110,9 @@ double* AssembledMatrix::entry(const PointRow& target, int component, const int*
          columnComponent;
 }
 
-int AssembledMatrix::pointOf(int globalDegree) const {
-  const auto found = pointOfGlobalId_.find(globalDegree / width_);
-  if (globalDegree < 0 || found == pointOfGlobalId_.end())
+AssembledMatrix::Place AssembledMatrix::placeOf(int globalDegree) const {
+  const auto found = placeOfGlobalId_.find(globalDegree / width_);
+  if (globalDegree < 0 || found == placeOfGlobalId_.end())
     throw std::logic_error("contribution to the matrix at global degree of freedom " + std::to_string(globalDegree) +
                            ", whose point this rank does not hold");
   return found->second;
@@ -124,10 +128,48 @@ void AssembledMatrix::collectRuns(int numIndices, const int* globalIndices) {
       runs_.back().end = i + 1;
       continue;
     }
-    const int point = pointOf(globalIndices[i]);
-    runs_.push_back({point, graph_.columnOfPoint[static_cast<std::size_t>(point)], i, i + 1});
+    const auto [point, copy] = placeOf(globalIndices[i]);
+    runs_.push_back({point, copy, graph_.columnOfPoint[static_cast<std::size_t>(point)], i, i + 1});
   }
   std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.column < b.column; });
+}
+
+/// A contribution to components that a plane of symmetry mixes must hold them all.
+void AssembledMatrix::requireWholePoint(const Run& run) const {
+  const Symmetry::Matrix& m = symmetry_.matrix(run.copy);
+  for (int i = run.begin; i < run.end; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const auto begin = components_.begin() + run.begin, end = components_.begin() + run.end;
+      if (m[static_cast<std::size_t>(3 * c + components_[static_cast<std::size_t>(i)])] != 0.0 &&
+          std::find(begin, end, c) == end)
+        throw std::logic_error(
+            "a contribution to the matrix lacks components of an image that a plane of symmetry mixes");
+    }
+}
+
+/// The block as it is once rows and columns of images are turned back, M block M with M of their copies.
+const double* const* AssembledMatrix::mirroredBack(int numIndices, const double* const* block) {
+  const auto isTurned = [&](const Run& run) { return run.copy != 0; };
+  if (width_ != 3 || std::none_of(runs_.begin(), runs_.end(), isTurned)) return block;
+  const auto n = static_cast<std::size_t>(numIndices);
+  for (const Run& run : runs_) requireWholePoint(run);
+  // Turns the rows of images, and writes the transpose: twice, and rows and columns are.
+  const auto turnRows = [&](const auto& entryAt, std::vector<double>& out) {
+    out.assign(n * n, 0.0);
+    for (const Run& run : runs_) {
+      const Symmetry::Matrix& m = symmetry_.matrix(run.copy);
+      for (auto i = static_cast<std::size_t>(run.begin); i < static_cast<std::size_t>(run.end); ++i)
+        for (auto k = static_cast<std::size_t>(run.begin); k < static_cast<std::size_t>(run.end); ++k) {
+          const double share = m[static_cast<std::size_t>(3 * components_[i] + components_[k])];
+          for (std::size_t j = 0; j < n && share != 0.0; ++j) out[j * n + i] += share * entryAt(k, j);
+        }
+    }
+  };
+  turnRows([&](std::size_t k, std::size_t j) { return block[k][j]; }, half_);
+  turnRows([&](std::size_t k, std::size_t j) { return half_[k * n + j]; }, mirrored_);
+  mirroredRows_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) mirroredRows_[i] = &mirrored_[i * n];
+  return mirroredRows_.data();
 }
 
 void AssembledMatrix::addRun(const Run& rowRun, bool onlyDiagonal, const double* const* block) {
@@ -160,7 +202,8 @@ void AssembledMatrix::addRun(const Run& rowRun, bool onlyDiagonal, const double*
 void AssembledMatrix::addBlock(int numIndices, const int* globalIndices, const double* const* block,
                                bool onlyDiagonal) {
   collectRuns(numIndices, globalIndices);
-  for (const Run& run : runs_) addRun(run, onlyDiagonal, block);
+  const double* const* turned = mirroredBack(numIndices, block);
+  for (const Run& run : runs_) addRun(run, onlyDiagonal, turned);
 }
 
 void AssembledMatrix::sendGhostRows() {
@@ -240,16 +283,26 @@ double& AssembledMatrix::ownEntry(int ownedPoint, int component, int columnCompo
 }
 
 void AssembledMatrix::addValue(int globalRow, int globalColumn, double value) {
-  const int rowComponent = globalRow % width_, columnComponent = globalColumn % width_;
-  const int rowPoint = pointOf(globalRow);
-  const int column = graph_.columnOfPoint[static_cast<std::size_t>(pointOf(globalColumn))];
-  if (rowComponent >= kept_ || columnComponent >= kept_) return;
-  const PointRow target = row(rowPoint);
+  const Place rowPlace = placeOf(globalRow), columnPlace = placeOf(globalColumn);
+  const int column = graph_.columnOfPoint[static_cast<std::size_t>(columnPlace.point)];
+  const PointRow target = row(rowPlace.point);
   const int* place = std::lower_bound(target.columns, target.columns + target.degree, column);
-  if (place != target.columns + target.degree && *place == column)
-    *entry(target, rowComponent, place, columnComponent) += value;
-  else if (value != 0.0)
-    graphIsTooSmall_ = true;
+  const bool isMissing = place == target.columns + target.degree || *place != column;
+  const auto add = [&](int c, int d, double share) {
+    if (c >= kept_ || d >= kept_ || share == 0.0) return;
+    if (!isMissing)
+      *entry(target, c, place, d) += share;
+    else
+      graphIsTooSmall_ = true;
+  };
+  const int rowComponent = globalRow % width_, columnComponent = globalColumn % width_;
+  if (width_ != 3 || (rowPlace.copy == 0 && columnPlace.copy == 0)) return add(rowComponent, columnComponent, value);
+  const Symmetry::Matrix &left = symmetry_.matrix(rowPlace.copy), &right = symmetry_.matrix(columnPlace.copy);
+  for (int c = 0; c < 3; ++c)
+    for (int d = 0; d < 3; ++d)
+      add(c, d,
+          left[static_cast<std::size_t>(3 * c + rowComponent)] * value *
+              right[static_cast<std::size_t>(3 * columnComponent + d)]);
 }
 
 Teuchos::RCP<tpetra::MultiVector> AssembledMatrix::vectorOf(const double* full) const {

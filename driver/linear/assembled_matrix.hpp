@@ -11,6 +11,7 @@
 namespace pd {
 
 /// The matrix of a LinearSystem: a Tpetra matrix with a static graph, into whose values contributions go directly.
+/// Those to rows and columns of images go, mirrored back, to what these mirror.
 class AssembledMatrix {
  public:
   AssembledMatrix(const Communicator& comm, const Discretization& discretization, int width, bool couplesFamilies);
@@ -44,17 +45,23 @@ class AssembledMatrix {
     std::size_t degree;
     double* values;
   };
+  /// A local point; of an image what it mirrors, and the copy of the body that the image is in.
+  struct Place {
+    int point, copy;
+  };
   /// Consecutive indices of a contribution that belong to one point.
   struct Run {
-    int point, column, begin, end;
+    int point, copy, column, begin, end;
   };
 
   void makeMatrix();
   std::size_t pairs() const { return static_cast<std::size_t>(kept_) * static_cast<std::size_t>(kept_); }
   PointRow row(int point);
   double* entry(const PointRow& target, int component, const int* place, int columnComponent) const;
-  int pointOf(int globalDegree) const;
+  Place placeOf(int globalDegree) const;
   void collectRuns(int numIndices, const int* globalIndices);
+  void requireWholePoint(const Run& run) const;
+  const double* const* mirroredBack(int numIndices, const double* const* block);
   void addRun(const Run& rowRun, bool onlyDiagonal, const double* const* block);
   void sendGhostRows();
   Teuchos::RCP<tpetra::MultiVector> eliminatedColumns(const std::vector<char>& isConstrained) const;
@@ -63,7 +70,8 @@ class AssembledMatrix {
   const Communicator& comm_;
   PointGraph graph_;
   const int width_, kept_;
-  std::unordered_map<int, int> pointOfGlobalId_;
+  const Symmetry symmetry_;
+  std::unordered_map<int, Place> placeOfGlobalId_;
   Teuchos::RCP<tpetra::Matrix> matrix_;
   double* values_ = nullptr;  ///< of matrix_
   std::size_t nValues_ = 0;
@@ -71,6 +79,8 @@ class AssembledMatrix {
   bool graphIsTooSmall_ = false;
   std::vector<Run> runs_;        ///< scratch of addBlock
   std::vector<int> components_;  ///< scratch of addBlock
+  std::vector<double> mirrored_, half_;
+  std::vector<const double*> mirroredRows_;
 };
 
 }  // namespace pd

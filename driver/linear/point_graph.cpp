@@ -21,7 +21,7 @@ struct Lists {
   const int* end(int list) const { return items.data() + start[static_cast<std::size_t>(list) + 1]; }
 };
 
-/// Each owned point with its neighbours, the point first.
+/// Each owned point with its neighbours (of images what they mirror), the point first.
 Lists familiesOf(const Discretization& discretization) {
   Lists families;
   families.items.reserve(discretization.neighborhoodList.size());
@@ -29,7 +29,7 @@ Lists familiesOf(const Discretization& discretization) {
   for (int point = 0; point < discretization.nOwned; ++point) {
     const int count = *list++;
     families.items.push_back(point);
-    families.items.insert(families.items.end(), list, list + count);
+    for (int k = 0; k < count; ++k) families.items.push_back(discretization.sourceOf(list[k]));
     families.start.push_back(families.items.size());
     list += count;
   }
@@ -55,8 +55,8 @@ class RowBuilder {
  public:
   RowBuilder(const Discretization& discretization, bool couplesFamilies)
       : families_(familiesOf(discretization)),
-        centres_(centresOf(families_, discretization.nOwned, discretization.nPoints)),
-        isIn_(static_cast<std::size_t>(discretization.nPoints), 0),
+        centres_(centresOf(families_, discretization.nOwned, discretization.firstImage())),
+        isIn_(static_cast<std::size_t>(discretization.firstImage()), 0),
         nOwned_(discretization.nOwned),
         couplesFamilies_(couplesFamilies) {}
 
@@ -122,9 +122,9 @@ struct Numbering {
 };
 
 Numbering numberPoints(const Communicator& comm, const Discretization& discretization, long long firstNumber) {
-  const int nOwned = discretization.nOwned, nGhosts = discretization.nPoints - nOwned;
+  const int nOwned = discretization.nOwned, nGhosts = discretization.firstImage() - nOwned;
   Numbering result;
-  result.numbers.resize(static_cast<std::size_t>(discretization.nPoints));
+  result.numbers.resize(static_cast<std::size_t>(discretization.firstImage()));
   result.ownerOfGhost.assign(static_cast<std::size_t>(nGhosts), comm.rank());
   std::iota(result.numbers.begin(), result.numbers.begin() + nOwned, firstNumber);
   if (comm.size() == 1) return result;
@@ -264,7 +264,7 @@ void placeReceived(PointGraph& graph) {
 PointGraph makePointGraph(const Communicator& comm, const Discretization& discretization, bool couplesFamilies) {
   PointGraph graph;
   graph.nOwned = discretization.nOwned;
-  graph.nPoints = discretization.nPoints;
+  graph.nPoints = discretization.firstImage();
   const long long nOwned = graph.nOwned;
   MPI_Exscan(&nOwned, &graph.firstNumber, 1, MPI_LONG_LONG, MPI_SUM, comm.mpi());
   if (comm.isRoot()) graph.firstNumber = 0;

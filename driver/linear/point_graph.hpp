@@ -11,10 +11,11 @@
 namespace pd {
 
 /// Rows of owned points as they are after all ranks have contributed, and rows of ghosts as this rank fills them.
-/// Points are numbered anew over all ranks ("matrix numbers"): rank after rank, each in its local order, so that a
-/// rank's rows are contiguous. Columns are local indices into `columnNumbers`, ascending in each row.
+/// Images have no rows and columns of their own: what they mirror stands for them. Points are numbered anew over all
+/// ranks ("matrix numbers"): rank after rank, each in its local order, so that a rank's rows are contiguous. Columns
+/// are local indices into `columnNumbers`, ascending in each row.
 struct PointGraph {
-  int nOwned = 0, nPoints = 0;
+  int nOwned = 0, nPoints = 0;           ///< nPoints: owned and ghosts
   long long firstNumber = 0;             ///< matrix number of the first owned point
   long long nGlobal = 0;                 ///< points of all ranks
   std::vector<long long> columnNumbers;  ///< matrix numbers: owned points, then all others ascending

@@ -50,11 +50,29 @@ long long bondsOf(Block& block) { return block.getNeighborhoodData()->NumBonds()
 
 void Model::importGhosts(const std::string& label) {
   const Timers::Scope timer(timers_, "ghost exchange");
-  ghosts_.import(field(label), fieldWidth(label));
+  exchange_.import(field(label), fieldWidth(label), reflectionOf(label));
+}
+
+void Model::fillImages(const std::string& label) {
+  if (discretization_.symmetry.empty()) return;
+  exchange_.fillImages(field(label), fieldWidth(label), reflectionOf(label));
+}
+
+std::optional<Reflection> Model::reflectionOf(const std::string& label) const {
+  if (discretization_.symmetry.empty()) return std::nullopt;
+  return reflections_.of(FieldManager::self().getFieldSpec(label));
 }
 
 void Model::synchronise(const std::vector<int>& fieldIds) {
-  for (const int id : fieldIds) importGhosts(FieldManager::self().getFieldSpec(id).label);
+  for (const int id : fieldIds) {
+    const std::string label = FieldManager::self().getFieldSpec(id).label;
+    if (!discretization_.symmetry.empty() && !reflectionOf(label))
+      throw RunError(
+          fmt::format("neighbours' values of the field \"{}\" are asked for, but nothing says what a plane of "
+                      "symmetry makes of {} values a point; model the whole body",
+                      label, fieldWidth(label)));
+    importGhosts(label);
+  }
 }
 
 void Model::evaluateDamage(double dt) {
@@ -122,7 +140,7 @@ void Model::sumBlocks(const std::string& label) {
   }
   {
     const Timers::Scope timer(timers_, "ghost exchange");
-    ghosts_.exportAdd(total, fieldWidth(label));
+    exchange_.exportAdd(total, fieldWidth(label), reflectionOf(label));
   }
   // Computes read the field through a block: they see the sum of all blocks.
   if (isPrivate)

@@ -115,14 +115,31 @@ Model::Model(const Deck& deck, const Communicator& comm, Discretization discreti
              const std::vector<int>& extraFields)
     : comm_(comm),
       discretization_(std::move(discretization)),
-      ghosts_(comm, discretization_.globalIds, discretization_.nOwned),
+      exchange_(comm, discretization_),
       shared_(Teuchos::rcp(new DataManager)),
       blocks_(Teuchos::rcp(new std::vector<Block>)) {
   setInfluenceFunction(deck);
   createBlocks(deck);
   allocatePluginFields();
   allocateFields(extraFields);
+  if (!discretization_.symmetry.empty()) prepareImages(deck);
   if (comm_.any(!discretization_.bondIsCut.empty())) collectively(comm_, [&] { cutBonds(deck); });
+}
+
+void Model::prepareImages(const Deck& deck) {
+  using namespace PeridigmField;
+  for (Block& block : *blocks_) {
+    if (const FieldTable* table = fieldTableOf(*block.getMaterialModel())) reflections_.include(*table);
+    if (block.getDamageModel().is_null()) continue;
+    if (const FieldTable* table = fieldTableOf(*block.getDamageModel())) reflections_.include(*table);
+  }
+  allocateFields({FieldManager::self().getFieldId(NODE, SCALAR, CONSTANT, imageShiftField)});
+  for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
+    if (spec.length == VECTOR && spec.relation != BOND && spec.relation != GLOBAL && hasField(spec.label) &&
+        reflectionOf(spec.label) == Reflection::Even && !discretization_.symmetry.isAlongAxes())
+      throw DeckError(deck["Discretization"]["Symmetry"].keyPlace() + ": the field " + spec.label +
+                      " has a value for each of x, y and z, and planes of symmetry must be perpendicular to one of "
+                      "them; turn the mesh, or choose a model without this field (Surface Correction: Volume Method)");
 }
 
 void Model::createBlocks(const Deck& deck) {
@@ -224,6 +241,7 @@ void Model::fillConstantFields() {
   fill("Horizon", [&](int i) { return points.horizon[i]; });
   fill("Block_Id", [&](int i) { return points.blockId[i]; });
   fill("Element_Id", [&](int i) { return points.globalIds[i] + 1; });  // node numbers start at 1 in files
+  fill(imageShiftField, [&](int i) { return points.globalIds[i] - points.globalIds[points.sourceOf(i)]; });
   if (hasField("Coordinates")) std::copy(points.x.begin(), points.x.end(), field("Coordinates"));
 }
 
@@ -257,6 +275,8 @@ void Model::cutBonds(const Deck& deck) {
 void Model::initialize() {
   std::set<int> toSynchronise;
   const auto note = [&](const std::vector<int>& ids) { toSynchronise.insert(ids.begin(), ids.end()); };
+  for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
+    if (hasField(spec.label) && spec.relation != PeridigmField::GLOBAL) fillImages(spec.label);
   if (hasField("Displacement")) updateCoordinates();
   collectively(comm_, [&] {
     const Timers::Scope timer(timers_, "initialization");

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "../deck/deck.hpp"
-#include "../discretization/discretization.hpp"
+#include "../discretization/point_exchange.hpp"
 #include "../parallel/communicator.hpp"
-#include "../parallel/ghost_exchange.hpp"
 #include "Peridigm_Block.hpp"
+#include "field_reflections.hpp"
 #include "fields.hpp"
 #include "step_record.hpp"
 #include "timers.hpp"
 
 namespace pd {
 
-/// Point fields are arrays over the overlap (owned first), shared by all blocks.
+/// Point fields are arrays over the overlap (owned points, ghosts, images), shared by all blocks.
 class Model {
  public:
   /// Creates the plug-ins that the deck names and allocates the fields that they and `extraFields` ask for, and only
@@ -55,7 +55,13 @@ class Model {
   /// The same at STEP_N.
   double* fieldAtN(const std::string& label);
   int fieldWidth(const std::string& label) const;  ///< values a point
-  void importGhosts(const std::string& label);     ///< owners' STEP_NP1 values to ghosts
+  /// Owners' STEP_NP1 values to ghosts, and from there to images. Collective.
+  void importGhosts(const std::string& label);
+  /// Images alone, where ghosts are up to date already.
+  void fillImages(const std::string& label);
+  const PointExchange& exchange() const { return exchange_; }
+  /// What planes of symmetry make of a point field; none where there are no planes.
+  std::optional<Reflection> reflectionOf(const std::string& label) const;
 
   bool hasMechanics() const { return hasField("Force_Density"); }
   bool hasDamage() const;
@@ -109,6 +115,7 @@ class Model {
   void shareBondSteps(PeridigmNS::Block& block);
   void restoreHistories();
   std::vector<StepRecord::PointField> recordedFields();
+  void prepareImages(const Deck& deck);
   void callPrecompute(double dt, bool onlyWithoutMechanics);
   void synchronise(const std::vector<int>& fieldIds);
   void sumBlocks(const std::string& label);
@@ -116,7 +123,8 @@ class Model {
 
   const Communicator& comm_;
   Discretization discretization_;
-  GhostExchange ghosts_;
+  PointExchange exchange_;
+  FieldReflections reflections_;
   Teuchos::RCP<PeridigmNS::DataManager> shared_;  ///< the point fields of all blocks
   Teuchos::RCP<std::vector<PeridigmNS::Block>> blocks_;
   StepRecord record_;

@@ -49,6 +49,9 @@ void logModel(Model& model, Output& output, const Deck& deck) {
       "{}: {} points in {} dimension(s), {} directed bonds ({:.1f} a point), {} block(s), {} rank(s)", deck.fileName(),
       mesh.nGlobal, mesh.dimension, nBonds, static_cast<double>(nBonds) / static_cast<double>(mesh.nGlobal),
       model.blocks()->size(), comm.size()));
+  if (!mesh.symmetry.empty())
+    output.log(fmt::format("planes of symmetry: the mesh is one of {} equal parts of the body; totals are of this part",
+                           mesh.symmetry.nCopies()));
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 

@@ -145,13 +145,12 @@ std::vector<std::string> readFields(const Hdf5File& file, Model& model, const Gl
     if (!isIt) missing.push_back(spec.label);
     return isIt;
   };
-  const GhostExchange ghosts(model.comm(), model.discretization().globalIds, model.nOwned());
   for (const FieldSpec& spec : pointFields(model)) {
     const int width = widthOf(spec);
     if (!isThere("points/", spec, width)) continue;
     double* values = model.field(spec.label);
     order.toPoints(file.read<double>("points/" + spec.label, order.rows()), width, values);
-    ghosts.import(values, width);
+    model.exchange().import(values, width, model.reflectionOf(spec.label));
   }
   for (const FieldSpec& spec : globalFields(model)) {
     if (!isThere("globals/", spec, 1)) continue;

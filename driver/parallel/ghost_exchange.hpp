@@ -13,7 +13,7 @@ namespace pd {
 /// Implemented with one Tpetra import object over the owned and the overlap map. On one rank both calls do nothing.
 class GhostExchange {
  public:
-  /// `globalIds`: of all local points; the first nOwned are owned. Collective.
+  /// `globalIds`: of owned points, of which there are nOwned, and ghosts. Collective.
   GhostExchange(const Communicator& comm, const std::vector<int>& globalIds, int nOwned);
   ~GhostExchange();
 

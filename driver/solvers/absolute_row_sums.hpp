@@ -11,11 +11,12 @@ namespace pd {
 
 /// Takes what a material adds to its tangent and keeps, for each displacement component, the sum of the absolute values
 /// of its row. Entries that couple a point to itself are added up with their signs first, others one contribution at a
-/// time: an upper bound, and exact for pairwise forces.
+/// time: an upper bound, and exact for pairwise forces. Rows of images are, mirrored back, part of the rows of what
+/// these mirror; their columns count as those of other points.
 class AbsoluteRowSums : public PeridigmNS::SerialMatrix {
  public:
-  /// `overlap`: the points of this rank, owned and ghost.
-  explicit AbsoluteRowSums(const PeridigmNS::PointMap& overlap);
+  /// Refers to the model.
+  explicit AbsoluteRowSums(const Model& model);
 
   void addValue(int globalRow, int globalCol, double value) override;
   void addValues(int numIndices, const int* globalIndices, const double* const* values) override;
@@ -23,10 +24,20 @@ class AbsoluteRowSums : public PeridigmNS::SerialMatrix {
   void putScalar(double value) override;
 
   /// [3 nOwned] with what other ranks have added to the rows of this one. Collective.
-  std::vector<double> ownedSums(const Model& model) const;
+  std::vector<double> ownedSums() const;
 
  private:
-  const PeridigmNS::PointMap& overlap_;
+  /// Consecutive indices of one point.
+  struct Run {
+    int first, last;  ///< behind the last
+    int point;        ///< local id; -1: of another rank
+  };
+  Run runFrom(int first, int numIndices, const int* globalIndices) const;
+  void addRun(const Run& rows, int numIndices, const int* globalIndices, const double* const* values);
+  void addMirrored(const Run& rows, const Run& columns, const int* globalIndices, const double* const* values);
+
+  const Model& model_;
+  Teuchos::RCP<const PeridigmNS::PointMap> overlap_;
   std::vector<double> ownBlock_;  ///< [9 points] entries between components of one point
   std::vector<double> otherSum_;  ///< [3 points]
 };

@@ -62,10 +62,9 @@ void AdaptiveDynamicRelaxation::prepareMasses(Simulation& simulation) {
   double* mass = model.field(fields_.mass);
   if (!hasMasses_) {
     // Breaking bonds only lowers the row sums: one estimate keeps the pseudo time step of one stable for the whole run.
-    const auto overlap = model.blocks()->front().getDataManager()->getOverlapScalarPointMap();
-    AbsoluteRowSums rowSums(*overlap);
+    AbsoluteRowSums rowSums(model);
     model.assembleJacobian(0.0, rowSums);
-    const std::vector<double> sums = rowSums.ownedSums(model);
+    const std::vector<double> sums = rowSums.ownedSums();
     const double* volume = model.field("Volume");
     // 1.1: Underwood's margin on the frequency. The largest component's sum serves all three, so that the bound
     // survives rotations.

@@ -19,7 +19,7 @@ int numberOfModes(int dimension) { return dimension == 1 ? 1 : (dimension == 2 ?
 
 /// Displacement component `axis` at `place` of each rigid-body motion: translations, then rotations about `centre`
 /// scaled by `radius`, so that all are of one size.
-Mode motionsAt(const Point& place, int axis, const Point& centre, double radius, int dimension) {
+Mode motionsOf(const Point& place, int axis, const Point& centre, double radius, int dimension) {
   Mode row{};
   row[static_cast<std::size_t>(axis)] = 1.0;
   std::size_t mode = static_cast<std::size_t>(dimension);
@@ -31,7 +31,20 @@ Mode motionsAt(const Point& place, int axis, const Point& centre, double radius,
   return row;
 }
 
-/// One connected part of two points or more.
+/// The same of a point whose image in `copy` is at `place` and moves as the rigid body does.
+Mode motionsAt(const Point& place, int axis, const Symmetry::Matrix& copy, const Point& centre, double radius,
+               int dimension) {
+  Mode row{};
+  for (int d = 0; d < dimension; ++d) {
+    const double share = copy[static_cast<std::size_t>(3 * axis + d)];
+    if (share == 0.0) continue;
+    const Mode along = motionsOf(place, d, centre, radius, dimension);
+    for (std::size_t mode = 0; mode < row.size(); ++mode) row[mode] += share * along[mode];
+  }
+  return row;
+}
+
+/// One connected part of two points or more, in which images count.
 struct Part {
   Point centre{}, first{};                                  ///< first: its point of smallest global id
   double radius = 0.0;                                      ///< root mean square distance from the centre
@@ -82,13 +95,14 @@ class Holder {
         nModes_(numberOfModes(mesh_.dimension)),
         partOfName_(connected.names.size(), -1) {
     for (std::size_t k = 0; k < connected.names.size(); ++k)
-      if (connected.sizes[k] > 1) {
+      if (!connected.isSingle(k)) {
         partOfName_[k] = static_cast<int>(parts_.size());
         parts_.emplace_back();
         nameOfPart_.push_back(k);
       }
     measure();
     addPrescribed();
+    for (std::size_t k = 0; k < parts_.size(); ++k) addMirrors(parts_[k], connected.mirrors[nameOfPart_[k]]);
   }
 
   void holdLooseParts(HeldInPlace& result) {
@@ -114,17 +128,21 @@ class Holder {
   struct Candidate {
     double measure = -1.0;
     long long globalId = -1;
+    int copy = 0;  ///< in which the point belongs to the part
     Point place{};
   };
 
-  Point place(int point) const {
-    const double* x = &mesh_.x[static_cast<std::size_t>(3 * point)];
-    return {x[0], x[1], x[2]};
+  int copyOf(int point) const { return connected_.copyOfPoint[static_cast<std::size_t>(point)]; }
+  /// Where the point belongs to its part, if `further` is 0; else an image of the point there.
+  Point place(int point, int further = 0) const {
+    return mesh_.symmetry.place(copyOf(point) ^ further, &mesh_.x[static_cast<std::size_t>(3 * point)]);
   }
   static double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
   static double distanceFromLine(const Point& x, const Point& a, const Point& b) {
     const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {x[0] - a[0], x[1] - a[1], x[2] - a[2]};
-    return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / distance(a, b);
+    const double length = distance(a, b);  // 0 of a point with its image alone
+    if (length == 0.0) return distance(x, a);
+    return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / length;
   }
   int partOf(int point) const {
     return partOfName_[static_cast<std::size_t>(connected_.partOfPoint[static_cast<std::size_t>(point)])];
@@ -134,37 +152,54 @@ class Holder {
                   model_.comm().mpi());
   }
 
+  /// The copies, 0 included, of which a part that goes on in the copies of `mirrors` holds the images of all its
+  /// points.
+  std::vector<int> copiesOf(unsigned mirrors) const {
+    std::vector<int> copies{0};
+    for (int copy = 1; copy < mesh_.symmetry.nCopies(); ++copy) {
+      if ((mirrors >> copy & 1u) == 0 || std::find(copies.begin(), copies.end(), copy) != copies.end()) continue;
+      const std::vector<int> before = copies;
+      for (const int other : before) copies.push_back(other ^ copy);
+    }
+    return copies;
+  }
+
   /// Centres, radii and first points.
   void measure() {
     std::vector<double> sums(6 * parts_.size(), 0.0), squares(parts_.size(), 0.0);
+    std::vector<std::vector<int>> copies;
+    for (const std::size_t name : nameOfPart_) copies.push_back(copiesOf(connected_.mirrors[name]));
     for (int point = 0; point < mesh_.nOwned; ++point) {
       const int k = partOf(point);
       if (k < 0) continue;
-      const Point x = place(point);
-      const bool isFirst = mesh_.globalIds[static_cast<std::size_t>(point)] ==
-                           connected_.names[nameOfPart_[static_cast<std::size_t>(k)]];
+      const auto part = static_cast<std::size_t>(k);
+      const bool isFirst = mesh_.globalIds[static_cast<std::size_t>(point)] == connected_.names[nameOfPart_[part]];
       for (std::size_t c = 0; c < 3; ++c) {
-        sums[6 * static_cast<std::size_t>(k) + c] += x[c];
-        if (isFirst) sums[6 * static_cast<std::size_t>(k) + 3 + c] = x[c];
+        for (const int copy : copies[part]) sums[6 * part + c] += place(point, copy)[c];
+        if (isFirst) sums[6 * part + 3 + c] = place(point)[c];
       }
     }
     sumOverRanks(sums);
+    const auto nPoints = [&](std::size_t k) {
+      return static_cast<double>(connected_.sizes[nameOfPart_[k]]) * static_cast<double>(copies[k].size());
+    };
     for (std::size_t k = 0; k < parts_.size(); ++k)
       for (std::size_t c = 0; c < 3; ++c) {
-        parts_[k].centre[c] = sums[6 * k + c] / static_cast<double>(connected_.sizes[nameOfPart_[k]]);
+        parts_[k].centre[c] = sums[6 * k + c] / nPoints(k);
         parts_[k].first[c] = sums[6 * k + 3 + c];
       }
     for (int point = 0; point < mesh_.nOwned; ++point)
       if (const int k = partOf(point); k >= 0)
-        squares[static_cast<std::size_t>(k)] +=
-            std::pow(distance(place(point), parts_[static_cast<std::size_t>(k)].centre), 2);
+        for (const int copy : copies[static_cast<std::size_t>(k)])
+          squares[static_cast<std::size_t>(k)] +=
+              std::pow(distance(place(point, copy), parts_[static_cast<std::size_t>(k)].centre), 2);
     sumOverRanks(squares);
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      parts_[k].radius = std::sqrt(squares[k] / static_cast<double>(connected_.sizes[nameOfPart_[k]]));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].radius = std::sqrt(squares[k] / nPoints(k));
   }
 
-  Mode motions(const Part& part, const Point& x, int axis) const {
-    return motionsAt(x, axis, part.centre, part.radius, mesh_.dimension);
+  /// Of a point of the mesh that belongs to the part in `copy`, where it is at x.
+  Mode motions(const Part& part, const Point& x, int copy, int axis) const {
+    return motionsAt(x, axis, mesh_.symmetry.matrix(copy), part.centre, part.radius, mesh_.dimension);
   }
 
   void addPrescribed() {
@@ -174,7 +209,7 @@ class Holder {
       if (k < 0) continue;
       for (int axis = 0; axis < mesh_.dimension; ++axis) {
         if (!isHeld_[static_cast<std::size_t>(3 * point + axis)]) continue;
-        const Mode row = motions(parts_[static_cast<std::size_t>(k)], place(point), axis);
+        const Mode row = motions(parts_[static_cast<std::size_t>(k)], place(point), copyOf(point), axis);
         for (std::size_t i = 0; i < 6; ++i)
           for (std::size_t j = 0; j < 6; ++j) all[36 * static_cast<std::size_t>(k) + 6 * i + j] += row[i] * row[j];
       }
@@ -185,10 +220,28 @@ class Holder {
                             all.begin() + static_cast<std::ptrdiff_t>(36 * (k + 1)));
   }
 
+  /// A part that is connected with its own image moves as that does: as many points as span a body do.
+  void addMirrors(Part& part, unsigned mirrors) const {
+    for (int copy = 1; copy < mesh_.symmetry.nCopies(); ++copy) {
+      if ((mirrors >> copy & 1u) == 0) continue;
+      for (int corner = 0; corner <= mesh_.dimension; ++corner) {
+        Point x = part.centre;
+        if (corner > 0) x[static_cast<std::size_t>(corner - 1)] += part.radius;
+        const Point image = mesh_.symmetry.place(copy, x.data());
+        for (int axis = 0; axis < mesh_.dimension; ++axis) {
+          Mode row = motions(part, x, 0, axis);
+          const Mode mirrored = motions(part, image, copy, axis);
+          for (std::size_t mode = 0; mode < row.size(); ++mode) row[mode] -= mirrored[mode];
+          hold(part, row);
+        }
+      }
+    }
+  }
+
   std::vector<Candidate> firstPoints() const {
     std::vector<Candidate> result;
     for (std::size_t k = 0; k < parts_.size(); ++k)
-      result.push_back({0.0, connected_.names[nameOfPart_[k]], parts_[k].first});
+      result.push_back({0.0, connected_.names[nameOfPart_[k]], 0, parts_[k].first});
     return result;
   }
 
@@ -203,17 +256,19 @@ class Holder {
       if (k < 0) continue;
       const Point x = place(point);
       const Candidate candidate{measureOf(static_cast<std::size_t>(k), x),
-                                mesh_.globalIds[static_cast<std::size_t>(point)], x};
+                                mesh_.globalIds[static_cast<std::size_t>(point)], copyOf(point), x};
       if (isBetter(candidate, best[static_cast<std::size_t>(k)])) best[static_cast<std::size_t>(k)] = candidate;
     }
-    std::vector<double> mine, all(5 * best.size() * static_cast<std::size_t>(model_.comm().size()));
+    constexpr std::size_t width = 6;
+    std::vector<double> mine, all(width * best.size() * static_cast<std::size_t>(model_.comm().size()));
     for (const Candidate& c : best)
-      mine.insert(mine.end(), {c.measure, static_cast<double>(c.globalId), c.place[0], c.place[1], c.place[2]});
+      mine.insert(mine.end(), {c.measure, static_cast<double>(c.globalId), static_cast<double>(c.copy), c.place[0],
+                               c.place[1], c.place[2]});
     MPI_Allgather(mine.data(), static_cast<int>(mine.size()), MPI_DOUBLE, all.data(), static_cast<int>(mine.size()),
                   MPI_DOUBLE, model_.comm().mpi());
-    for (std::size_t k = 0; k < all.size() / 5; ++k) {
-      const double* c = &all[5 * k];
-      const Candidate candidate{c[0], static_cast<long long>(c[1]), {c[2], c[3], c[4]}};
+    for (std::size_t k = 0; k < all.size() / width; ++k) {
+      const double* c = &all[width * k];
+      const Candidate candidate{c[0], static_cast<long long>(c[1]), static_cast<int>(c[2]), {c[3], c[4], c[5]}};
       if (isBetter(candidate, best[k % best.size()])) best[k % best.size()] = candidate;
     }
     return best;
@@ -221,7 +276,7 @@ class Holder {
 
   void holdAt(Part& part, const Candidate& candidate, double leastShare) {
     for (int axis = 0; axis < mesh_.dimension; ++axis) {
-      const Mode row = motions(part, candidate.place, axis);
+      const Mode row = motions(part, candidate.place, candidate.copy, axis);
       if (freeShare(part, row, nModes_) < leastShare) continue;
       hold(part, row);
       for (int point = 0; point < mesh_.nOwned; ++point)
@@ -242,15 +297,12 @@ class Holder {
 
 }  // namespace
 
-LooseParts::LooseParts(const Model& model)
-    : ghosts_(model.comm(), model.discretization().globalIds, model.discretization().nOwned) {}
-
-HeldInPlace LooseParts::find(Model& model, const std::vector<char>& isPrescribed) const {
+HeldInPlace findLooseParts(Model& model, const std::vector<char>& isPrescribed) {
   HeldInPlace result;
   result.isHeld = isPrescribed;
-  const ConnectedParts connected = findConnectedParts(model, ghosts_);
+  const ConnectedParts connected = findConnectedParts(model);
   for (std::size_t i = 0; i < connected.partOfPoint.size(); ++i) {
-    if (connected.sizes[static_cast<std::size_t>(connected.partOfPoint[i])] > 1) continue;
+    if (!connected.isSingle(static_cast<std::size_t>(connected.partOfPoint[i]))) continue;
     const auto begin = result.isHeld.begin() + static_cast<std::ptrdiff_t>(3 * i);
     if (std::any_of(begin, begin + 3, [](char held) { return held == 0; })) ++result.nPointsWithoutBonds;
     std::fill(begin, begin + 3, char{1});

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "../model/model.hpp"
-#include "../parallel/ghost_exchange.hpp"
 
 namespace pd {
 
@@ -22,20 +21,12 @@ struct HeldInPlace {
   }
 };
 
-/// Parts whose prescribed displacements leave a rigid-body motion free get as many further degrees of freedom held as
-/// there are free motions: they are then statically determinate, so that holding them adds no stress. The choice
-/// depends on geometry and global ids alone, not on ranks.
-class LooseParts {
- public:
-  explicit LooseParts(const Model& model);
-
-  /// `isPrescribed` [3 nOwned], with the components outside the dimension of the mesh set. Reads Bond_Damage: a bond
-  /// below 1 carries force. Collective.
-  HeldInPlace find(Model& model, const std::vector<char>& isPrescribed) const;
-
- private:
-  GhostExchange ghosts_;
-};
+/// Parts whose prescribed displacements, and planes of symmetry that their bonds go through, leave a rigid-body motion
+/// free get as many further degrees of freedom held as there are free motions: they are then statically determinate, so
+/// that holding them adds no stress. The choice depends on geometry and global ids alone, not on ranks.
+/// `isPrescribed` [3 nOwned], with the components outside the dimension of the mesh set. Reads Bond_Damage: a bond
+/// below 1 carries force. Collective.
+HeldInPlace findLooseParts(Model& model, const std::vector<char>& isPrescribed);
 
 }  // namespace pd
 

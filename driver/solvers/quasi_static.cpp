@@ -92,7 +92,8 @@ double QuasiStatic::incrementEnd(int increment, int nIncrements, double t0, doub
 
 void QuasiStatic::findLooseParts(Simulation& simulation) {
   const HeldInPlace before = std::move(held_);
-  held_ = looseParts_->find(simulation.model, heldDisplacements(simulation));
+  held_ = pd::findLooseParts(simulation.model, heldDisplacements(simulation));
+  hasLookedForParts_ = true;
   newton_.hold(held_.isHeld);
   if (held_.sameCounts(before)) return;
   simulation.output.log(fmt::format(
@@ -109,9 +110,7 @@ void QuasiStatic::takeUpBreakage(Simulation& simulation) {
     mustRestoreTangent_ = false;
     lastLength_ = 0.0;
   }
-  if (looseParts_ && !hasBroken) return;
-  if (!looseParts_) looseParts_ = std::make_unique<LooseParts>(simulation.model);
-  findLooseParts(simulation);
+  if (!hasLookedForParts_ || hasBroken) findLooseParts(simulation);
 }
 
 void QuasiStatic::extrapolate(Simulation& simulation, double dt) {

@@ -58,8 +58,8 @@ class QuasiStatic : public Solver {
   LoadSteps loadSteps_;
   int maximumBreakagePasses_, maximumHalvings_;
   Newton newton_;
-  std::unique_ptr<LooseParts> looseParts_;
   HeldInPlace held_;
+  bool hasLookedForParts_ = false;  ///< held_ has been found
   NewtonOutcome outcome_;
   std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
 

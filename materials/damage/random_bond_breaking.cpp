@@ -67,6 +67,7 @@ void RandomBondBreaking::update(const Call& call, const std::vector<double>& exp
   double* loose = fields_.loose.of(dataManager);
   double* bondDamage = fields_.bondDamage.of(dataManager);
   const double* oldBondDamage = fields_.bondDamage.before(dataManager);
+  const double* imageShift = fields_.imageShift.ifIn(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   Cache& cache = caches_.of(call, fields_.modelCoordinates.of(dataManager),
                             [&](const Call& c) { return makeCache(c, expected.size()); });
@@ -85,7 +86,8 @@ void RandomBondBreaking::update(const Call& call, const std::vector<double>& exp
     for (int k = 0; k < neighbors[-1]; ++k) {
       const double other = expected[static_cast<std::size_t>(neighbors[k])];
       if (bonds[k] < 1.0 && (own > 0.0 || other > 0.0)) {
-        const kernels::BondThresholds thresholds = kernels::bondThresholds(seed_, id, map.GID(neighbors[k]));
+        const int shift = imageShift == nullptr ? 0 : static_cast<int>(imageShift[neighbors[k]]);
+        const kernels::BondThresholds thresholds = kernels::bondThresholds(seed_, id, map.GID(neighbors[k]), shift);
         if (own > thresholds.ofFirst || other > thresholds.ofSecond) bonds[k] = 1.0;
       }
       nBroken += bonds[k] >= 1.0 ? 1 : 0;

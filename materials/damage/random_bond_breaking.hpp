@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "field_names.hpp"
 #include "fields.hpp"
 #include "neighborhood_cache.hpp"
 
@@ -29,6 +30,8 @@ class RandomBondBreaking {
     FieldHandle bondDamage = worsens(pd::fields::bondDamage());
     FieldHandle loose =
         writes(pd::fields::pointScalar("Loose", "1", "1 at solid points that have lost all their bonds.").state());
+    FieldHandle imageShift = readsIfThere(pd::fields::pointScalar(
+        imageShiftField, "1", "Of images beyond planes of symmetry: how far ids are from what they mirror."));
   };
 
   explicit RandomBondBreaking(std::uint32_t seed) : seed_(seed) {}

@@ -20,4 +20,11 @@ BondThresholds bondThresholds(std::uint32_t seed, int firstId, int secondId) {
   return firstId == low ? BondThresholds{ofLow, ofHigh} : BondThresholds{ofHigh, ofLow};
 }
 
+BondThresholds bondThresholds(std::uint32_t seed, int firstId, int imageId, int shift) {
+  const int mirrored = imageId - shift;
+  if (shift == 0 || firstId <= mirrored) return bondThresholds(seed, firstId, imageId);
+  const BondThresholds numbers = bondThresholds(seed, mirrored, firstId + shift);
+  return {numbers.ofSecond, numbers.ofFirst};
+}
+
 }  // namespace pd::kernels

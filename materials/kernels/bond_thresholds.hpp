@@ -16,6 +16,10 @@ struct BondThresholds {
 /// Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011): counter = the ids, key = the seed.
 BondThresholds bondThresholds(std::uint32_t seed, int firstId, int secondId);
 
+/// Of a bond to an image, whose id is `shift` more than that of the point that it mirrors (0: it is no image). The bond
+/// from that point to the image of the first one is the mirror image of this bond, and has the same numbers.
+BondThresholds bondThresholds(std::uint32_t seed, int firstId, int imageId, int shift);
+
 }  // namespace pd::kernels
 
 #endif

@@ -12,6 +12,9 @@ inline std::string fluxDivergenceField(const std::string& field) {
   return field == "Temperature" ? "Flux_Divergence" : field + "_Flux_Divergence";
 }
 
+/// Where a host has planes of symmetry: the global id of an image less that of the point that it mirrors; 0 of points.
+constexpr const char* imageShiftField = "Image_Shift";
+
 }  // namespace pd
 
 #endif

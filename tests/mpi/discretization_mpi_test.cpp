@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "driver/discretization/discretization.hpp"
+#include "driver/discretization/point_exchange.hpp"
 #include "driver/parallel/ghost_exchange.hpp"
 #include "tests/support/scene_files.hpp"
 
@@ -127,6 +129,66 @@ TEST(DiscretizationMpi, GhostsHoldTheValuesOfTheirOwners) {
   x.resize(d.x.size(), -1.0);
   exchange.import(x.data(), 3);
   EXPECT_EQ(x, d.x);
+}
+
+namespace {
+
+const std::string corner =
+    "  Symmetry:\n    Left: {Point: [-0.5, 0, 0], Normal: [1, 0, 0]}\n"
+    "    Low: {Point: [0, -0.5, 0], Normal: [0, 1, 0]}\n";
+
+std::vector<Scene> corners() {
+  return {{latticeMesh(12, 25, 1, 0.2), deckText("3.015", corner + crack)},
+          {latticeMesh(9, 8, 7, 0.2), deckText("2.5", corner + crack)}};
+}
+
+}  // namespace
+
+TEST(DiscretizationMpi, BondsToImagesDoNotDependOnTheNumberOfRanks) {
+  const pd::Communicator comm(MPI_COMM_WORLD);
+  for (const Scene& scene : corners()) {
+    const pd::Discretization d = discretize(scene.mesh, scene.deck, comm);
+    const Bonds bonds = gather(bondsOf(d), comm);
+    Bonds expected = bondsOf(discretizeAlone(scene.mesh, scene.deck));
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(bonds, expected);
+    // The bond from a to an image of b is the mirror image of that from b to the same image of a.
+    const auto n = static_cast<int>(d.nGlobal);
+    int nToImages = 0;
+    for (const auto& [a, b, isCut] : bonds) {
+      ASSERT_TRUE(std::binary_search(bonds.begin(), bonds.end(), std::array<int, 3>{b % n, b / n * n + a, isCut}));
+      nToImages += b >= n ? 1 : 0;
+    }
+    EXPECT_GT(nToImages, 500);
+    EXPECT_EQ(std::set<int>(d.globalIds.begin(), d.globalIds.end()).size(), d.globalIds.size());
+  }
+}
+
+TEST(DiscretizationMpi, ImagesHoldTheMirroredValuesOfOwners) {
+  const pd::Communicator comm(MPI_COMM_WORLD);
+  for (const Scene& scene : corners()) {
+    const pd::Discretization d = discretize(scene.mesh, scene.deck, comm);
+    const pd::PointExchange exchange(comm, d);
+    std::vector<double> x(d.x.begin(), d.x.begin() + 3 * d.nOwned);
+    x.resize(d.x.size(), -1.0);
+    exchange.import(x.data(), 3, pd::Reflection::Position);
+    EXPECT_EQ(x, d.x);
+    // What is added back is the transpose of what is handed out: v . (P u) = (P^T v) . u over all ranks.
+    for (const auto rule : {pd::Reflection::Even, pd::Reflection::Vector, pd::Reflection::AxialVector}) {
+      std::vector<double> u(d.x.size()), v(d.x.size());
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        u[i] = std::sin(1.0 + 7.0 * d.globalIds[i / 3] + 3.0 * static_cast<double>(i % 3));
+        v[i] = std::cos(2.0 + 5.0 * d.globalIds[i / 3] - static_cast<double>(i % 3) + comm.rank());
+      }
+      const std::vector<double> owned = u;
+      exchange.import(u.data(), 3, rule);
+      double handedOut = 0.0, addedBack = 0.0;
+      for (std::size_t i = 0; i < u.size(); ++i) handedOut += u[i] * v[i];
+      exchange.exportAdd(v.data(), 3, rule);
+      for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(d.nOwned); ++i) addedBack += owned[i] * v[i];
+      EXPECT_NEAR(comm.sum(handedOut), comm.sum(addedBack), 1e-10);
+    }
+  }
 }
 
 TEST(DiscretizationMpi, NodeSetsHoldOwnedAndGhostPoints) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -27,6 +28,22 @@ TEST(BondThresholdsTest, BelongToTheEndsWhicheverComesFirst) {
       EXPECT_EQ(one.ofSecond, other.ofFirst);
       EXPECT_NE(one.ofFirst, one.ofSecond);
       EXPECT_NE(one.ofFirst, bondThresholds(8u, a, b).ofFirst);
+    }
+}
+
+TEST(BondThresholdsTest, BondsThatMirrorEachOtherHaveTheSameNumbers) {
+  constexpr int shift = 1000;  // of the ids of images
+  for (int a = 0; a < 30; ++a)
+    for (int b = 0; b < 30; ++b) {
+      // The bond from a to the image of b, and from b to the image of a.
+      const BondThresholds one = bondThresholds(7u, a, b + shift, shift),
+                           other = bondThresholds(7u, b, a + shift, shift);
+      EXPECT_EQ(std::min(one.ofFirst, one.ofSecond), std::min(other.ofFirst, other.ofSecond));
+      EXPECT_NE(one.ofFirst, bondThresholds(7u, a, b + 1, 0).ofFirst);
+      if (a == b) continue;
+      EXPECT_EQ(one.ofFirst, other.ofSecond);
+      EXPECT_EQ(one.ofSecond, other.ofFirst);
+      EXPECT_EQ(bondThresholds(7u, a, b, 0).ofFirst, bondThresholds(7u, a, b).ofFirst);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include "../bar_scene.hpp"
+#include "../support/scene_files.hpp"
 
 namespace pd::test {
 namespace {
@@ -208,7 +209,7 @@ TEST(LooseParts, CountWhatIsMissingInEachDimension) {
       for (int axis = 0; axis < 3; ++axis)
         isPrescribed[static_cast<std::size_t>(3 * i + axis)] =
             axis >= points.dimension || (points.x[static_cast<std::size_t>(3 * i)] == 0.0 && axis < c.heldAxes);
-    const HeldInPlace held = LooseParts(model).find(model, isPrescribed);
+    const HeldInPlace held = findLooseParts(model, isPrescribed);
     EXPECT_EQ(
         std::count(held.isHeld.begin(), held.isHeld.end(), 1) - std::count(isPrescribed.begin(), isPrescribed.end(), 1),
         c.missing);
@@ -216,6 +217,79 @@ TEST(LooseParts, CountWhatIsMissingInEachDimension) {
     EXPECT_EQ(held.nPointsOfLooseParts, points.nGlobal);
     EXPECT_EQ(held.nPointsWithoutBonds, 0);
   }
+}
+
+/// What a body without prescribed displacements lacks beside planes of symmetry.
+HeldInPlace supportsOf(const std::string& mesh, const std::string& discretization, const std::string& horizon) {
+  const pd_test::SceneFiles files("supports", MPI_COMM_WORLD);
+  files.write("mesh.txt", mesh);
+  const Discretization points =
+      readDiscretization(Deck::read(files.write("deck.yaml", pd_test::deckText(horizon, discretization))), world());
+  const Deck deck = deckOf(barDeck(1.0, 0.0, "  A Node Set: 1\n"));
+  Model model(deck, world(), points, {});
+  std::vector<char> isPrescribed(static_cast<std::size_t>(3 * points.nOwned), 0);
+  for (std::size_t i = 0; i < isPrescribed.size(); ++i) isPrescribed[i] = static_cast<int>(i % 3) >= points.dimension;
+  HeldInPlace held = findLooseParts(model, isPrescribed);
+  for (std::size_t i = 0; i < isPrescribed.size(); ++i) held.isHeld[i] = held.isHeld[i] != isPrescribed[i];
+  return held;
+}
+
+long long heldIn(const HeldInPlace& held) { return std::count(held.isHeld.begin(), held.isHeld.end(), 1); }
+
+const std::string left = "    Left: {Point: [-0.5, 0, 0], Normal: [1, 0, 0]}\n",
+                  below = "    Below: {Point: [0, -0.5, 0], Normal: [0, 1, 0]}\n",
+                  back = "    Back: {Point: [0, 0, -0.5], Normal: [0, 0, 1]}\n";
+
+TEST(LooseParts, PlanesOfSymmetryHoldWhatTheyMirror) {
+  struct Case {
+    std::string mesh, planes;
+    int missing;
+  };
+  const std::string line = pd_test::latticeMesh(4, 1, 1), plane = pd_test::latticeMesh(4, 3, 1),
+                    solid = pd_test::latticeMesh(3, 3, 3);
+  // A line: nothing is free. A plane: y with one plane, nothing with two. A solid: y, z and the rotation about x with
+  // one plane, z with two, nothing with three.
+  for (const Case& c : {Case{line, left, 0}, Case{plane, left, 1}, Case{plane, left + below, 0}, Case{solid, left, 3},
+                        Case{solid, left + below, 1}, Case{solid, left + below + back, 0}}) {
+    const HeldInPlace held = supportsOf(c.mesh, "  Symmetry:\n" + c.planes, "1.5");
+    EXPECT_EQ(heldIn(held), c.missing) << c.planes;
+    EXPECT_EQ(held.nLooseParts, c.missing > 0 ? 1 : 0);
+    EXPECT_EQ(held.nPointsWithoutBonds, 0);
+  }
+}
+
+TEST(LooseParts, APointMayHangOnItsImageAlone) {
+  const HeldInPlace held = supportsOf("0 0 0 1 1\n5 0 0 1 1\n6 0 0 1 1\n", "  Symmetry:\n" + left, "1.5");
+  EXPECT_EQ(held.nPointsWithoutBonds, 0);
+  EXPECT_EQ(held.nLooseParts, 1);  // the other two
+  EXPECT_EQ(held.nPointsOfLooseParts, 2);
+  EXPECT_EQ(heldIn(held), 1);
+}
+
+TEST(LooseParts, APartMayCrossAPlaneByHalves) {
+  // Two points, one above the other, beside x = 0. Cuts leave the bonds from each to the other's image alone: in the
+  // whole body two bars that cross, free to move in three ways as each other's mirror images.
+  const auto cut = [](const std::string& name, const std::string& normal, double x, double y,
+                      const std::string& bottom) {
+    return "    " + name + ": {Type: Rectangular_Plane, Side_Length: 2.0, Bottom_Length: 0.4, Lower_Left_Corner_X: " +
+           std::to_string(x) + ", Lower_Left_Corner_Y: " + std::to_string(y) + ", Lower_Left_Corner_Z: " + bottom +
+           normal + "}\n";
+  };
+  const std::string acrossY =
+      ", Normal_X: 0, Normal_Y: 1, Normal_Z: 0, Bottom_Unit_Vector_X: 1, Bottom_Unit_Vector_Y: 0, "
+      "Bottom_Unit_Vector_Z: 0";
+  const std::string acrossX =
+      ", Normal_X: 1, Normal_Y: 0, Normal_Z: 0, Bottom_Unit_Vector_X: 0, Bottom_Unit_Vector_Y: 1, "
+      "Bottom_Unit_Vector_Z: 0";
+  const HeldInPlace held =
+      supportsOf("0 0 0 1 1\n0 1 0 1 1\n",
+                 "  Symmetry:\n" + left + "  Bond Filters:\n" + cut("A", acrossY, -0.2, 0.5, "-1.0") +
+                     cut("B", acrossX, -0.5, -0.2, "1.0") + cut("C", acrossX, -0.5, 0.8, "1.0"),
+                 "1.5");
+  EXPECT_EQ(held.nPointsWithoutBonds, 0);
+  EXPECT_EQ(held.nLooseParts, 1);
+  EXPECT_EQ(held.nPointsOfLooseParts, 2);
+  EXPECT_EQ(heldIn(held), 3);
 }
 
 TEST(QuasiStatic, SaysWhyItStops) {

@@ -26,15 +26,15 @@ class RelaxationTest : public ::testing::Test {
 TEST_F(RelaxationTest, RowSumsOfAChain) {
   SolverScene scene(comm, chain, pull("0"));
   scene.start("Displacement", [](double, double) { return 0.0; });
-  AbsoluteRowSums rowSums(*scene.model().blocks()->front().getDataManager()->getOverlapScalarPointMap());
+  AbsoluteRowSums rowSums(scene.model());
   scene.model().assembleJacobian(0.0, rowSums);
-  const auto sums = rowSums.ownedSums(scene.model());
+  const auto sums = rowSums.ownedSums();
   for (int i = 0; i < scene.model().nOwned(); ++i) {
     const double x = scene.x(i), expected = x == 0.0 || x == nPoints - 1 ? 2.0 : 4.0;
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(sums[3 * i + k], expected, 1e-6) << "x = " << x;
   }
   rowSums.putScalar(0.0);
-  for (const double sum : rowSums.ownedSums(scene.model())) EXPECT_EQ(sum, 0.0);
+  for (const double sum : rowSums.ownedSums()) EXPECT_EQ(sum, 0.0);
 }
 
 TEST_F(RelaxationTest, FindsTheExactEquilibriumOfAChain) {

@@ -37,6 +37,7 @@ class SaturatedCrackFaces : public Condition {
     const std::vector<double>& given = evaluate(model.discretization(), t);
     double* values = model.field(field());
     for (const std::size_t k : sources_) values[points()[k]] = given[k];
+    model.fillImages(field());
   }
 
   long long damageHasChanged(Model& model, double t, std::vector<char>& isPrescribed) override {

@@ -21,7 +21,7 @@ class CouplingSums : public PeridigmNS::SerialMatrix {
   explicit CouplingSums(const Discretization& d) : sums_(static_cast<std::size_t>(d.nGlobal), 0.0) {}
 
   void addValue(int row, int column, double value) override {
-    if (row != column) sums_[static_cast<std::size_t>(row)] += value;
+    if (row != column) sums_[static_cast<std::size_t>(row) % sums_.size()] += value;
   }
   void addValues(int n, const int* ids, const double* const* values) override {
     for (int a = 0; a < n; ++a)
@@ -33,7 +33,7 @@ class CouplingSums : public PeridigmNS::SerialMatrix {
   double of(int globalId) const { return sums_[static_cast<std::size_t>(globalId)]; }
 
  private:
-  std::vector<double> sums_;  ///< by global id
+  std::vector<double> sums_;  ///< by global id, images with what they mirror
 };
 
 }  // namespace

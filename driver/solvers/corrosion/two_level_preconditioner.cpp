@@ -23,9 +23,9 @@ class TwoLevelPreconditioner::Collector : public PeridigmNS::SerialMatrix {
     const Discretization& d = model.discretization();
     const double* x = model.field("Model_Coordinates");
     free_ = model.field("Transport_Unknown");
-    cubeOfGhost_.assign(static_cast<std::size_t>(d.nPoints - d.nOwned), Key{});
+    cubeOfGhost_.assign(static_cast<std::size_t>(d.firstImage() - d.nOwned), Key{});
     nOwned_ = d.nOwned;
-    for (int i = d.nOwned; i < d.nPoints; ++i)
+    for (int i = d.nOwned; i < d.firstImage(); ++i)
       cubeOfGhost_[static_cast<std::size_t>(i - d.nOwned)] = owner.keyOf(x + 3 * i);
     couplings_.resize(owner.cubeAt_.size());
     inRow_.resize(owner.cubeAt_.size());
@@ -130,8 +130,9 @@ void TwoLevelPreconditioner::measure(Model& model) {
   const Discretization& d = model.discretization();
   const Communicator& comm = model.comm();
   const double* x = model.field("Model_Coordinates");
-  localId_.assign(static_cast<std::size_t>(d.nGlobal), -1);
-  for (int i = 0; i < d.nPoints; ++i) localId_[static_cast<std::size_t>(d.globalIds[static_cast<std::size_t>(i)])] = i;
+  localId_.assign(static_cast<std::size_t>(d.nGlobal * d.symmetry.nCopies()), -1);
+  for (int i = 0; i < d.nPoints; ++i)
+    localId_[static_cast<std::size_t>(d.globalIds[static_cast<std::size_t>(i)])] = d.sourceOf(i);
   places_.assign(static_cast<std::size_t>(d.nOwned), Place{});
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, nearest[3] = {1e300, 1e300, 1e300};
   for (int i = 0; i < d.nOwned; ++i) {
