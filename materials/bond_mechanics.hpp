@@ -29,7 +29,7 @@ class BondMechanics {
     // A damage model of the block brings them.
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
-    FieldHandle energy = writesIfThere(pd::fields::storedEnergyDensity());
+    FieldHandle energy = addsIfThere(pd::fields::storedEnergyDensity());
     FieldHandle familyVolume, surfaceFactor;
     explicit Fields(SurfaceCorrection correction);
   };
@@ -46,7 +46,7 @@ class BondMechanics {
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
   void computeForce(const Call& call, PeridigmNS::DataManager& dataManager) const;
   void computeStoredElasticEnergyDensity(const Call& call, PeridigmNS::DataManager& dataManager) const;
-  /// Adds d(force)/d(displacement), each row times the volume of its point.
+  /// Adds d(force)/d(displacement), each row times the volume of its point, where the displacement is unknown.
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
   /// Bonds were put back: all are read again.

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <vector>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "bond_mechanics.hpp"
 #include "bond_mechanics_views.hpp"
 #include "rotation.hpp"
+#include "unknowns.hpp"
 
 namespace pd {
 
@@ -76,12 +76,11 @@ Matrix3<double> bondStiffness(const CurrentBond& bond, const kernels::ElasticCon
 /// Adds the dense block `k` (3 a point of `ids`) as d(force)/d(displacement).
 void addBlock(const std::vector<double>& k, const std::vector<int>& globalIds, int dimension,
               PeridigmNS::SerialMatrix& jacobian) {
-  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
-  const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.displacementDofOffset();
+  const UnknownPlace place = unknownPlace(fields::displacement().label);
   const std::size_t n = globalIds.size(), d = static_cast<std::size_t>(dimension);
   std::vector<int> indices;
   for (const int id : globalIds)
-    for (int c = 0; c < dimension; ++c) indices.push_back(perPoint * id + offset + c);
+    for (int c = 0; c < dimension; ++c) indices.push_back(place.row(id) + c);
   std::vector<double> values(n * d * n * d);
   std::vector<const double*> rows(n * d);
   for (std::size_t row = 0; row < n * d; ++row) {
@@ -194,6 +193,7 @@ void BondMechanics::computeStoredElasticEnergyDensity(const Call& call, Peridigm
 
 void BondMechanics::computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                                     PeridigmNS::SerialMatrix& jacobian) const {
+  if (!unknownPlace(fields::displacement().label).isUnknown) return;
   const Views views(*this, dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   const bool isLinear = form_ == kernels::TangentialForm::Linear;

@@ -1,5 +1,4 @@
 // Nonlocal diffusion of the temperature under Peridigm's name, with its constants.
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Material.hpp"
 #include "nonlocal_diffusion.hpp"
 #include "plugins.hpp"
@@ -56,7 +55,7 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
                        DataManager& dataManager, PeridigmNS::SerialMatrix& jacobian, JacobianType type) const override {
     if (type == BLOCK_DIAGONAL)
       Material::computeJacobian(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager, jacobian, type);
-    else if (PeridigmNS::DegreesOfFreedomManager::self().temperatureTreatedAsUnknown())
+    else
       diffusion_.computeJacobian({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager, jacobian);
   }
 

@@ -27,7 +27,7 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
     // A damage model of the block brings them.
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
-    FieldHandle energy = writesIfThere(pd::fields::storedEnergyDensity());
+    FieldHandle energy = addsIfThere(pd::fields::storedEnergyDensity());
   };
 
   static void declareParameters(ParameterDeclarations& declare);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "meshfree_quadrature.hpp"
+#include "unknowns.hpp"
 
 namespace pd {
 
@@ -131,14 +131,14 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const double* bondDamage = cuts(dataManager).bondDamage;
   const double* blockId = fields_.blockId.of(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
-  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
-  const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
+  const UnknownPlace place = unknownPlace(fields_.diffusingField);
+  if (!place.isUnknown) return;
   const std::vector<double> fitted = fittedWeights(call, x);
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
     const bool isInterface = isShared(blockId, i, j);
     const double w = (isInterface ? 0.5 : 1.0) * rateConstant(x, volume, i, j, fitted, bond) * volume[i];
-    const int row = perPoint * map.GID(i) + offset, column = perPoint * map.GID(j) + offset;
+    const int row = place.row(map.GID(i)), column = place.row(map.GID(j));
     jacobian.addValue(row, row, -w);
     jacobian.addValue(row, column, w);
     if (!isInterface) return;

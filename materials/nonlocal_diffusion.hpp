@@ -26,9 +26,10 @@ class NonlocalDiffusion {
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
     FieldHandle concentration, rate;
-    explicit Fields(const std::string& diffusingField) {
-      concentration = reads(pd::fields::diffusingScalar(diffusingField));
-      rate = adds(pd::fields::fluxDivergence(diffusingField));
+    std::string diffusingField;
+    explicit Fields(const std::string& label) : diffusingField(label) {
+      concentration = reads(pd::fields::diffusingScalar(label));
+      rate = adds(pd::fields::fluxDivergence(label));
     }
   };
 
@@ -45,7 +46,7 @@ class NonlocalDiffusion {
   const Fields& fields() const { return fields_; }
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
   void computeFluxDivergence(const Call& call, PeridigmNS::DataManager& dataManager) const;
-  /// Adds d(rate)/d(C), each row times the volume of its point.
+  /// Adds d(rate)/d(C), each row times the volume of its point, where C is an unknown.
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
   /// Bonds were put back: all are read again.

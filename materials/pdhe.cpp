@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "plugins.hpp"
 
 namespace pd {
@@ -85,9 +84,8 @@ void PDHE::computeJacobian(const double dt, const int numOwnedPoints, const int*
     return;
   }
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
-  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
-  if (mechanics_ && unknowns.displacementTreatedAsUnknown()) mechanics_->computeJacobian(call, dataManager, jacobian);
-  if (diffusion_ && unknowns.temperatureTreatedAsUnknown()) diffusion_->computeJacobian(call, dataManager, jacobian);
+  if (mechanics_) mechanics_->computeJacobian(call, dataManager, jacobian);
+  if (diffusion_) diffusion_->computeJacobian(call, dataManager, jacobian);
 }
 
 void PDHE::stepTakenBack() const {

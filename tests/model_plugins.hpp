@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +12,7 @@
 
 #include "Peridigm_Field.hpp"
 #include "driver/deck/deck.hpp"
-#include "field_names.hpp"
+#include "fields.hpp"
 #include "plugins.hpp"
 
 namespace pd::test {
@@ -22,8 +23,22 @@ using namespace PeridigmNS::PeridigmField;
 /// Linear springs along the bonds: half of each bond's force comes from either end's block, so that with unit volumes
 /// force density_i = sum_j (k_i + k_j)/2 (u_j - u_i). The scalar field Concentration diffuses by the same rule, with
 /// the stiffness as diffusivity. Broken bonds carry nothing.
-class SpringMaterial : public Material {
+class SpringMaterial : public Material, public FieldUser {
  public:
+  struct Fields : FieldTable {
+    FieldHandle reference = reads(pd::fields::modelCoordinates());
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle prepared =
+        writes(pd::fields::pointScalar("Prepared", "1", "How often precompute() was called."), Ghosts::AfterPrecompute);
+    FieldHandle bondDamage, coordinates, force, concentration, flux;
+    Fields(bool isBreakable, bool hasMechanics, bool hasDiffusion) {
+      if (isBreakable) bondDamage = reads(pd::fields::bondDamage());
+      if (hasMechanics) coordinates = reads(pd::fields::coordinates());
+      if (hasMechanics) force = adds(pd::fields::forceDensity());
+      if (hasDiffusion) concentration = reads(pd::fields::diffusingScalar("Concentration"));
+      if (hasDiffusion) flux = adds(pd::fields::fluxDivergence("Concentration"));
+    }
+  };
   static void declareParameters(ParameterDeclarations& declare) {
     declare.real("Stiffness", "N/m", "Of a bond.").positive().required();
     declare.real("Finite Difference Probe Length", "m", "Of the tangent.").positive();
@@ -36,45 +51,30 @@ class SpringMaterial : public Material {
       : Material(list),
         parameters(list),
         stiffness_(list.get<double>("Stiffness")),
-        hasMechanics_(list.get<bool>("Mechanics")),
-        hasDiffusion_(list.get<bool>("Diffusion")),
-        isBreakable_(list.get<bool>("Breakable")) {
+        isBreakable_(list.get<bool>("Breakable")),
+        fields_(isBreakable_, list.get<bool>("Mechanics"), list.get<bool>("Diffusion")) {
     if (list.get<bool>("Refuse")) throw std::invalid_argument("this stiffness is refused");
-    auto& fields = FieldManager::self();
-    coordinates_ = fields.getFieldId(NODE, VECTOR, TWO_STEP, "Coordinates");
-    reference_ = fields.getFieldId(NODE, VECTOR, CONSTANT, "Model_Coordinates");
-    force_ = fields.getFieldId(NODE, VECTOR, TWO_STEP, "Force_Density");
-    volume_ = fields.getFieldId(ELEMENT, SCALAR, CONSTANT, "Volume");
-    bondDamage_ = fields.getFieldId(BOND, SCALAR, TWO_STEP, "Bond_Damage");
-    concentration_ = fields.getFieldId(NODE, SCALAR, TWO_STEP, "Concentration");
-    flux_ = fields.getFieldId(NODE, SCALAR, TWO_STEP, fluxDivergenceField("Concentration"));
-    prepared_ = fields.getFieldId(NODE, SCALAR, CONSTANT, "Prepared");
   }
   std::string Name() const override { return "Test Springs"; }
   double Density() const override { return 1.0; }
   double BulkModulus() const override { return 1.0; }
   double ShearModulus() const override { return 1.0; }
-  std::vector<int> FieldIds() const override {
-    std::vector<int> ids = {reference_, volume_, prepared_};
-    if (isBreakable_) ids.push_back(bondDamage_);
-    if (hasMechanics_) ids.insert(ids.end(), {coordinates_, force_});
-    if (hasDiffusion_) ids.insert(ids.end(), {concentration_, flux_});
-    return ids;
+  const Fields& fields() const override { return fields_; }
+  std::vector<int> FieldIds() const override { return fields_.ids(); }
+  std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override {
+    return fields_.ids(Ghosts::AfterPrecompute);
   }
-  std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override { return {prepared_}; }
 
   void precompute(const double, const int n, const int* owned, const int*, DataManager& data) const override {
     ++nPrecomputes;
-    for (int k = 0; k < n; ++k) (*data.getData(prepared_, STEP_NONE))[owned[k]] = nPrecomputes;
+    for (int k = 0; k < n; ++k) fields_.prepared.of(data)[owned[k]] = nPrecomputes;
   }
   void computeForce(const double, const int n, const int* owned, const int* list, DataManager& data) const override {
-    addDifferences(n, owned, list, data, 3, data.getData(coordinates_, STEP_NP1), data.getData(reference_, STEP_NONE),
-                   data.getData(force_, STEP_NP1));
+    addDifferences(n, owned, list, data, 3, fields_.coordinates, &fields_.reference, fields_.force);
   }
   void computeFluxDivergence(const double, const int n, const int* owned, const int* list,
                              DataManager& data) const override {
-    addDifferences(n, owned, list, data, 1, data.getData(concentration_, STEP_NP1), Teuchos::null,
-                   data.getData(flux_, STEP_NP1));
+    addDifferences(n, owned, list, data, 1, fields_.concentration, nullptr, fields_.flux);
   }
 
   Teuchos::ParameterList parameters;
@@ -82,32 +82,32 @@ class SpringMaterial : public Material {
 
  private:
   void addDifferences(int n, const int* owned, const int* list, DataManager& data, int width,
-                      Teuchos::RCP<FieldVector> value, Teuchos::RCP<FieldVector> reference,
-                      Teuchos::RCP<FieldVector> result) const {
-    Teuchos::RCP<FieldVector> isBroken;
-    if (isBreakable_) isBroken = data.getData(bondDamage_, STEP_NP1);
-    const auto volume = data.getData(volume_, STEP_NONE);
-    result->PutScalar(0.0);
+                      const FieldHandle& valueField, const FieldHandle* referenceField,
+                      const FieldHandle& resultField) const {
+    const double* isBroken = isBreakable_ ? fields_.bondDamage.of(data) : nullptr;
+    const double *volume = fields_.volume.of(data), *value = valueField.of(data);
+    const double* reference = referenceField == nullptr ? nullptr : referenceField->of(data);
+    double* result = resultField.of(data);
+    std::fill(result, result + resultField.length(data), 0.0);
     int bond = 0;
     for (int k = 0; k < n; ++k) {
       const int i = owned[k];
       for (int nNeighbors = *list++; nNeighbors > 0; --nNeighbors, ++bond) {
         const int j = *list++;
-        if (isBreakable_ && (*isBroken)[bond] > 0.0) continue;
+        if (isBreakable_ && isBroken[bond] > 0.0) continue;
         for (int c = 0; c < width; ++c) {
-          double difference = (*value)[width * j + c] - (*value)[width * i + c];
-          if (!reference.is_null()) difference -= (*reference)[width * j + c] - (*reference)[width * i + c];
-          (*result)[width * i + c] += 0.5 * stiffness_ * difference * (*volume)[j];
-          (*result)[width * j + c] -= 0.5 * stiffness_ * difference * (*volume)[i];
+          double difference = value[width * j + c] - value[width * i + c];
+          if (reference != nullptr) difference -= reference[width * j + c] - reference[width * i + c];
+          result[width * i + c] += 0.5 * stiffness_ * difference * volume[j];
+          result[width * j + c] -= 0.5 * stiffness_ * difference * volume[i];
         }
       }
     }
   }
 
   double stiffness_;
-  bool hasMechanics_, hasDiffusion_, isBreakable_;
-  int coordinates_ = -1, reference_ = -1, force_ = -1, volume_ = -1, bondDamage_ = -1, concentration_ = -1, flux_ = -1,
-      prepared_ = -1;
+  bool isBreakable_;
+  Fields fields_;
 };
 PD_REGISTER_MATERIAL(SpringMaterial, "Test Springs", "Linear springs.")
 

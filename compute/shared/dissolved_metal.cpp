@@ -13,6 +13,11 @@ void requireDissolvingMetal(const Blocks& blocks, const FieldTable& fields) {
             "\": give a block the material \"Corrosion Dissolution\", or leave it out");
 }
 
+void DissolvedMetal::declareParameters(ParameterDeclarations& declarations) {
+  declarations.text("Concentration Field", "Label of the metal ions' concentration, as of the material.")
+      .defaultTo("Concentration");
+}
+
 void DissolvedMetal::initialize(const Blocks& blocks) const { requireDissolvingMetal(blocks, fields_); }
 
 DissolvedMetal::View DissolvedMetal::of(PeridigmNS::Block& block) const {

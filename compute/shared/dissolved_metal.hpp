@@ -16,12 +16,18 @@ class DissolvedMetal {
  public:
   struct Fields : FieldTable {
     FieldHandle damage = readsIfThere(pd::fields::damage());
-    FieldHandle concentration = readsIfThere(pd::fields::ionConcentration());
     FieldHandle solid = readsIfThere(pd::fields::solidConcentration());
     FieldHandle saturation = readsIfThere(pd::fields::saturationConcentration());
     FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle concentration;
+    explicit Fields(const Teuchos::ParameterList& parameters) {
+      concentration = readsIfThere(pd::fields::ionConcentration(parameters.get<std::string>("Concentration Field")));
+    }
   };
-  explicit DissolvedMetal(bool countsPartly = true) : countsPartly_(countsPartly) {}
+  /// Key "Concentration Field".
+  static void declareParameters(ParameterDeclarations& declarations);
+  explicit DissolvedMetal(const Teuchos::ParameterList& parameters, bool countsPartly = true)
+      : fields_(parameters), countsPartly_(countsPartly) {}
 
   /// Throws std::invalid_argument where no material of the run dissolves.
   void initialize(const Blocks& blocks) const;

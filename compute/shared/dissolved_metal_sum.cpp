@@ -5,6 +5,7 @@ namespace pd {
 void DissolvedMetalSum::declareParameters(ParameterDeclarations& declarations, const char* defaultLabel) {
   declareCommonParameters(declarations, defaultLabel);
   PointSelection::declareParameters(declarations);
+  DissolvedMetal::declareParameters(declarations);
   declarations
       .flag(
           "Count Partly Dissolved",
@@ -17,7 +18,7 @@ DissolvedMetalSum::DissolvedMetalSum(const Teuchos::ParameterList& completed, Co
                                      ComputeComm comm, ComputeParameters globalData)
     : TabledCompute(completed, params, comm, globalData),
       points_(completed, globalData),
-      metal_(completed.get<bool>("Count Partly Dissolved")) {}
+      metal_(completed, completed.get<bool>("Count Partly Dissolved")) {}
 
 void DissolvedMetalSum::initialize(Blocks blocks) {
   points_.initialize(blocks);

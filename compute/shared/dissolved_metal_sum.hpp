@@ -12,7 +12,8 @@ class DissolvedMetalSum : public TabledCompute {
   struct Fields : DissolvedMetal::Fields {
     FieldHandle result;
     Fields(const Teuchos::ParameterList& parameters, const std::string& unit, const std::string& meaning)
-        : result(writes(outputField(parameters, pd::fields::globalScalar, unit, meaning))) {}
+        : DissolvedMetal::Fields(parameters),
+          result(writes(outputField(parameters, pd::fields::globalScalar, unit, meaning))) {}
   };
   static void declareParameters(ParameterDeclarations& declarations, const char* defaultLabel);
   const Fields& fields() const override = 0;

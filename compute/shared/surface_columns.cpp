@@ -48,15 +48,18 @@ void SurfaceColumns::declareParameters(ParameterDeclarations& declarations) {
             "reaches, whether that was metal or not, under overhangs too, and from there on what is gone.")
       .oneOf({"Dissolved", "Deepest"})
       .defaultTo("Dissolved");
+  DissolvedMetal::declareParameters(declarations);
 }
 
 SurfaceColumns::SurfaceColumns(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData)
     : nodeSet_(parameters.get<std::string>("Node Set")),
       points_(parameters, globalData),
+      metal_(parameters),
       into_(directionOf(parameters, "Into")),
       axes_(axesAcross(into_)),
       width_(parameters.isParameter("Column Width") ? parameters.get<double>("Column Width") : 0.0),
-      isDeepest_(parameters.get<std::string>("Measure") == "Deepest") {}
+      isDeepest_(parameters.get<std::string>("Measure") == "Deepest"),
+      fields_(parameters) {}
 
 void SurfaceColumns::initialize(const Blocks& blocks, const Epetra_Comm& comm) {
   points_.initialize(blocks);

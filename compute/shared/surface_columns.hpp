@@ -20,6 +20,7 @@ class SurfaceColumns {
 
   struct Fields : DissolvedMetal::Fields {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
+    using DissolvedMetal::Fields::Fields;
   };
   /// Throws std::invalid_argument. Collective, as are profile() and what uses it.
   void initialize(const Blocks& blocks, const Epetra_Comm& comm);

@@ -14,7 +14,7 @@ class SurfaceCompute : public TabledCompute {
     Fields(const Teuchos::ParameterList& parameters,
            FieldDescription (*make)(const std::string&, const std::string&, const std::string&),
            const std::string& unit, const std::string& meaning)
-        : result(writes(outputField(parameters, make, unit, meaning))) {}
+        : SurfaceColumns::Fields(parameters), result(writes(outputField(parameters, make, unit, meaning))) {}
   };
   static void declareParameters(ParameterDeclarations& declarations, const char* defaultLabel) {
     declareCommonParameters(declarations, defaultLabel);

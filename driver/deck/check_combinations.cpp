@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "block_plugins.hpp"
 #include "check_deck.hpp"
 #include "deck_data.hpp"
 #include "function.hpp"
@@ -70,20 +71,30 @@ class CombinationCheck {
     const DeckNode mine = deck_["Discretization"][key];
     if (mine && !(mine.isScalar() && parseReal(mine.text()) && mine.real() > 0.0)) return;
     for (const CheckedSection* material : check_.ofKind(Kind::Material)) {
-      const DeckNode& node = material->section.node;
-      const bool needsIt = std::any_of(flags.begin(), flags.end(),
-                                       [&](const std::string& flag) { return valueOr(material->list, flag, false); });
-      if (!material->isGood || !material->list.isParameter(key) || !(node[key] || needsIt)) continue;
-      const double theirs = material->list.get<double>(key);
-      const std::string place = node[key] ? node[key].place() : node.keyPlace();
-      if (!mine && theirs != 1.0)
-        mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization has none; add \"{}: {}\" there too, since "
-                                         "it is needed to find the distance of points from their volumes",
-                                         node.path(), key, theirs, key, theirs));
-      else if (mine && mine.real() != theirs)
-        mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization/{} is {}; they must agree", node.path(), key,
-                                         theirs, key, mine.real()));
+      if (!material->isGood) continue;
+      const DeckNode& whole = material->section.node;
+      for (const DeckNode& part : materialParts(whole)) {
+        const std::string name = part.path() == whole.path() ? "" : part.path().substr(whole.path().size() + 1);
+        agreesWithMaterial(key, flags, part, name.empty() ? material->list : material->list.sublist(name));
+      }
     }
+  }
+
+  void agreesWithMaterial(const std::string& key, const std::vector<std::string>& flags, const DeckNode& node,
+                          const Teuchos::ParameterList& list) {
+    const bool needsIt =
+        std::any_of(flags.begin(), flags.end(), [&](const std::string& flag) { return valueOr(list, flag, false); });
+    if (!list.isParameter(key) || !(node[key] || needsIt)) return;
+    const DeckNode mine = deck_["Discretization"][key];
+    const double theirs = list.get<double>(key);
+    const std::string place = node[key] ? node[key].place() : node.keyPlace();
+    if (!mine && theirs != 1.0)
+      mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization has none; add \"{}: {}\" there too, since "
+                                       "it is needed to find the distance of points from their volumes",
+                                       node.path(), key, theirs, key, theirs));
+    else if (mine && mine.real() != theirs)
+      mistakes_.add(place, fmt::format("{}/{} is {}, but Discretization/{} is {}; they must agree", node.path(), key,
+                                       theirs, key, mine.real()));
   }
 
   const CheckedSection* named(Kind kind, const DeckNode& name) const {
@@ -96,28 +107,42 @@ class CombinationCheck {
   /// them the material.
   void damageAgreesWithMaterial(const CheckedSection& block) {
     const DeckNode& node = block.section.node;
-    const CheckedSection* damage = named(Kind::DamageModel, node["Damage Model"]);
-    const CheckedSection* material = named(Kind::Material, node["Material"]);
-    if (damage == nullptr) return;
-    const DeckNode& damageNode = damage->section.node;
-    const auto compare = [&](const std::string& key, const std::string& owner, const auto& mine, const auto& other) {
-      if (mine != other)
-        mistakes_.add(damageNode[key] ? damageNode[key].place() : damageNode.keyPlace(),
-                      fmt::format("{}/{} is {}, but {}/{} is {}; they must agree", damageNode.path(), key, mine, owner,
-                                  key, other));
-    };
-    if (damageNode["Horizon"] && damage->list.isType<double>("Horizon") && node["Horizon"].isScalar() &&
-        parseReal(node["Horizon"].text()))
-      compare("Horizon", node.path(), damage->list.get<double>("Horizon"), node["Horizon"].real());
-    if (material == nullptr || !damageNode["Fracture Energy"]) return;
-    const Teuchos::ParameterList &mine = damage->list, &other = material->list;
-    const std::string owner = material->section.node.path();
+    for (const DeckNode& damage : node["Damage Model"].each()) {
+      const CheckedSection* model = named(Kind::DamageModel, damage);
+      if (model == nullptr) continue;
+      agreesWithBlock(*model, node);
+      for (const DeckNode& material : node["Material"].each())
+        if (const CheckedSection* other = named(Kind::Material, material)) agrees(*model, *other);
+    }
+  }
+
+  template <class Value>
+  void agree(const CheckedSection& damage, const std::string& key, const std::string& owner, const Value& mine,
+             const Value& other) {
+    const DeckNode& node = damage.section.node;
+    if (mine == other) return;
+    mistakes_.add(
+        node[key] ? node[key].place() : node.keyPlace(),
+        fmt::format("{}/{} is {}, but {}/{} is {}; they must agree", node.path(), key, mine, owner, key, other));
+  }
+
+  void agreesWithBlock(const CheckedSection& damage, const DeckNode& block) {
+    const DeckNode horizon = block["Horizon"];
+    if (damage.section.node["Horizon"] && damage.list.isType<double>("Horizon") && horizon.isScalar() &&
+        parseReal(horizon.text()))
+      agree(damage, "Horizon", block.path(), damage.list.get<double>("Horizon"), horizon.real());
+  }
+
+  void agrees(const CheckedSection& damage, const CheckedSection& material) {
+    if (!damage.section.node["Fracture Energy"]) return;
+    const Teuchos::ParameterList &mine = damage.list, &other = material.list;
+    const std::string owner = material.section.node.path();
     for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
       if (mine.isType<double>(key) && other.isType<double>(key))
-        compare(key, owner, mine.get<double>(key), other.get<double>(key));
+        agree(damage, key, owner, mine.get<double>(key), other.get<double>(key));
     for (const char* key : {"Plane Stress", "Plane Strain", "One Dimensional"})
       if (mine.isType<bool>(key) && other.isType<bool>(key))
-        compare(key, owner, mine.get<bool>(key), other.get<bool>(key));
+        agree(damage, key, owner, mine.get<bool>(key), other.get<bool>(key));
   }
 
   void isTimeless(const DeckNode& node) {

@@ -11,10 +11,14 @@ std::vector<const CheckedSection*> DeckUnderCheck::ofKind(DeckSection::Kind kind
   return result;
 }
 
+bool hasNone(const DeckNode& block) {
+  const DeckNode name = block["Damage Model"];
+  return !name || (name.isScalar() && name.text() == "None");
+}
+
 bool DeckUnderCheck::hasDamageModel() const {
   for (const CheckedSection* block : ofKind(DeckSection::Kind::Block)) {
-    const DeckNode name = block->section.node["Damage Model"];
-    if (name && !(name.isScalar() && name.text() == "None")) return true;
+    if (!block->section.node["Damage Model"].each().empty() && !hasNone(block->section.node)) return true;
   }
   return false;
 }

@@ -25,6 +25,9 @@ struct DeckUnderCheck {
   bool hasDamageModel() const;  ///< whether any block has one
 };
 
+/// Whether an entry of Blocks has no damage model.
+bool hasNone(const DeckNode& block);
+
 /// Reads all sections; mistakes go to deck.mistakes().
 DeckUnderCheck readSections(const Deck& deck);
 

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "../../materials/registry/plugins.hpp"
 #include "../boundary/condition.hpp"
 #include "../solvers/solver.hpp"
 #include "Peridigm_Field.hpp"
+#include "block_plugins.hpp"
 #include "check_deck.hpp"
 #include "function.hpp"
 #include "peridigm_deck.hpp"
@@ -50,6 +52,7 @@ class PluginCheck {
   void run() {
     isComplete_ = !check_.ofKind(Kind::Block).empty();
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
+    loadedBlocksFollowPhases();
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
       makePart(*solver, [&] {
         const auto made = SolverRegistry::self().create(solver->section.plugin, solver->list);
@@ -70,7 +73,10 @@ class PluginCheck {
   /// Calls `create`, which makes the plug-in of the section and returns its fields. False where it cannot be made.
   template <class Create>
   bool make(const CheckedSection& checked, const Create& create) {
-    if (!checked.isGood) return false;
+    return checked.isGood && make(checked.section.node.keyPlace(), checked.section.node.path(), create);
+  }
+  template <class Create>
+  bool make(const std::string& place, const std::string& path, const Create& create) {
     try {
       for (const int id : create()) {
         const PeridigmNS::FieldSpec spec = FieldManager::self().getFieldSpec(id);
@@ -80,7 +86,8 @@ class PluginCheck {
     } catch (const DeckError& error) {
       addAll(mistakes_, error);
     } catch (const std::exception& error) {
-      mistakes_.add(checked.section.node.keyPlace(), checked.section.node.path() + ": " + error.what());
+      std::istringstream lines(error.what());
+      for (std::string line; std::getline(lines, line);) mistakes_.add(place, path + ": " + line);
     }
     return false;
   }
@@ -97,33 +104,83 @@ class PluginCheck {
     return nullptr;
   }
 
+  /// What block plug-ins mean for the rest of the deck.
+  struct BlockFields {
+    DeckNode block;
+    std::vector<NamedTable> plugins;  ///< the material, and the damage model where it has one
+    bool changes(const FieldDescription& field, FieldAccess access) const {
+      return std::any_of(plugins.begin(), plugins.end(), [&](const NamedTable& plugin) {
+        const FieldUse* use = plugin.table.find(field.id());
+        return use != nullptr && use->access == access;
+      });
+    }
+  };
+
   void blockPlugins(const CheckedSection& block) {
     const DeckNode& node = block.section.node;
-    const CheckedSection* material = named(Kind::Material, node["Material"]);
-    if (material == nullptr || !block.isGood) {
+    blocks_.push_back({node, {}});
+    if (!block.isGood) {
       isComplete_ = false;
-    } else {
-      const Function horizon = Function::fromDeck(node["Horizon"]);
-      if (!horizon.dependsOnTime())
-        makePart(*material, [&] {
-          Teuchos::ParameterList list(material->list);
-          if (material->section.declarations.find("Horizon") != nullptr && horizon.isConstant())
-            list.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
-          const auto made = MaterialRegistry::self().create(material->section.plugin, list);
-          addOrigins(*made);
-          return made->FieldIds();
-        });
+      return;
     }
-    const DeckNode damage = node["Damage Model"];
-    if (!damage.isScalar() || damage.text() == "None") return;
-    if (const CheckedSection* model = named(Kind::DamageModel, damage))
-      makePart(*model, [&] {
-        const auto made = DamageModelRegistry::self().create(model->section.plugin, model->list);
-        addOrigins(*made);
-        return made->FieldIds();
+    const Function horizon = Function::fromDeck(node["Horizon"]);
+    if (!horizon.dependsOnTime())
+      makeOfBlock(MaterialRegistry::self(), Kind::Material, node["Material"], [&](Teuchos::ParameterList& list) {
+        if (horizon.isConstant()) list.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
       });
-    else
+    if (!hasNone(node))
+      makeOfBlock(DamageModelRegistry::self(), Kind::DamageModel, node["Damage Model"], [](Teuchos::ParameterList&) {});
+    for (const std::string& message : contestedFields(blocks_.back().plugins))
+      mistakes_.add(node.keyPlace(), node.path() + ": " + message);
+  }
+
+  /// The plug-in that the block names, or several as one, which `adjust` gives what the block has for it.
+  template <class Registry, class Adjust>
+  void makeOfBlock(const Registry& registry, Kind kind, const DeckNode& names, const Adjust& adjust) {
+    std::vector<NamedPlugin> parts;
+    const CheckedSection* only = nullptr;
+    for (const DeckNode& name : names.each()) {
+      only = named(kind, name);
+      const bool isNew =
+          std::none_of(parts.begin(), parts.end(), [&](const NamedPlugin& part) { return part.name == name.text(); });
+      if (only != nullptr && only->isGood && isNew) parts.push_back({name.text(), only->section.plugin, only->list});
+    }
+    if (parts.empty() || parts.size() != names.each().size()) {
       isComplete_ = false;
+      return;
+    }
+    NamedPlugin whole = asOne(registry, parts);
+    const auto create = [&] {
+      if (registry.find(whole.plugin)->declare().find("Horizon") != nullptr) adjust(whole.parameters);
+      const auto made = registry.create(whole.plugin, whole.parameters);
+      addOrigins(*made);
+      blocks_.back().plugins.push_back({whole.name, fieldsIn(*made)});
+      return made->FieldIds();
+    };
+    const bool isMade = parts.size() == 1 ? make(*only, create) : make(names.place(), names.path(), create);
+    if (!isMade) isComplete_ = false;
+  }
+
+  /// Of a bond between blocks both see to their own side.
+  void loadedBlocksFollowPhases() {
+    const auto isLoaded = [](const BlockFields& fields) {
+      return fields.changes(fields::forceDensity(), FieldAccess::Adds);
+    };
+    const auto dissolves = [&](const BlockFields& fields) {
+      return isLoaded(fields) && fields.changes(fields::saturationConcentration(), FieldAccess::Writes);
+    };
+    const DeckNode omitted = deck_["Discretization"]["Omit Bonds Between Blocks"];
+    const bool areJoined = !(omitted.isScalar() && omitted.text() == "All");
+    const auto dissolving = std::find_if(blocks_.begin(), blocks_.end(), dissolves);
+    if (dissolving == blocks_.end()) return;
+    for (const BlockFields& block : blocks_) {
+      if (!isLoaded(block) || !(areJoined || dissolves(block))) continue;
+      if (block.changes(fields::saturationConcentration(), FieldAccess::Reads)) continue;
+      mistakes_.add(block.block.keyPlace(),
+                    block.block.path() + ": its bonds to points that dissolve in " + dissolving->block.path() +
+                        " would go on carrying load; add the damage model by which points dissolve to its list, as in "
+                        "\"Damage Model: [Breakage, Dissolving]\"");
+    }
   }
 
   /// Where the values of the fields come from that a plug-in sets.
@@ -269,6 +326,7 @@ class PluginCheck {
   /// The driver fills or makes these itself.
   const std::set<std::string> driverLabels_{"Model_Coordinates", "Coordinates", "Volume",  "Block_Id",
                                             "Element_Id",        "Proc_Num",    "Horizon", "External_Force_Density"};
+  std::vector<BlockFields> blocks_;
   std::set<std::string> labels_;                ///< all that is known
   std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
   RunContents run_;

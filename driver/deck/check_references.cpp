@@ -35,8 +35,7 @@ class ReferenceCheck {
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
       const DeckNode& node = block->section.node;
       refersTo(node["Material"], "Materials");
-      if (node["Damage Model"].isScalar() && node["Damage Model"].text() != "None")
-        refersTo(node["Damage Model"], "Damage Models");
+      if (!hasNone(node)) refersTo(node["Damage Model"], "Damage Models");
       if (!node["Block Names"].isScalar()) continue;
       std::istringstream names(node["Block Names"].text());
       for (std::string name; names >> name;) {
@@ -49,22 +48,28 @@ class ReferenceCheck {
     }
   }
 
-  void refersTo(const DeckNode& value, const std::string& section) {
-    if (!value.isScalar()) return;
-    std::vector<std::string> known;
+  /// A name or a list of them.
+  void refersTo(const DeckNode& names, const std::string& section) {
+    std::vector<std::string> known, seen;
     for (const auto& entry : deck_[section].entries()) known.push_back(entry.first);
-    if (std::find(known.begin(), known.end(), value.text()) != known.end()) return;
-    mistakes_.add(value.place(), value.path() + ": there is no \"" + value.text() + "\" in " + section +
-                                     didYouMean(value.text(), known) +
-                                     (known.empty() ? "; it is empty" : "; there are: " + quotedList(known)));
+    if (names.isSequence() && names.items().empty())
+      mistakes_.add(names.place(), names.path() + " is empty; name an entry of " + section);
+    for (const DeckNode& value : names.each()) {
+      if (std::find(seen.begin(), seen.end(), value.text()) != seen.end())
+        mistakes_.add(value.place(), value.path() + ": \"" + value.text() + "\" is in the list already");
+      seen.push_back(value.text());
+      if (std::find(known.begin(), known.end(), value.text()) != known.end()) continue;
+      mistakes_.add(value.place(), value.path() + ": there is no \"" + value.text() + "\" in " + section +
+                                       didYouMean(value.text(), known) +
+                                       (known.empty() ? "; it is empty" : "; there are: " + quotedList(known)));
+    }
   }
 
   void warnOfUnused(const std::string& section, const std::string& key) {
     for (const auto& [name, node] : deck_[section].entries()) {
       bool isUsed = false;
       for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
-        const DeckNode value = block->section.node[key];
-        isUsed = isUsed || (value.isScalar() && value.text() == name);
+        for (const DeckNode& value : block->section.node[key].each()) isUsed = isUsed || value.text() == name;
       }
       if (!isUsed) deck_.warnings().add(node.keyPlace(), node.path() + " is used by no block");
     }

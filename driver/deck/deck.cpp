@@ -145,6 +145,13 @@ std::vector<DeckNode> DeckNode::items() const {
   return result;
 }
 
+std::vector<DeckNode> DeckNode::each() const {
+  std::vector<DeckNode> result = isScalar() ? std::vector<DeckNode>{*this} : items();
+  result.erase(std::remove_if(result.begin(), result.end(), [](const DeckNode& item) { return !item.isScalar(); }),
+               result.end());
+  return result;
+}
+
 std::string DeckNode::place() const { return data_ ? data_->placeOf(data_->line, data_->column) : ""; }
 std::string DeckNode::keyPlace() const { return data_ ? data_->placeOf(data_->keyLine, data_->keyColumn) : ""; }
 std::string DeckNode::path() const { return data_ ? data_->path : ""; }

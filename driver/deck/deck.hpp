@@ -35,6 +35,8 @@ class DeckNode {
   /// Entries of a map in the order of the file: (key, value).
   std::vector<std::pair<std::string, DeckNode>> entries() const;
   std::vector<DeckNode> items() const;
+  /// The items of a list, or the value itself; those that are scalars.
+  std::vector<DeckNode> each() const;
 
   /// "plate.yaml:12:5" of the value ("plate.xml:12" in XML); keyPlace() of its key.
   std::string place() const;

@@ -140,9 +140,14 @@ class SectionReader {
     Parameter one = parameter;
     one.type = ParameterType::Text;
     Teuchos::Array<std::string> names;
-    if (value.isMap() && !value.entries().empty()) {
+    if (value.isMap() && !value.entries().empty() && !parameter.mayBeOne) {
       for (const auto& [name, isWanted] : value.entries())
         if (isWanted.flag() && isAllowed(isWanted, one, name)) names.push_back(name);
+    } else if (parameter.mayBeOne && value.isScalar()) {
+      if (!isWritten(
+              value, parameter, [](const std::string& text) { return !text.empty(); }, true))
+        return;
+      if (isAllowed(value, parameter, value.text())) names.push_back(value.text());
     } else if (isList(value, parameter)) {
       const auto isName = [](const std::string& text) { return !text.empty(); };
       for (const DeckNode& item : value.items())

@@ -155,8 +155,17 @@ Declarations declareBlock() {
   Declarations declare;
   declare.text("Block Names", "Blocks of the mesh, as in \"block_1 block_2\", or \"default\" for all others.")
       .required();
-  declare.text("Material", "Name of an entry of Materials.").required();
-  declare.text("Damage Model", "Name of an entry of Damage Models, or None.").defaultTo("None");
+  declare
+      .texts("Material",
+             "Name of an entry of Materials, or a list of them: each does its own physics and adds to shared fields.")
+      .orOne()
+      .required();
+  declare
+      .texts("Damage Model",
+             "Name of an entry of Damage Models, or None, or a list of names: bonds have one state, which each may "
+             "only make worse.")
+      .orOne()
+      .defaultTo("None");
   declare.function("Horizon", "m", "Radius of the neighbourhood of a point; may depend on x, y, z.")
       .positive()
       .required();

@@ -6,6 +6,7 @@
 #include "../../materials/registry/plugins.hpp"
 #include "../boundary/condition.hpp"
 #include "../solvers/solver.hpp"
+#include "block_plugins.hpp"
 #include "sections.hpp"
 
 namespace pd {
@@ -110,7 +111,16 @@ class SectionFinder {
         kind == Kind::Compute ? withUnderscores(node[kindKey].isScalar() ? node[kindKey].text() : "") : "";
     if (registry.find(plugin) == nullptr) plugin = choice(node, kindKey, registry.names());
     if (plugin.empty()) return;
-    DeckSection& section = add(kind, name, node, registry.find(plugin)->declare());
+    ParameterDeclarations declarations;
+    try {
+      if constexpr (std::is_same_v<Registry, MaterialRegistry> || std::is_same_v<Registry, DamageModelRegistry>)
+        declarations = declarationsOf(registry, node);
+      else
+        declarations = registry.find(plugin)->declare();
+    } catch (const DeckError& error) {
+      return addAll(mistakes_, error);
+    }
+    DeckSection& section = add(kind, name, node, declarations);
     section.plugin = plugin;
     if (section.declarations.find(kindKey) == nullptr) section.hostKeys.known.push_back(kindKey);
     if (kind != Kind::Material) return;

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "../deck/block_plugins.hpp"
 #include "../deck/deck_data.hpp"
 #include "../deck/function.hpp"
 
@@ -141,8 +142,11 @@ kernels::HorizonShape horizonShape(const Deck& deck, const std::map<int, DeckNod
   kernels::HorizonShape shape;
   std::string keys;
   bool isFirst = true;
-  for (const auto& item : entries) {
-    const DeckNode material = deck["Materials"][item.second["Material"].text()];
+  std::vector<DeckNode> materials;
+  for (const auto& item : entries)
+    for (const DeckNode& name : item.second["Material"].each())
+      for (const DeckNode& part : materialParts(deck["Materials"][name.text()])) materials.push_back(part);
+  for (const DeckNode& material : materials) {
     const DeckNode axes = material["Horizon Axes"];
     std::string own;
     for (const char* key : {"Horizon Axes", "Horizon Rotation"})

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <set>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
-#include "field_names.hpp"
+#include "fields.hpp"
 #include "model.hpp"
+#include "separate_rates.hpp"
+#include "unknowns.hpp"
 
 namespace pd {
 
@@ -22,16 +23,6 @@ bool declares(const Block& block, const std::string& label) {
   if (!fields.hasField(label)) return false;
   const auto ids = const_cast<Block&>(block).getMaterialModel()->FieldIds();
   return std::find(ids.begin(), ids.end(), fields.getFieldId(label)) != ids.end();
-}
-
-bool declaresFluxDivergence(Block& block) {
-  const std::string ending = fluxDivergenceField("");
-  const auto ids = block.getMaterialModel()->FieldIds();
-  return std::any_of(ids.begin(), ids.end(), [&](int id) {
-    const std::string label = FieldManager::self().getFieldSpec(id).label;
-    return label == fluxDivergenceField("Temperature") ||
-           (label.size() > ending.size() && label.compare(label.size() - ending.size(), ending.size(), ending) == 0);
-  });
 }
 
 /// plugin(dt, nOwned, ownedIDs, neighborhoodList, data) for a block that has points on this rank.
@@ -102,16 +93,20 @@ void Model::evaluateDamage(double dt) {
   if (hasField("Damage")) importGhosts("Damage");
 }
 
-void Model::callPrecompute(double dt, bool onlyWithoutMechanics) {
+void Model::callPrecompute(double dt, int rateField) {
   hasCalledMaterials_ = true;
   std::vector<int> ids;
   for (Block& block : *blocks_) {
-    if (onlyWithoutMechanics && declares(block, "Force_Density")) continue;
     const auto material = block.getMaterialModel();
+    const auto* separate = rateField < 0 ? nullptr : dynamic_cast<const SeparateRates*>(material.get());
+    if (rateField >= 0 && separate == nullptr && declares(block, "Force_Density")) continue;
     {
       const Timers::Scope timer(timers_, "precompute");
       callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {
-        material->precompute(dt, n, owned, list, data);
+        if (separate != nullptr)
+          separate->prepareRate(rateField, dt, {n, owned, list}, data);
+        else
+          material->precompute(dt, n, owned, list, data);
       });
     }
     for (const int id : material->FieldIdsForSynchronizationAfterPrecompute())
@@ -151,7 +146,7 @@ void Model::sumBlocks(const std::string& label) {
 }
 
 void Model::evaluateForce(double dt) {
-  callPrecompute(dt, false);
+  callPrecompute(dt, -1);
   for (Block& block : *blocks_) {
     if (!declares(block, "Force_Density")) continue;
     const Timers::Scope timer(timers_, "force", bondsOf(block));
@@ -167,15 +162,19 @@ void Model::evaluateForce(double dt) {
 
 void Model::evaluateFluxDivergence(double dt, const std::string& fluxField, bool isPrepared) {
   hasCalledMaterials_ = true;
-  if (!isPrepared) callPrecompute(dt, true);
+  const int id = FieldManager::self().getFieldId(fluxField);
+  if (!isPrepared) callPrecompute(dt, id);
   for (Block& block : *blocks_) {
     if (!declares(block, fluxField)) continue;
     const Timers::Scope timer(timers_, "flux divergence", bondsOf(block));
     const auto material = block.getMaterialModel();
-    const int id = FieldManager::self().getFieldId(fluxField);
+    const auto* separate = dynamic_cast<const SeparateRates*>(material.get());
     if (block.numPoints() == 0) block.getData(id, PeridigmField::STEP_NP1)->PutScalar(0.0);
     callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {
-      material->computeFluxDivergence(dt, n, owned, list, data);
+      if (separate != nullptr)
+        separate->computeRate(id, dt, {n, owned, list}, data);
+      else
+        material->computeFluxDivergence(dt, n, owned, list, data);
     });
   }
   sumBlocks(fluxField);
@@ -192,13 +191,11 @@ void Model::evaluateStoredEnergy(double dt) {
 }
 
 void Model::assembleJacobian(double dt, SerialMatrix& matrix) {
-  const auto& unknowns = DegreesOfFreedomManager::self();
   for (Block& block : *blocks_) {
-    // A material that computes none of the unknowns' rates has no tangent of them, nor the means to probe for one.
-    const bool hasForce = unknowns.displacementTreatedAsUnknown() && declares(block, "Force_Density");
-    if (!hasForce && !(unknowns.temperatureTreatedAsUnknown() && declaresFluxDivergence(block))) continue;
-    const Timers::Scope timer(timers_, "tangent", bondsOf(block));
     const auto material = block.getMaterialModel();
+    // A material that computes none of the unknowns' rates has no tangent of them, nor the means to probe for one.
+    if (!givesUnknownRate(fieldsIn(*material))) continue;
+    const Timers::Scope timer(timers_, "tangent", bondsOf(block));
     callBlock(block, comm_, [&](int n, const int* owned, const int* list, DataManager& data) {
       material->computeJacobian(dt, n, owned, list, data, matrix);
     });

@@ -6,13 +6,13 @@
 #include <set>
 #include <sstream>
 
+#include "../deck/block_plugins.hpp"
 #include "../deck/function.hpp"
 #include "../discretization/mesh_points.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
-#include "field_names.hpp"
 #include "influence.hpp"
-#include "plugins.hpp"
+#include "rates.hpp"
 #include "run_notes.hpp"
 
 namespace pd {
@@ -41,43 +41,47 @@ bool constantHorizon(const DeckNode& entry, double& horizon) {
   return function.isConstant();
 }
 
-Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNode, double shortestBond) {
-  const DeckNode node = deck["Materials"][blockNode["Material"].text()];
-  if (!node) throw DeckError(blockNode["Material"].place() + ": no material of this name in section Materials");
-  const auto* plugin = MaterialRegistry::self().find(node["Material Model"].text());
-  if (plugin == nullptr) throw DeckError(node["Material Model"].place() + ": unknown material model");
-  const ParameterDeclarations declarations = plugin->declare();
-  Teuchos::ParameterList parameters = node.parameters(declarations);
-  double horizon = 0.0;
-  if (constantHorizon(blockNode, horizon)) parameters.set("Horizon", horizon);
-  // Peridigm's default: far below the smallest distance that the material sees.
-  const std::string probe = "Finite Difference Probe Length";
-  if (declarations.find(probe) != nullptr && !node[probe]) parameters.set(probe, 1.0e-6 * shortestBond);
+/// The plug-in that a block names by `key`, or several as one; `adjust(list, declarations)` adds what the host knows.
+template <class Registry, class Adjust>
+typename Registry::Created createPlugin(const Registry& registry, const DeckNode& section, const DeckNode& names,
+                                        const Adjust& adjust) {
+  std::vector<NamedPlugin> parts;
+  DeckNode node;
+  for (const DeckNode& name : names.each()) {
+    node = section[name.text()];
+    if (!node) throw DeckError(name.place() + ": no entry of this name in section " + section.path());
+    parts.push_back({name.text(), node[modelKey(registry)].text(), node.parameters(declarationsOf(registry, node))});
+  }
+  NamedPlugin whole = asOne(registry, parts);
+  const std::string place = parts.size() == 1 ? node.keyPlace() : names.place();
+  adjust(whole.parameters, registry.find(whole.plugin)->declare());
   try {
-    return plugin->create(parameters);
+    return registry.create(whole.plugin, whole.parameters);
   } catch (const DeckError&) {
     throw;
   } catch (const std::exception& error) {
-    throw DeckError(node.keyPlace() + ": " + error.what());
+    throw DeckError(place + ": " + error.what());
   }
+}
+
+Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNode, double shortestBond) {
+  return createPlugin(MaterialRegistry::self(), deck["Materials"], blockNode["Material"],
+                      [&](Teuchos::ParameterList& list, const ParameterDeclarations& declarations) {
+                        double horizon = 0.0;
+                        if (constantHorizon(blockNode, horizon)) list.set("Horizon", horizon);
+                        // Peridigm's default: far below the smallest distance that the material sees.
+                        const std::string probe = "Finite Difference Probe Length";
+                        if (declarations.find(probe) != nullptr && !list.isParameter(probe))
+                          list.set(probe, 1.0e-6 * shortestBond);
+                      });
 }
 
 /// Null where the block names no damage model.
 Teuchos::RCP<DamageModel> createDamageModel(const Deck& deck, const DeckNode& blockNode) {
-  const std::string name = blockNode.text("Damage Model", "None");
-  if (name == "None") return Teuchos::null;
-  const DeckNode node = deck["Damage Models"][name];
-  if (!node) throw DeckError(blockNode["Damage Model"].place() + ": no damage model of this name in Damage Models");
-  const auto* plugin = DamageModelRegistry::self().find(node["Damage Model"].text());
-  if (plugin == nullptr) throw DeckError(node["Damage Model"].place() + ": unknown damage model");
-  const Teuchos::ParameterList parameters = node.parameters(plugin->declare());
-  try {
-    return plugin->create(parameters);
-  } catch (const DeckError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw DeckError(node.keyPlace() + ": " + error.what());
-  }
+  const DeckNode names = blockNode["Damage Model"];
+  if (!names || (names.isScalar() && names.text() == "None")) return Teuchos::null;
+  return createPlugin(DamageModelRegistry::self(), deck["Damage Models"], names,
+                      [](Teuchos::ParameterList&, const ParameterDeclarations&) {});
 }
 
 Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, int blockNumber) {
@@ -100,13 +104,6 @@ Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, i
   for (const int i : owned)
     list.insert(list.end(), begin + points.neighborhoodStart[i], begin + points.neighborhoodStart[i + 1]);
   return Teuchos::rcp(new NeighborhoodData(std::move(owned), std::move(list)));
-}
-
-/// Fields that materials zero before they add to them.
-bool isSummedOverBlocks(const std::string& label) {
-  const std::string ending = "Flux_Divergence";
-  return label == "Force_Density" ||
-         (label.size() >= ending.size() && label.compare(label.size() - ending.size(), ending.size(), ending) == 0);
 }
 
 }  // namespace
@@ -190,8 +187,7 @@ void Model::allocatePluginFields() {
     shareBondSteps(block);
     block.getDataManager()->allocateData(ids);
     if (discretization_.blockNumbers.size() == 1) continue;
-    for (const int id : block.getMaterialModel()->FieldIds())
-      if (isSummedOverBlocks(fields.getFieldSpec(id).label)) block.getDataManager()->allocatePrivateData(id);
+    for (const int id : fieldsIn(*block.getMaterialModel()).sums()) block.getDataManager()->allocatePrivateData(id);
   }
   if (hasMechanics())
     shared_->allocateData({fields.getFieldId(NODE, VECTOR, TWO_STEP, "Coordinates"),
@@ -299,9 +295,8 @@ void Model::initialize() {
   adoptState();
   evaluateDamage(0.0);
   if (hasMechanics()) evaluateForce(0.0);
-  for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
-    if (isSummedOverBlocks(spec.label) && spec.label != "Force_Density" && hasField(spec.label))
-      evaluateFluxDivergence(0.0, spec.label);
+  for (const std::string& label : summedFields(*blocks_))
+    if (label != "Force_Density") evaluateFluxDivergence(0.0, label);
   restoreHistories();
 }
 

@@ -116,7 +116,8 @@ class Model {
   void restoreHistories();
   std::vector<StepRecord::PointField> recordedFields();
   void prepareImages(const Deck& deck);
-  void callPrecompute(double dt, bool onlyWithoutMechanics);
+  /// `rateField`: the field whose rate alone follows; -1: forces, and all else.
+  void callPrecompute(double dt, int rateField);
   void synchronise(const std::vector<int>& fieldIds);
   void sumBlocks(const std::string& label);
   Teuchos::RCP<PeridigmNS::FieldVector> vector(const std::string& label, bool atN) const;

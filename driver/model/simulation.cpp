@@ -13,7 +13,7 @@
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "error_norms.hpp"
-#include "field_names.hpp"
+#include "rates.hpp"
 #include "restart.hpp"
 #include "stage.hpp"
 
@@ -33,9 +33,7 @@ Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
 
 /// Fields that a solver may advance: those that must stay finite.
 std::vector<std::string> advancedFields(const Model& model) {
-  std::vector<std::string> labels;
-  for (const std::string& label : PeridigmNS::FieldManager::self().getFieldLabels())
-    if (model.hasField(label) && model.hasField(fluxDivergenceField(label))) labels.push_back(label);
+  std::vector<std::string> labels = fieldsWithRates(*model.blocks());
   for (const char* label : {"Displacement", "Velocity", "Damage"})
     if (model.hasField(label)) labels.emplace_back(label);
   return labels;

@@ -110,7 +110,7 @@ ImplicitDiffusion::Balance ImplicitDiffusion::evaluate(Simulation& simulation, d
 
 void ImplicitDiffusion::assemble(Simulation& simulation, double dt) {
   // Negative: positive definite for conservative fluxes.
-  stiffness_ = assembleFluxMatrix(simulation.model, dt, -1.0, false, isHeld_, system_);
+  stiffness_ = assembleFluxMatrix(simulation.model, field_, dt, -1.0, false, isHeld_, system_);
   hasMatrix_ = true;
   ++nMatrices_;
 }

@@ -107,7 +107,7 @@ bool Newton::someFamilyIsCoupled(Model& model, double dt) const {
 
 void Newton::assemble(Simulation& simulation, double dt) {
   Model& model = simulation.model;
-  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false);
+  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns({{"Displacement", 3}});
   if (!hasProbed_) couplesFamilies_ = someFamilyIsCoupled(model, dt);
   hasProbed_ = true;
   assembleOnce(simulation, dt);

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "diffusion_kernel.hpp"
 #include "plugins.hpp"
+#include "unknowns.hpp"
 
 namespace pd {
 
@@ -21,13 +21,9 @@ constexpr double faraday = 96485.33212;  ///< C/mol, CODATA 2018 (exact since 20
 constexpr int checkStride = 8;           ///< a mesh that is no grid is none nearly everywhere
 constexpr const char* owner = "material Corrosion Dissolution";
 
-/// The stochastic rule of the damage model Dissolution has these fields, and no other has both.
-bool breaksBondsAtRandom(DataManager& dataManager) {
+bool has(DataManager& dataManager, const char* label, Field::Step step) {
   FieldManager& fields = FieldManager::self();
-  const auto has = [&](const char* label, Field::Step step) {
-    return fields.hasField(label) && dataManager.hasData(fields.getFieldId(label), step);
-  };
-  return has("Loose", Field::STEP_NONE) && has("Bond_Damage", Field::STEP_NP1);
+  return fields.hasField(label) && dataManager.hasData(fields.getFieldId(label), step);
 }
 
 }  // namespace
@@ -38,6 +34,10 @@ void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
       .positive()
       .required();
   declare.real("Charge Number", "1", "Mean charge of the ions, z.").positive().required();
+  declare
+      .text("Concentration Field",
+            "Label of the metal ions' concentration. Another one than hydrogen's, where both live on the same points.")
+      .defaultTo("Concentration");
   SolidPhases::declareParameters(declare);
   TransportWeights::declareParameters(declare);
 }
@@ -52,7 +52,7 @@ CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, 
       chargeNumber_(params.get<double>("Charge Number")),
       phases_(params, saturation_, owner),
       acidity_(params, saturation_, owner),
-      fields_(acidity_.isGiven(), phases_.count() > 1) {}
+      fields_(params.get<std::string>("Concentration Field"), acidity_.isGiven(), phases_.count() > 1) {}
 
 double CorrosionDissolution::Density() const {
   throw std::invalid_argument(std::string(owner) + " has no mechanics, which this solver needs");
@@ -93,17 +93,20 @@ struct CorrosionDissolution::Views {
 };
 
 PhaseGeometry CorrosionDissolution::geometry(const Views& views, const double* damage) const {
-  return {weights_, views.x, views.volume, damage, &phases_, views.blockId, !breaksBondsAtRandom_};
+  return {weights_, views.x, views.volume, damage, &phases_, views.blockId, followsLoss_};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) {
   const Views views(*this, dataManager);
   caches_.clear();
-  breaksBondsAtRandom_ = breaksBondsAtRandom(dataManager);
+  // Where bonds have a state, Damage counts broken ones. Of damage models the stochastic rule of Dissolution alone has
+  // the field Loose.
+  followsLoss_ = !has(dataManager, "Bond_Damage", Field::STEP_NP1);
+  const bool breaksBondsAtRandom = !followsLoss_ && has(dataManager, "Loose", Field::STEP_NONE);
   if (numOwnedPoints > 0) {
     weights_.fitToGrid(views.volume[ownedIDs[0]]);
-    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom_);
+    if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom);
   }
   std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
   std::fill(views.dissolutionCorrection, views.dissolutionCorrection + views.nPoints, 1.0);
@@ -131,6 +134,7 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
+    made.phases.excludeWalls(views.saturation);
     made.isListed.assign(static_cast<std::size_t>(views.nPoints), 0);
     std::vector<char> isOwn(static_cast<std::size_t>(views.nPoints), 0);
     for (int p = 0; p < c.nOwned; ++p) isOwn[static_cast<std::size_t>(c.ownedIds[p])] = 1;
@@ -195,6 +199,7 @@ void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views&
   const std::vector<int>& changed = cache.phases.changedPoints();
   if (changed.empty()) return;
   const PhaseGeometry bonds = geometry(views, cache.phases.steppedDamage());
+  std::vector<int> neighbors;
   for (const std::size_t c : cache.phases.solidChunksAround(changed)) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
@@ -203,8 +208,9 @@ void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views&
     for (int k = 0; k < chunk.nNeighbors; ++k) atSurface |= bits[k];
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
       if (((atSurface >> lane) & 1u) == 0) continue;
-      const int* list = cache.phases.listOf(points[lane]);
-      views.dissolutionCorrection[points[lane]] = bonds.dissolutionCorrection(points[lane], list + 1, *list);
+      cache.phases.findNeighborsWithoutWalls(points[lane], neighbors);
+      views.dissolutionCorrection[points[lane]] =
+          bonds.dissolutionCorrection(points[lane], neighbors.data(), static_cast<int>(neighbors.size()));
     }
   }
 }
@@ -308,13 +314,13 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
 void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoints, const int* ownedIDs,
                                            const int* neighborhoodList, DataManager& dataManager,
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
+  const UnknownPlace place = unknownPlace(fields_.label);
+  if (!place.isUnknown) return;
   const Views views(*this, dataManager);
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
   if (!cache.isPrepared) takeUpPhases(cache, views);
   const auto& map = *dataManager.getOverlapScalarPointMap();
-  auto& unknowns = PeridigmNS::DegreesOfFreedomManager::self();
-  const int perPoint = unknowns.totalNumberOfDegreesOfFreedom(), offset = unknowns.temperatureDofOffset();
-  const auto row = [&](int i) { return perPoint * map.GID(i) + offset; };
+  const auto row = [&](int i) { return place.row(map.GID(i)); };
   for (const std::size_t c : cache.phases.liquidChunks()) {
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const double* weights = cache.diffusion.of(c);

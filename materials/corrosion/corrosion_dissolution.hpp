@@ -1,6 +1,7 @@
 // Dissolution of a metal into an electrolyte, in which its ions diffuse.
 //
-// One concentration C lives on solid and liquid points; a point is liquid where its Damage is 1. Its rate is
+// One concentration C lives on solid and liquid points; a point is liquid where its Damage is 1. Points of blocks that
+// do not dissolve (Saturation_Concentration 0) are walls. The rate of C is
 //   liquid i   sum_liquid d (a_i + a_j)/2 (C_j - C_i) V_j + sum_solid c b_j Q_i V_j
 //   solid i  - sum_liquid c b_i Q_j V_j
 // with weights d and c of the bonds (transport_weights.hpp), corrections a at walls and b of slanting fronts
@@ -31,8 +32,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle volume = reads(pd::fields::volume());
     FieldHandle damage = reads(pd::fields::damage());
-    FieldHandle concentration = reads(pd::fields::ionConcentration());
-    FieldHandle rate = adds(pd::fields::ionFluxDivergence());
+    FieldHandle concentration, rate;
     FieldHandle salt = reads(pd::fields::saltCoverage());
     FieldHandle demand = reads(pd::fields::dissolutionDemand());
     FieldHandle area = writes(pd::fields::interfaceAreaDensity());
@@ -40,20 +40,23 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     FieldHandle dissolutionRate = writes(pd::fields::dissolutionRate());
     FieldHandle slope = writes(pd::fields::dissolutionRateSlope());
     FieldHandle solid = writes(pd::fields::solidConcentration());
-    FieldHandle saturation = writes(pd::fields::saturationConcentration());
+    FieldHandle saturation = writes(pd::fields::saturationConcentration(), Ghosts::AfterInitialize);
     FieldHandle diffusionCorrection =
         writes(pd::fields::pointScalar("Diffusion_Correction", "1", "Of fluxes near walls."), Ghosts::AfterPrecompute);
     FieldHandle dissolutionCorrection =
         writes(pd::fields::pointScalar("Dissolution_Correction", "1", "Of slanting fronts."), Ghosts::AfterPrecompute);
     FieldHandle ph, blockId;
-    Fields(bool hasAcidity, bool hasPhases) {
+    std::string label;  ///< of the concentration
+    Fields(const std::string& concentrationField, bool hasAcidity, bool hasPhases) : label(concentrationField) {
+      concentration = reads(pd::fields::ionConcentration(label));
+      rate = adds(pd::fields::ionFluxDivergence(label));
       if (hasAcidity) ph = writes(pd::fields::pointScalar("pH", "1", "Of the electrolyte; no number in the metal."));
       if (hasPhases) blockId = reads(pd::fields::blockId());
     }
   };
 
   static void declareParameters(ParameterDeclarations& declare);
-  static FieldTable describeFields() { return Fields(true, true); }
+  static FieldTable describeFields() { return Fields("Concentration", true, true); }
   explicit CorrosionDissolution(const Teuchos::ParameterList& params);
 
   std::string Name() const override { return "Corrosion Dissolution"; }
@@ -63,6 +66,9 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   std::vector<std::string> runNotes() const override;
   const Fields& fields() const override { return fields_; }
   std::vector<int> FieldIds() const override { return fields_.ids(); }
+  std::vector<int> FieldIdsForSynchronizationAfterInitialize() const override {
+    return fields_.ids(Ghosts::AfterInitialize);
+  }
   std::vector<int> FieldIdsForSynchronizationAfterPrecompute() const override {
     return fields_.ids(Ghosts::AfterPrecompute);
   }
@@ -113,7 +119,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   double saturation_, chargeNumber_;
   SolidPhases phases_;
   Acidity acidity_;
-  bool breaksBondsAtRandom_ = false;
+  bool followsLoss_ = true;  ///< Damage of a solid point is the share of its metal that is gone
   Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };

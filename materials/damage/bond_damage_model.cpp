@@ -1,6 +1,8 @@
 #include "bond_damage_model.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "simd.hpp"
 
@@ -28,13 +30,18 @@ void countBrokenBonds(const Call& call, const double* bondDamage, double* damage
 
 void BondDamageModel::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
                                  const int* neighborhoodList, DataManager& dataManager) const {
-  countBrokenBonds({numOwnedPoints, ownedIDs, neighborhoodList}, fields().bondDamage.of(dataManager),
-                   fields().damage.of(dataManager));
+  const double* bondDamage = fields().bondDamage.ifIn(dataManager);
+  if (bondDamage == nullptr) return;
+  const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
+  double* damage = fields().damage.of(dataManager);
+  const LiquidPoints liquid(call, damage);
+  countBrokenBonds(call, bondDamage, damage);
+  if (marksLiquid()) liquid.restore(call, damage);
 }
 
 void BondDamageModel::carryOver(const Fields& fields, const Call& call, DataManager& dataManager) {
-  double* bondDamage = fields.bondDamage.of(dataManager);
-  const double* before = fields.bondDamage.before(dataManager);
+  double* bondDamage = fields.bondDamage.ifIn(dataManager);
+  const double* before = bondDamage == nullptr ? nullptr : fields.bondDamage.before(dataManager);
   if (bondDamage == before) return;
   std::copy(before, before + fields.bondDamage.length(dataManager), bondDamage);
   countBrokenBonds(call, bondDamage, fields.damage.of(dataManager));
@@ -43,8 +50,25 @@ void BondDamageModel::carryOver(const Fields& fields, const Call& call, DataMana
 void BondDamageModel::computeDamage(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                     const int* neighborhoodList, DataManager& dataManager) const {
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
+  double* damage = fields().damage.of(dataManager);
+  const bool hasLiquid = marksLiquid() && fields().bondDamage.isIn(dataManager);
+  const std::optional<LiquidPoints> liquid = hasLiquid ? std::make_optional<LiquidPoints>(call, damage) : std::nullopt;
   carryOver(fields(), call, dataManager);
+  if (liquid) liquid->restore(call, damage);
   worsen(dt, call, dataManager);
+}
+
+LiquidPoints::LiquidPoints(const Call& call, const double* damage) {
+  std::copy_if(call.ownedIds, call.ownedIds + call.nOwned, std::back_inserter(points_),
+               [damage](int i) { return damage[i] >= 1.0; });
+}
+
+void LiquidPoints::restore(const Call& call, double* damage) const {
+  for (int p = 0; p < call.nOwned; ++p) {
+    double& value = damage[call.ownedIds[p]];
+    value = std::min(value, mostDamagedSolid);
+  }
+  for (const int i : points_) damage[i] = 1.0;
 }
 
 }  // namespace pd

@@ -2,11 +2,16 @@
 #ifndef PD_BOND_DAMAGE_MODEL_HPP
 #define PD_BOND_DAMAGE_MODEL_HPP
 
+#include <vector>
+
 #include "Peridigm_DamageModel.hpp"
 #include "fields.hpp"
 #include "neighborhood_cache.hpp"
 
 namespace pd {
+
+/// Largest Damage of a solid point where Damage 1 says that a point is liquid.
+constexpr double mostDamagedSolid = 1.0 - 1e-12;
 
 /// A damage model writes worsen() alone: bonds of NP1 start as they were at N, whatever the storage of the host and
 /// however often a step is evaluated. In a block with several damage models each worsens what the others have left.
@@ -15,8 +20,12 @@ class BondDamageModel : public PeridigmNS::DamageModel, public FieldUser {
   /// For the tables of derived models.
   struct Fields : FieldTable {
     FieldHandle damage = worsens(pd::fields::damage());
-    FieldHandle bondDamage = worsens(pd::fields::bondDamage());
+    FieldHandle bondDamage;
     FieldHandle noFailure = readsIfThere(pd::fields::noFailure());
+    /// Where it does not bring bonds, it breaks those that others bring.
+    explicit Fields(bool bringsBonds = true) {
+      bondDamage = bringsBonds ? worsens(pd::fields::bondDamage()) : worsensIfThere(pd::fields::bondDamage());
+    }
   };
 
   using DamageModel::DamageModel;
@@ -35,12 +44,26 @@ class BondDamageModel : public PeridigmNS::DamageModel, public FieldUser {
   void computeDamage(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                      PeridigmNS::DataManager& dataManager) const final;
 
-  /// Bond_Damage and Damage of NP1 become those of N. Nothing to do where a host shares their memory.
+  /// Bond_Damage and Damage of NP1 become those of N. Nothing to do where a host shares their memory, or in a block
+  /// whose bonds have no state.
   static void carryOver(const Fields& fields, const Call& call, PeridigmNS::DataManager& dataManager);
 
   /// Raises Bond_Damage of NP1 for both ends of bonds alike, and Damage of the points whose bonds it has changed
   /// (shareOfBroken). Other histories of the model: NP1 from N and dt.
   virtual void worsen(double dt, const Call& call, PeridigmNS::DataManager& dataManager) const = 0;
+  /// Does it set Damage to 1 where a point is liquid, for good? Solid points then have less, broken bonds or not.
+  virtual bool marksLiquid() const { return false; }
+};
+
+/// Which points are liquid in a block where Damage 1 says so, kept while broken bonds are counted.
+class LiquidPoints {
+ public:
+  LiquidPoints(const Call& call, const double* damage);
+  /// Damage 1 of these, less of all other points.
+  void restore(const Call& call, double* damage) const;
+
+ private:
+  std::vector<int> points_;  ///< local ids in the order of the call
 };
 
 /// Damage of a point: the mean of its `count` bonds; 0 without bonds.

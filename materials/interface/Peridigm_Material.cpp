@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "Peridigm_DegreesOfFreedomManager.hpp"
-#include "field_names.hpp"
+#include "fields.hpp"
 
 namespace PeridigmNS {
 
@@ -69,19 +69,29 @@ void Material::computeJacobian(const double dt, const int numOwnedPoints, const 
 
 namespace {
 
-/// The scalar field whose flux divergence is among the fields of a material; Peridigm's Temperature where there is
-/// none.
-std::string diffusingField(const std::vector<int>& fieldIds) {
-  FieldManager& fields = FieldManager::self();
-  const auto isUsed = [&](const std::string& label) {
-    return fields.hasField(label) &&
-           std::find(fieldIds.begin(), fieldIds.end(), fields.getFieldId(label)) != fieldIds.end();
-  };
-  for (const int id : fieldIds) {
-    const std::string label = fields.getFieldSpec(id).label;
-    if (isUsed(pd::fluxDivergenceField(label))) return label;
+/// An unknown of which the material gives the rate.
+struct Probed {
+  int value, rate;  ///< fields
+  int width, offset;
+  bool isForce;
+};
+
+/// Of the unknowns that the host solves for.
+std::vector<Probed> probedFields(const Material& material) {
+  const auto& unknowns = DegreesOfFreedomManager::self();
+  const pd::FieldTable table = pd::fieldsIn(material);
+  const std::vector<int> sums = table.sums();
+  std::vector<Probed> result;
+  for (const auto& [field, width] : unknowns.unknowns()) {
+    const bool isForce = field == pd::fields::displacement().label;
+    const int force = pd::fields::forceDensity().id();
+    const int ofForce = std::find(sums.begin(), sums.end(), force) != sums.end() ? force : -1;
+    const int rate = isForce ? ofForce : table.rateOf(field);
+    if (rate < 0) continue;
+    const int value = isForce ? pd::fields::coordinates().id() : FieldManager::self().getFieldId(field);
+    result.push_back({value, rate, width, unknowns.offsetOf(field), isForce});
   }
-  return "Temperature";
+  return result;
 }
 
 /// One point with its neighbours, in a DataManager of its own: local id 0 is the point, k its k-th neighbour.
@@ -145,23 +155,10 @@ void Material::computeFiniteDifferenceJacobian(const double dt, const int numOwn
     throw std::invalid_argument("material \"" + Name() +
                                 "\": a tangent by finite differences needs \"Finite Difference Probe Length\"");
   const double probe = m_finiteDifferenceProbeLength;
-  const auto& unknowns = DegreesOfFreedomManager::self();
-  const int perPoint = unknowns.totalNumberOfDegreesOfFreedom();
-  FieldManager& fields = FieldManager::self();
   const bool central = scheme == CENTRAL_DIFFERENCE;
-
-  // Unknown field, its rate field, components, offset.
-  struct Unknown {
-    std::string field, rate;
-    int components, offset;
-  };
-  std::vector<Unknown> kinds;
-  if (unknowns.displacementTreatedAsUnknown())
-    kinds.push_back({"Coordinates", "Force_Density", 3, unknowns.displacementDofOffset()});
-  if (unknowns.temperatureTreatedAsUnknown()) {
-    const std::string field = diffusingField(FieldIds());
-    kinds.push_back({field, pd::fluxDivergenceField(field), 1, unknowns.temperatureDofOffset()});
-  }
+  const int perPoint = DegreesOfFreedomManager::self().totalNumberOfDegreesOfFreedom();
+  const std::vector<Probed> unknowns = probedFields(*this);
+  const int volumeField = pd::fields::volume().id();
 
   const int* entry = neighborhoodList;
   int firstBond = 0;
@@ -176,20 +173,26 @@ void Material::computeFiniteDifferenceJacobian(const double dt, const int numOwn
     const auto at = [&](int row, int column) -> double& {
       return block[static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column)];
     };
-    const auto volume = family.data.getData(fields.getFieldId("Volume"), PeridigmField::STEP_NONE);
+    const auto volume = family.data.getData(volumeField, PeridigmField::STEP_NONE);
 
-    for (const Unknown& kind : kinds) {
-      const auto value = family.data.getData(fields.getFieldId(kind.field), PeridigmField::STEP_NP1);
-      const auto rate = family.data.getData(fields.getFieldId(kind.rate), PeridigmField::STEP_NP1);
-      const auto evaluate = [&] {
-        if (kind.components == 3)
-          computeForce(dt, 1, &zero, family.list(), family.data);
-        else
-          computeFluxDivergence(dt, 1, &zero, family.list(), family.data);
-        std::vector<double> result(static_cast<std::size_t>(rate->MyLength()));
-        for (int i = 0; i < rate->MyLength(); ++i) result[static_cast<std::size_t>(i)] = (*rate)[i];
-        return result;
-      };
+    /// Rates of all unknowns, [n].
+    const auto evaluate = [&] {
+      const auto isForce = [](const Probed& unknown) { return unknown.isForce; };
+      if (std::any_of(unknowns.begin(), unknowns.end(), isForce))
+        computeForce(dt, 1, &zero, family.list(), family.data);
+      if (!std::all_of(unknowns.begin(), unknowns.end(), isForce))
+        computeFluxDivergence(dt, 1, &zero, family.list(), family.data);
+      std::vector<double> rates(static_cast<std::size_t>(n), 0.0);
+      for (const Probed& unknown : unknowns) {
+        const auto rate = family.data.getData(unknown.rate, PeridigmField::STEP_NP1);
+        for (int i = 0; i < rate->MyLength(); ++i)
+          rates[static_cast<std::size_t>((i / unknown.width) * perPoint + unknown.offset + i % unknown.width)] =
+              (*rate)[i];
+      }
+      return rates;
+    };
+    for (const Probed& unknown : unknowns) {
+      const auto value = family.data.getData(unknown.value, PeridigmField::STEP_NP1);
       for (int i = 0; i < value->MyLength(); ++i) {
         const double old = (*value)[i];
         (*value)[i] = central ? old - probe : old;
@@ -197,12 +200,10 @@ void Material::computeFiniteDifferenceJacobian(const double dt, const int numOwn
         (*value)[i] = old + probe;
         const std::vector<double> high = evaluate();
         (*value)[i] = old;
-        const int column = (i / kind.components) * perPoint + kind.offset + i % kind.components;
-        for (int r = 0; r < rate->MyLength(); ++r) {
-          const int row = (r / kind.components) * perPoint + kind.offset + r % kind.components;
-          at(row, column) = (high[static_cast<std::size_t>(r)] - low[static_cast<std::size_t>(r)]) /
-                            (central ? 2.0 * probe : probe) * (*volume)[r / kind.components];
-        }
+        const int column = (i / unknown.width) * perPoint + unknown.offset + i % unknown.width;
+        for (int row = 0; row < n; ++row)
+          at(row, column) = (high[static_cast<std::size_t>(row)] - low[static_cast<std::size_t>(row)]) /
+                            (central ? 2.0 * probe : probe) * (*volume)[row / perPoint];
       }
     }
     std::vector<int> indices;

@@ -38,8 +38,9 @@ class Material {
   enum JacobianType { UNDEFINED = 0, NONE = 1, FULL_MATRIX = 2, BLOCK_DIAGONAL = 3 };
   enum FiniteDifferenceScheme { FORWARD_DIFFERENCE = 0, CENTRAL_DIFFERENCE = 1 };
 
-  /// Adds d(force density)/d(displacement), or d(flux divergence)/d(temperature), each row multiplied by the volume of
-  /// its point (as Peridigm does: the tangent of a force, symmetric for pairwise forces), to `jacobian`.
+  /// Adds the derivatives of the rates that the material gives (force density; of a field: its flux divergence) by the
+  /// unknowns of the DegreesOfFreedomManager, each row multiplied by the volume of its point (as Peridigm does: the
+  /// tangent of a force, symmetric for pairwise forces), to `jacobian`.
   /// The default probes computeForce and computeFluxDivergence by central differences.
   virtual void computeJacobian(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                const int* neighborhoodList, DataManager& dataManager, SerialMatrix& jacobian,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pd::kernels {
 
@@ -40,6 +41,20 @@ PhaseBonds::PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, cons
       std::fill(bonds->of(chunk), bonds->of(chunk) + chunk.nNeighbors, static_cast<unsigned char>(0));
 }
 
+void PhaseBonds::excludeWalls(const double* saturation) {
+  isWall_.clear();
+  const std::size_t n = isLiquid_.size();
+  if (std::find(saturation, saturation + n, 0.0) == saturation + n) return;
+  for (std::size_t i = 0; i < n; ++i) isWall_.push_back(saturation[i] == 0.0 ? 1 : 0);
+}
+
+void PhaseBonds::findNeighborsWithoutWalls(int ownedPoint, std::vector<int>& neighbors) const {
+  const int* list = listOf(ownedPoint);
+  neighbors.clear();
+  std::copy_if(list + 1, list + 1 + *list, std::back_inserter(neighbors),
+               [this](int j) { return isWall_.empty() || isWall_[static_cast<std::size_t>(j)] == 0; });
+}
+
 void PhaseBonds::markChunksOf(int point, std::vector<char>& isMarked) const {
   const auto i = static_cast<std::size_t>(point);
   if (ownedPosition_[i] < 0) {
@@ -60,7 +75,7 @@ bool PhaseBonds::refresh(const ChunkedNeighborhood& neighborhood, const double* 
   std::vector<char> isMarked;
   changedPoints_.clear();
   for (std::size_t i = 0; i < isLiquid_.size(); ++i) {
-    if (damage[i] == steppedDamage_[i]) continue;
+    if (damage[i] == steppedDamage_[i] || (!isWall_.empty() && isWall_[i] != 0)) continue;
     const double stepped = std::floor(steps * damage[i]) / steps;
     if (stepped == steppedDamage_[i]) continue;
     steppedDamage_[i] = stepped;
@@ -98,14 +113,16 @@ void PhaseBonds::refreshChunk(const ChunkedNeighborhood& neighborhood, std::size
     if (isLiquid_[static_cast<std::size_t>(points[lane])] != 0) own = static_cast<unsigned char>(own | (1u << lane));
   Kinds kinds;
   for (int k = 0; k < chunk.nNeighbors; ++k) {
-    unsigned char other = 0;
-    for (int lane = 0; lane < chunk.nLanes; ++lane)
-      if (((present[k] >> lane) & 1u) != 0 &&
-          isLiquid_[static_cast<std::size_t>(neighborhood.neighbor(chunk, k, lane))] != 0)
-        other = static_cast<unsigned char>(other | (1u << lane));
+    unsigned char other = 0, wall = 0;
+    for (int lane = 0; lane < chunk.nLanes; ++lane) {
+      if (((present[k] >> lane) & 1u) == 0) continue;
+      const auto neighbor = static_cast<std::size_t>(neighborhood.neighbor(chunk, k, lane));
+      if (isLiquid_[neighbor] != 0) other = static_cast<unsigned char>(other | (1u << lane));
+      if (!isWall_.empty() && isWall_[neighbor] != 0) wall = static_cast<unsigned char>(wall | (1u << lane));
+    }
     liquid_.of(chunk)[k] = own & other;
     fromSolid_.of(chunk)[k] = static_cast<unsigned char>(~own & other);
-    fromLiquid_.of(chunk)[k] = static_cast<unsigned char>(own & ~other & present[k]);
+    fromLiquid_.of(chunk)[k] = static_cast<unsigned char>(own & ~other & ~wall & present[k]);
     kinds.liquid = kinds.liquid || liquid_.of(chunk)[k] != 0;
     kinds.fromSolid = kinds.fromSolid || fromSolid_.of(chunk)[k] != 0;
     kinds.fromLiquid = kinds.fromLiquid || fromLiquid_.of(chunk)[k] != 0;

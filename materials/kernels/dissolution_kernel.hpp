@@ -18,6 +18,8 @@ class PhaseBonds {
   /// All points solid. `neighborhoodList`: what the neighbourhood was made from, as long as this lives.
   PhaseBonds(const ChunkedNeighborhood& neighborhood, int nOwned, const int* ownedIds, const int* neighborhoodList,
              int nPoints);
+  /// Points where `saturation`, by local id, is 0 are walls: neither solid nor liquid. Call it before refresh().
+  void excludeWalls(const double* saturation);
 
   /// `damage` by local id: a point is liquid where it is 1. Returns whether any point has changed phase.
   bool refresh(const ChunkedNeighborhood& neighborhood, const double* damage);
@@ -39,6 +41,8 @@ class PhaseBonds {
   const int* listOf(int ownedPoint) const {
     return list_ + starts_[static_cast<std::size_t>(ownedPosition_[static_cast<std::size_t>(ownedPoint)])];
   }
+  /// Its neighbours that are no walls, into `neighbors`.
+  void findNeighborsWithoutWalls(int ownedPoint, std::vector<int>& neighbors) const;
 
   const AliveBonds& liquid() const { return liquid_; }
   const std::vector<std::size_t>& liquidChunks() const { return liquidChunks_; }  ///< that have such bonds
@@ -66,6 +70,7 @@ class PhaseBonds {
   std::vector<int> chunkOf_;                    ///< by local id; -1: not owned
   std::vector<int> ownedPosition_;              ///< by local id; -1: not owned
   std::vector<std::vector<int>> chunksAround_;  ///< of points that are not owned, by local id
+  std::vector<char> isWall_;                    ///< by local id; empty: none is
   std::vector<char> isLiquid_;                  ///< by local id
   std::vector<double> steppedDamage_;
   std::vector<int> changedPoints_;

@@ -75,6 +75,19 @@ std::vector<int> FieldTable::ids(Ghosts when) const {
   return result;
 }
 
+std::vector<int> FieldTable::sums() const {
+  std::vector<int> result;
+  for (const FieldUse& use : uses_)
+    if (use.access == FieldAccess::Adds && !use.isOptional) result.push_back(use.id);
+  return result;
+}
+
+int FieldTable::rateOf(const std::string& label) const {
+  for (const FieldUse& use : uses_)
+    if (use.access == FieldAccess::Adds && use.field.rateOf == label) return use.id;
+  return -1;
+}
+
 FieldHandle FieldTable::reads(const FieldDescription& field, Ghosts ghosts) {
   return use(field, FieldAccess::Reads, ghosts, false);
 }
@@ -90,8 +103,14 @@ FieldHandle FieldTable::writesIfThere(const FieldDescription& field) {
 FieldHandle FieldTable::adds(const FieldDescription& field) {
   return use(field, FieldAccess::Adds, Ghosts::None, false);
 }
+FieldHandle FieldTable::addsIfThere(const FieldDescription& field) {
+  return use(field, FieldAccess::Adds, Ghosts::None, true);
+}
 FieldHandle FieldTable::worsens(const FieldDescription& field) {
   return use(field, FieldAccess::Worsens, Ghosts::None, false);
+}
+FieldHandle FieldTable::worsensIfThere(const FieldDescription& field) {
+  return use(field, FieldAccess::Worsens, Ghosts::None, true);
 }
 
 FieldHandle FieldTable::use(const FieldDescription& field, FieldAccess access, Ghosts ghosts, bool isOptional) {
@@ -104,12 +123,51 @@ FieldHandle FieldTable::use(const FieldDescription& field, FieldAccess access, G
     if (known->access == FieldAccess::Reads) known->access = access;
     if (known->ghosts == Ghosts::None) known->ghosts = ghosts;
     known->isOptional = known->isOptional && isOptional;
+    known->field.onlyGrows = known->field.onlyGrows && field.onlyGrows;
+    known->field.isState = known->field.isState || field.isState;
   }
   return {id, field.temporal};
 }
 
 void FieldTable::include(const FieldTable& part) {
   for (const FieldUse& other : part.uses_) use(other.field, other.access, other.ghosts, other.isOptional);
+}
+
+FieldTable assumedFields(const std::vector<int>& ids) {
+  struct Assumed : FieldTable {
+    void assume(int id) {
+      const PeridigmNS::FieldSpec spec = PeridigmNS::FieldManager::self().getFieldSpec(id);
+      if (spec.getLabel() == fields::forceDensity().label) {
+        adds(fields::forceDensity());
+      } else if (spec.getLabel() == fluxDivergenceField("Temperature")) {
+        adds(fields::fluxDivergence("Temperature"));
+      } else {
+        FieldDescription field;
+        field.label = spec.getLabel();
+        field.relation = spec.getRelation();
+        field.length = spec.getLength();
+        field.temporal = spec.getTemporal();
+        reads(field);
+      }
+    }
+  };
+  Assumed table;
+  for (const int id : ids) table.assume(id);
+  return table;
+}
+
+std::vector<std::string> contestedFields(const std::vector<NamedTable>& plugins) {
+  std::vector<std::string> messages;
+  for (std::size_t a = 0; a < plugins.size(); ++a)
+    for (const FieldUse& own : plugins[a].table.uses())
+      for (std::size_t b = 0; b < plugins.size(); ++b) {
+        const FieldUse* other = b == a ? nullptr : plugins[b].table.find(own.id);
+        if (own.access != FieldAccess::Writes || other == nullptr || other->access == FieldAccess::Reads) continue;
+        if (other->access == FieldAccess::Writes && b < a) continue;  // said already
+        messages.push_back("\"" + plugins[a].name + "\" and \"" + plugins[b].name + "\" both write the field \"" +
+                           own.field.label + "\", which can have one writer in a block");
+      }
+  return messages;
 }
 
 namespace fields {
@@ -254,8 +312,10 @@ FieldDescription fluxDivergence(const std::string& label) {
   field.rateOf = label;
   return field;
 }
-FieldDescription ionConcentration() { return steppedScalar("Concentration", "mol/m3", "Metal, solid or as ions."); }
-FieldDescription ionFluxDivergence() { return fluxDivergence("Concentration").in("mol/(m3 s)"); }
+FieldDescription ionConcentration(const std::string& label) {
+  return steppedScalar(label, "mol/m3", "Metal, solid or as ions.");
+}
+FieldDescription ionFluxDivergence(const std::string& label) { return fluxDivergence(label).in("mol/(m3 s)"); }
 
 }  // namespace fields
 

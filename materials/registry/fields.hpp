@@ -58,7 +58,9 @@ struct FieldDescription {
 enum class FieldAccess {
   Reads,
   Writes,  ///< it alone
-  Adds,    ///< zeroes it, then adds; contributions of blocks and ranks are summed by the host
+  /// Zeroes it, then adds; contributions of blocks and ranks are summed by the host. An optional one is set at the
+  /// plug-in's own points.
+  Adds,
   Worsens  ///< raises it towards 1, as other plug-ins of the block may: damage
 };
 
@@ -116,6 +118,10 @@ class FieldTable {
   std::vector<int> ids() const;
   /// For FieldIdsForSynchronizationAfter...().
   std::vector<int> ids(Ghosts when) const;
+  /// What it adds to, but for optional ones: fields that a host sums over blocks and ranks.
+  std::vector<int> sums() const;
+  /// The field that is the rate of the field `label` and that it adds to; -1 where it gives none.
+  int rateOf(const std::string& label) const;
   /// Takes over what a part of the plug-in uses.
   void include(const FieldTable& part);
 
@@ -125,7 +131,9 @@ class FieldTable {
   FieldHandle writes(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
   FieldHandle writesIfThere(const FieldDescription& field);
   FieldHandle adds(const FieldDescription& field);
+  FieldHandle addsIfThere(const FieldDescription& field);
   FieldHandle worsens(const FieldDescription& field);
+  FieldHandle worsensIfThere(const FieldDescription& field);
 
  private:
   FieldHandle use(const FieldDescription& field, FieldAccess access, Ghosts ghosts, bool isOptional);
@@ -145,6 +153,23 @@ const FieldTable* fieldTableOf(const Plugin& plugin) {
   const auto* user = dynamic_cast<const FieldUser*>(&plugin);
   return user == nullptr ? nullptr : &user->fields();
 }
+
+/// The table of a plug-in. One that has none is taken to read and to step all that it asks for, and to add to the two
+/// fields that Peridigm's own materials add to.
+FieldTable assumedFields(const std::vector<int>& ids);
+template <class Plugin>
+FieldTable fieldsIn(const Plugin& plugin) {
+  const FieldTable* table = fieldTableOf(plugin);
+  return table != nullptr ? *table : assumedFields(plugin.FieldIds());
+}
+
+/// A plug-in of a block, as messages name it.
+struct NamedTable {
+  std::string name;
+  FieldTable table;
+};
+/// A message for each field that one of these plug-ins of a block writes alone and another one changes too.
+std::vector<std::string> contestedFields(const std::vector<NamedTable>& plugins);
 
 /// Descriptions: of any field, and of those that several plug-ins share.
 namespace fields {
@@ -207,8 +232,9 @@ FieldDescription currentDensity();
 FieldDescription diffusingScalar(const std::string& label);
 FieldDescription fluxDivergence(const std::string& label);
 /// Those of dissolved metal, "Concentration" in mol/m3.
-FieldDescription ionConcentration();
-FieldDescription ionFluxDivergence();
+/// Of metal ions, by the label that the deck gives them.
+FieldDescription ionConcentration(const std::string& label);
+FieldDescription ionFluxDivergence(const std::string& label);
 
 }  // namespace fields
 

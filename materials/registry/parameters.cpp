@@ -94,7 +94,9 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
       if (!given.isType<Teuchos::Array<double>>(name)) return "must be a list of numbers";
       return firstComplaint(parameter, given.get<Teuchos::Array<double>>(name));
     case ParameterType::Texts:
-      if (!given.isType<Teuchos::Array<std::string>>(name)) return "must be a list of names";
+      if (parameter.mayBeOne && given.isType<std::string>(name))
+        return parameter.complaint(given.get<std::string>(name));
+      if (!given.isType<Teuchos::Array<std::string>>(name)) return "must be " + parameter.expectation();
       return firstComplaint(parameter, given.get<Teuchos::Array<std::string>>(name));
   }
   return "";
@@ -109,6 +111,8 @@ void normalise(Teuchos::ParameterList& list, const Parameter& parameter) {
     const auto given = list.get<Teuchos::Array<int>>(name);
     list.set(name, Teuchos::Array<double>(given.begin(), given.end()));
   }
+  if (parameter.mayBeOne && list.isType<std::string>(name))
+    list.set(name, Teuchos::Array<std::string>(1, list.get<std::string>(name)));
   if (parameter.type != ParameterType::Function) return;
   if (list.isType<double>(name)) {
     std::ostringstream out;
@@ -165,6 +169,10 @@ Parameter& Parameter::strictlyBetween(double low, double high) {
 }
 Parameter& Parameter::oneOf(std::vector<std::string> names) {
   choices = std::move(names);
+  return *this;
+}
+Parameter& Parameter::orOne() {
+  mayBeOne = true;
   return *this;
 }
 Parameter& Parameter::from(const char* sourceText) {
@@ -226,7 +234,8 @@ std::string Parameter::expectation() const {
     case ParameterType::Reals:
       return "a list of numbers" + range;
     case ParameterType::Texts:
-      return "a list of names" + (choices.empty() ? "" : ", each " + allowed);
+      return std::string(mayBeOne ? "a name or a list of names" : "a list of names") +
+             (choices.empty() ? "" : ", each " + allowed);
   }
   return "";
 }

@@ -20,7 +20,7 @@ enum class ParameterType {
   Text,      ///< std::string, limited to `choices` where those are given
   Function,  ///< number or function string in x, y, z, t; handed over as std::string
   Reals,     ///< list of numbers; handed over as Teuchos::Array<double>
-  Texts      ///< list of strings; handed over as Teuchos::Array<std::string>
+  Texts      ///< list of strings (where mayBeOne: or one); handed over as Teuchos::Array<std::string>
 };
 
 struct Parameter {
@@ -36,6 +36,7 @@ struct Parameter {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
   bool lowestExcluded = false, highestExcluded = false;
+  bool mayBeOne = false;  ///< of Texts: a text alone is a list of it
   std::vector<std::string> choices;
 
   // Chained, as in declare.real("Density", "kg/m3", "Mass density.").positive().required();
@@ -50,6 +51,7 @@ struct Parameter {
   Parameter& between(double low, double high);          ///< both included
   Parameter& strictlyBetween(double low, double high);  ///< both excluded
   Parameter& oneOf(std::vector<std::string> names);
+  Parameter& orOne();
   Parameter& from(const char* sourceText);
 
   /// "> 0 Pa", "in [0, 1]", "one of A, B"; empty where anything goes.

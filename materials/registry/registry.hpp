@@ -25,6 +25,9 @@ struct Plugin {
   std::function<ParameterDeclarations()> declare;
   std::function<Teuchos::RCP<Base>(Args...)> create;
   std::function<FieldTable()> fields;  ///< what it uses, with the default names, for pdrun --explain
+  /// Of a plug-in that combines others of its kind: the key that names its parts, each of which has a sub-list of its
+  /// parameters under its name. Else empty.
+  std::string partsKey;
 };
 
 template <class Class, class = void>
@@ -40,6 +43,20 @@ constexpr bool hasFieldsByParameters = false;
 template <class Class>
 constexpr bool hasFieldsByParameters<
     Class, std::void_t<decltype(typename Class::Fields(std::declval<const Teuchos::ParameterList&>()))>> = true;
+
+template <class Class, class = void>
+constexpr bool hasParts = false;
+template <class Class>
+constexpr bool hasParts<Class, std::void_t<decltype(Class::partsKey)>> = true;
+
+/// The static partsKey of a plug-in class; empty where it has none.
+template <class Class>
+std::string partsKeyOf() {
+  if constexpr (hasParts<Class>)
+    return Class::partsKey;
+  else
+    return {};
+}
 
 /// The fields of a plug-in class: its static describeFields(), else a default Fields, or the Fields of the default
 /// parameters; none where it has none of these.
@@ -78,6 +95,12 @@ class PluginRegistry {
     const auto it = entries_.find(name);
     return it == entries_.end() ? nullptr : &it->second;
   }
+  /// The plug-in that combines others. Throws std::logic_error where there is none.
+  const Entry& combining() const {
+    for (const auto& item : entries_)
+      if (!item.second.partsKey.empty()) return item.second;
+    throw std::logic_error("no plug-in of this kind combines others");
+  }
   /// Throws std::invalid_argument with the known names where no plug-in has this one.
   Teuchos::RCP<Base> create(const std::string& name, Args... args) const {
     const Entry* entry = find(name);
@@ -113,7 +136,7 @@ class PluginRegistry {
                               return declarations;                                                                \
                             },                                                                                    \
                             [](auto&&... args) -> Registry::Created { return Teuchos::rcp(new Class(args...)); }, \
-                            [] { return pd::fieldsOf<Class>(); }});                                               \
+                            [] { return pd::fieldsOf<Class>(); }, pd::partsKeyOf<Class>()});                      \
   }
 
 #endif

@@ -188,6 +188,59 @@ std::vector<Broken> brokenBodies() {
        {{"    Damage Model: Brittle", "    Damage Model: Britle"}},
        {"deck.yaml:36:19: Blocks/Plate/Damage Model: there is no \"Britle\" in Damage Models (did you mean "
         "\"Brittle\"?); there are: \"Brittle\""}},
+      {"BlockMaterials",
+       {{"Material: Steel\n", "Material: [Steel, Steal, Steel]\n"}},
+       {"deck.yaml:35:23: Blocks/Plate/Material[2]: there is no \"Steal\" in Materials (did you mean \"Steel\"?); "
+        "there "
+        "are: \"Steel\"",
+        "deck.yaml:35:30: Blocks/Plate/Material[3]: \"Steel\" is in the list already"}},
+      {"BlockMaterialEmpty",
+       {{"Material: Steel\n", "Material: []\n"}},
+       {"deck.yaml:35:15: Blocks/Plate/Material is empty; name an entry of Materials"}},
+      {"BlockDamageNoneInList",
+       {{"    Damage Model: Brittle", "    Damage Model: [Brittle, None]"}},
+       {"deck.yaml:36:29: Blocks/Plate/Damage Model[2]: there is no \"None\" in Damage Models; there are: "
+        "\"Brittle\""}},
+      {"TwoOwnersOfAField",
+       {{"Damage Models:\n",
+         "  One: {Material Model: Elastic, Density: 1.0, Bulk Modulus: 1.0, Shear Modulus: 1.0}\n"
+         "  Two: {Material Model: Elastic, Density: 1.0, Bulk Modulus: 2.0, Shear Modulus: 1.0}\nDamage Models:\n"},
+        {"Material: Steel\n", "Material: [Steel, One, Two]\n"}},
+       {"deck.yaml:37:15: Blocks/Plate/Material: material Combined: \"One\" and \"Two\" both write the field "
+        "\"Weighted_Volume\", which can have one writer in a block",
+        "deck.yaml:37:15: Blocks/Plate/Material: material Combined: \"One\" and \"Two\" both write the field "
+        "\"Dilatation\", which can have one writer in a block"}},
+      {"TwoDensities",
+       {{"Damage Models:\n",
+         "  Light: {Material Model: PDHE, Density: 1.0, Young's Modulus: 1.0, Poisson's Ratio: 0.3, Plane Stress: "
+         "true, "
+         "Thickness: 1.0e-3}\nDamage Models:\n"},
+        {"Material: Steel\n", "Material: [Steel, Light]\n"}},
+       {"deck.yaml:36:15: Blocks/Plate/Material: material Combined: \"Steel\" and \"Light\" differ in Density, but are "
+        "one body"}},
+      {"CombinedWithoutPart",
+       {{"Damage Models:\n",
+         "  Both:\n    Material Model: Combined\n    Materials: [Steel, Acid]\n    Steel: {Material Model: PDHE, "
+         "Diffusivity: 1.0}\nDamage Models:\n"}},
+       {"deck.yaml:30:24: Materials/Both lacks the part \"Acid\": give it a section under this name, with a \"Material "
+        "Model\""}},
+      {"CombinedPartKey",
+       {{"Damage Models:\n",
+         "  Both:\n    Material Model: Combined\n    Materials: [Acid]\n    Acid:\n      Material Model: PDHE\n      "
+         "Diffusivty: 1.0\nDamage Models:\n"}},
+       {"deck.yaml:33:7: unknown key \"Diffusivty\" in Materials/Both/Acid (did you mean \"Diffusivity\"?)"}},
+      {"LoadBesideDissolution",
+       {{"Damage Models:\n",
+         "  Acid: {Material Model: Corrosion Dissolution, Plane Strain: true, Thickness: 1.0e-3, Diffusivity: 1.0, "
+         "Charge "
+         "Number: 2.0, Solid Concentration: 10.0, Saturation Concentration: 1.0, Current Density: \"1.0\"}\nDamage "
+         "Models:\n  Phases: {Damage Model: Dissolution}\n"},
+        {"Boundary Conditions:\n",
+         "  Other:\n    Block Names: block_2\n    Material: [Steel, Acid]\n    Damage Model: Phases\n    Horizon: "
+         "3.1e-3\nBoundary Conditions:\n"}},
+       {"deck.yaml:35:3: Blocks/Plate: its bonds to points that dissolve in Blocks/Other would go on carrying load; "
+        "add "
+        "the damage model by which points dissolve to its list, as in \"Damage Model: [Breakage, Dissolving]\""}},
       {"BlockKey",
        {{"    Horizon: 3.1e-3", "    Horizn: 3.1e-3"}},
        {"deck.yaml:37:5: unknown key \"Horizn\" in Blocks/Plate (did you mean \"Horizon\"?)"}},

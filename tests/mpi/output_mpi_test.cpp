@@ -80,7 +80,7 @@ void writeSeries(const Communicator& comm, const std::string& name) {
     for (int k = 0; k < 3; ++k) displacement.push_back(points.globalIds[i] + 0.1 * k);
   }
   for (const int step : {0, 20})
-    writer.write(step, 0.5 * step, {{"Damage", 1, damage.data()}, {"Displacement", 3, displacement.data()}});
+    writer.write(step, 0.5 * step, {{"Damage", 1, damage.data(), "1"}, {"Displacement", 3, displacement.data(), "m"}});
 }
 
 TEST_F(OutputOnRanks, FieldFilesAreTheSameToTheByte) {

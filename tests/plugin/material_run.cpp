@@ -92,11 +92,8 @@ MaterialRun::MaterialRun(const Sample& sample, Layout layout)
 
 std::vector<std::string> MaterialRun::summedFields() {
   std::vector<std::string> labels;
-  for (const int id : fieldIds_) {
-    const std::string label = FieldManager::self().getFieldSpec(id).getLabel();
-    const bool isRate = label.find("Flux_Divergence") != std::string::npos;
-    if (label == "Force_Density" || isRate) labels.push_back(label);
-  }
+  for (const int id : pd::fieldsIn(*materials_.front().front()).sums())
+    labels.push_back(FieldManager::self().getFieldSpec(id).getLabel());
   return labels;
 }
 

@@ -49,6 +49,22 @@ std::vector<Sample>& addedDamageModels() {
   return samples;
 }
 
+struct PartSample {
+  const char *name, *model;
+  Teuchos::ParameterList parameters;
+};
+
+/// Parameters of "Combined", whose parts stand under `partsKey` ("Materials").
+Teuchos::ParameterList combined(const char* partsKey, const char* modelKey, const std::vector<PartSample>& parts) {
+  Teuchos::ParameterList list;
+  Teuchos::Array<std::string> names;
+  for (const PartSample& part : parts) {
+    names.push_back(part.name);
+    list.sublist(part.name) = withText(part.parameters, modelKey, part.model);
+  }
+  return with(list, partsKey, names);
+}
+
 }  // namespace
 
 bool addMaterialSample(const Sample& sample) {
@@ -104,6 +120,16 @@ std::vector<Sample> materialSamples() {
   corrosion.set<std::string>("Current Density", "1.0e5*exp(100.0*C)");
   samples.push_back({"Corrosion", "Corrosion Dissolution", 3, corrosion});
   samples.push_back({"CorrosionOfAPlate", "Corrosion Dissolution", 2, plate(corrosion, "Plane Strain")});
+  const auto material = [](const std::vector<PartSample>& parts) {
+    return combined("Materials", "Material Model", parts);
+  };
+  samples.push_back({"SteelAndElectrolyte", "Combined", 2,
+                     material({{"Steel", "PDHE", plate(elastic(0.25), "Plane Strain")},
+                               {"Electrolyte", "Corrosion Dissolution", plate(corrosion, "Plane Strain")}})});
+  samples.push_back({"TwoSpringsAndTwoFluxes", "Combined", 2,
+                     material({{"Stiff", "PDHE", plate(elastic(0.1), "Plane Strain")},
+                               {"Soft", "PDHE", plate(both, "Plane Strain")},
+                               {"Fast", "PDHE", plate(diffusive("Inverse"), "Plane Strain")}})});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;
@@ -129,6 +155,12 @@ std::vector<Sample> damageSamples() {
   polynomial.set("Polynomial", coefficients);
   Sample dissolution{"Dissolution", "Dissolution", 2, Teuchos::ParameterList()};
   dissolution.breaksBonds = false;
+  const auto model = [](const std::vector<PartSample>& parts) {
+    return combined("Damage Models", "Damage Model", parts);
+  };
+  const Sample wearAndTear{
+      "BreakageAndDissolution", "Combined", 2,
+      model({{"Breakage", "Critical Stretch", stretch}, {"Dissolution", "Dissolution", Teuchos::ParameterList()}})};
   std::vector<Sample> samples{
       {"Plate", "Critical Stretch", 2, stretch},
       {"Solid", "Critical Stretch", 3, stretch},
@@ -137,6 +169,10 @@ std::vector<Sample> damageSamples() {
       {"HydrogenInASolid", "Hydrogen Critical Stretch", 3, withText(hydrogen, "Degradation Law", "Fracture Energy")},
       {"HydrogenPolynomial", "Hydrogen Critical Stretch", 2, polynomial},
       dissolution,
+      {"TwoLimits", "Combined", 2,
+       model({{"Steel", "Critical Stretch", with(stretch, "Critical Compressive Stretch", 0.06)},
+              {"Hydrogen", "Hydrogen Critical Stretch", hydrogen}})},
+      wearAndTear,
   };
   samples.insert(samples.end(), addedDamageModels().begin(), addedDamageModels().end());
   return samples;

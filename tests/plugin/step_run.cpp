@@ -45,11 +45,6 @@ double* valuesOf(Block& block, const FieldSpec& spec, PeridigmField::Step step) 
   return values;
 }
 
-/// Fields that a plug-in adds to: each block has its own, and the host sums them.
-bool isSummed(const std::string& label) {
-  return label == "Force_Density" || label.find("Flux_Divergence") != std::string::npos;
-}
-
 }  // namespace
 
 std::string differenceOf(const FieldState& a, const FieldState& b, double tolerance) {
@@ -81,8 +76,7 @@ StepRun::StepRun(const Sample& sample, PluginKind kind, Layout layout)
   for (const auto& body : bodies_) {
     body->allocate(fieldIds());
     for (const int id : fieldIds()) {
-      const std::string label = FieldManager::self().getFieldSpec(id).label;
-      if (body->blocks()->size() > 1 && isSummed(label))
+      if (body->blocks()->size() > 1 && isSummed(id))
         for (Block& block : *body->blocks()) block.getDataManager()->allocatePrivateData(id);
     }
     if (body->hasField("Block_Id"))
@@ -128,6 +122,12 @@ const pd::FieldTable& StepRun::table() {
                                                               : pd::fieldTableOf(*damageModels_.front().front());
   if (table == nullptr) throw std::invalid_argument(sample_.plugin + " has no table of fields");
   return *table;
+}
+
+bool StepRun::isSummed(int fieldId) {
+  if (kind_ == PluginKind::DamageModel) return false;
+  const std::vector<int> sums = pd::fieldsIn(*materials_.front().front()).sums();
+  return std::find(sums.begin(), sums.end(), fieldId) != sums.end();
 }
 
 template <class Work>
@@ -242,7 +242,7 @@ std::vector<int> StepRun::keptFieldIds() {
     const FieldSpec spec = FieldManager::self().getFieldSpec(id);
     const pd::FieldUse* use = table().find(id);
     const bool isState = use != nullptr && use->field.isState;
-    if (isState || (spec.temporal == PeridigmField::TWO_STEP && !isSummed(spec.label))) kept.push_back(id);
+    if (isState || (spec.temporal == PeridigmField::TWO_STEP && !isSummed(id))) kept.push_back(id);
   }
   return kept;
 }
@@ -312,7 +312,7 @@ FieldState StepRun::state() {
           const std::size_t width = widthOf(spec);
           std::vector<double>& all = state.points[spec.label];
           all.resize(width * scene_.points.size());
-          const bool adds = isSummed(spec.label);
+          const bool adds = isSummed(id);
           if (!adds && b > 0) continue;
           const int n = adds ? body->nPoints() : body->nOwned();
           for (int i = 0; i < n; ++i)

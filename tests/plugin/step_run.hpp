@@ -53,6 +53,7 @@ class StepRun {
  private:
   template <class Work>
   void forEachBlock(const Work& work);
+  bool isSummed(int fieldId);  ///< the plug-in adds to it: each block has its own, and the host sums them
   std::vector<int> keptFieldIds();
   void copyDeclared(const std::vector<int>& fieldIds);
   void initialize();

@@ -73,7 +73,7 @@ TEST_F(LooseMetalTest, GoesFirstAtTheCostOfThoseAround) {
   const double metalBefore = metal();
   const std::vector<double> loose = values("Loose"), c = values("Concentration");
   ASSERT_GT(total(loose), 0.0);
-  dissolveLooseMetalFirst(model, before, 1.0);
+  dissolveLooseMetalFirst(model, "Concentration", before, 1.0);
   EXPECT_NEAR(metal(), metalBefore, 1e-13 * metalBefore);
   for (int i = 0; i < model.nOwned(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -101,7 +101,7 @@ TEST_F(LooseMetalTest, TakesNoMoreThanTheStepTookFromThoseAround) {
   ASSERT_GT(total(loose), 0.0);
   const double metalBefore = metal();
   const std::vector<double> c = values("Concentration");
-  dissolveLooseMetalFirst(model, before, 1.0);
+  dissolveLooseMetalFirst(model, "Concentration", before, 1.0);
   EXPECT_NEAR(metal(), metalBefore, 1e-13 * metalBefore);
   for (std::size_t i = 0; i < loose.size(); ++i) {
     const double now = concentration()[i];

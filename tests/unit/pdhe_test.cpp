@@ -177,7 +177,7 @@ TEST_P(PdheForms, TangentIsTheDerivativeOfTheForce) {
   Sample sample = make();
   sample.breakSomeBonds();
   sample.displaceRandomly(0.05, GetParam().isPlane);
-  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false);
+  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns({{"Displacement", 3}});
   DenseMatrix tangent;
   sample.call([&](int n, int* ids, int* list, auto& data) {
     sample.material->computeJacobian(0.0, n, ids, list, data, tangent);

@@ -15,17 +15,16 @@ namespace pd {
 
 namespace {
 
-const std::string rateField = fluxDivergenceField("Concentration");
-
-/// Throws RunError where a point has less than no metal, or more than the solid or, electrolyte, `fullest` times
-/// saturation, by more than the share `slack` of saturation.
-void requireConcentrations(Model& model, double fullest, double slack) {
-  const double* concentration = model.field("Concentration");
+/// Throws RunError where a point that can dissolve has less than no metal, or more than the solid or, electrolyte,
+/// `fullest` times saturation, by more than the share `slack` of saturation.
+void requireConcentrations(Model& model, const std::string& field, double fullest, double slack) {
+  const double* concentration = model.field(field);
   const double *solid = model.field("Solid_Concentration"), *saturation = model.field("Saturation_Concentration");
   std::string message;
   for (int i = 0; i < model.nOwned() && message.empty(); ++i) {
     const double most = solid[i] == 0.0 ? fullest * saturation[i] : std::max(solid[i], saturation[i]);
     const double beyond = slack * saturation[i];
+    if (saturation[i] == 0.0) continue;  // of a block that does not dissolve
     if (concentration[i] >= -beyond && concentration[i] <= most + beyond) continue;
     const auto point = static_cast<std::size_t>(i);
     const double* x = model.discretization().x.data() + 3 * point;
@@ -37,10 +36,37 @@ void requireConcentrations(Model& model, double fullest, double slack) {
   if (model.comm().any(!message.empty())) throw RunError(model.comm().gather(message));
 }
 
+/// Throws RunError where no block dissolves, or one does without a damage model that changes its phase.
+void requireDissolution(Model& model, const std::string& field) {
+  const int saturation = fields::saturationConcentration().id();
+  bool isAny = false;
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    const FieldTable material = fieldsIn(*block.getMaterialModel());
+    const FieldUse* use = material.find(saturation);
+    if (use == nullptr || use->access != FieldAccess::Writes) continue;
+    if (material.rateOf(field) < 0)
+      throw RunError("Corrosion: the metal of " + block.getName() + " dissolves, but not into \"" + field +
+                     "\"; give its material and this solver the same \"Concentration Field\"");
+    const FieldTable* damage = block.getDamageModel().is_null() ? nullptr : fieldTableOf(*block.getDamageModel());
+    const bool isFollowed =
+        !block.getDamageModel().is_null() && (damage == nullptr || damage->find(saturation) != nullptr);
+    if (!isFollowed)
+      throw RunError("Corrosion: the metal of " + block.getName() +
+                     " dissolves, and needs a damage model that changes its phase (\"Dissolution\")");
+    isAny = true;
+  }
+  if (!isAny)
+    throw RunError(
+        "Corrosion: no block has a material that dissolves (\"Corrosion Dissolution\"), with a damage model that "
+        "changes its phase (\"Dissolution\")");
+}
+
 }  // namespace
 
 void Corrosion::declareParameters(ParameterDeclarations& declare) {
   declare.integer("Load Steps", "Increments of the run: what output counts.").defaultTo(1).atLeast(1);
+  declare.text("Concentration Field", "Label of the metal ions' concentration, as of the material.")
+      .defaultTo("Concentration");
   declareTransportMethods(declare);
   declare
       .real("Fixed dt", "s",
@@ -63,6 +89,9 @@ void Corrosion::declareParameters(ParameterDeclarations& declare) {
 
 Corrosion::Corrosion(const Teuchos::ParameterList& given) {
   const auto parameters = completed<Corrosion>(given, "Corrosion");
+  field_ = parameters.get<std::string>("Concentration Field");
+  rateField_ = fluxDivergenceField(field_);
+  fields_ = Fields(field_);
   transport_ = makeTransportStep(parameters);
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
@@ -76,24 +105,19 @@ Corrosion::Corrosion(const Teuchos::ParameterList& given) {
 
 void Corrosion::initialize(Simulation& simulation) {
   Model& model = simulation.model;
-  const double* saturation = model.field(fields_.saturation);
-  bool isCorrosion = model.hasDamage();
-  for (int i = 0; i < model.nOwned(); ++i) isCorrosion = isCorrosion && saturation[i] > 0.0;
-  if (model.comm().any(!isCorrosion))
-    throw RunError(
-        "Corrosion: every block needs a material that dissolves (\"Corrosion Dissolution\") and a damage model that "
-        "changes its phase (\"Dissolution\")");
-  requireConcentrations(model, transport_->fullest(), slack_);
+  requireDissolution(model, field_);
+  requireConcentrations(model, field_, transport_->fullest(), slack_);
   initialMetal_ = metal(simulation);
 }
 
 double Corrosion::metal(Simulation& simulation) const {
   Model& model = simulation.model;
-  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed(field_);
   const double *volume = model.field("Volume"), *concentration = model.field(fields_.concentration);
+  const double* saturation = model.field(fields_.saturation);
   double sum = 0.0;
   for (int i = 0; i < model.nOwned(); ++i)
-    if (isHeld[static_cast<std::size_t>(i)] == 0) sum += volume[i] * concentration[i];
+    if (isHeld[static_cast<std::size_t>(i)] == 0 && saturation[i] > 0.0) sum += volume[i] * concentration[i];
   return model.comm().sum(sum);
 }
 
@@ -151,7 +175,7 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
         debts.emplace_back(i, saturation[i] - concentration[i]);
         concentration[i] = saturation[i];
       }
-    model.importGhosts("Concentration");
+    model.importGhosts(field_);
     evaluateDamage(model, h);
     if (!model.comm().any(!debts.empty())) break;
     // With the electrolyte at one concentration and salt on all surfaces, nothing flows but the demand.
@@ -166,10 +190,10 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
     // What a demand of 1 brings, with the new interface.
     for (const auto& debt : debts) demand[debt.first] = 1.0;
     model.importGhosts("Dissolution_Demand");
-    model.evaluateFluxDivergence(h, rateField);
+    model.evaluateFluxDivergence(h, rateField_);
     for (const auto& [i, debt] : debts) demand[i] = rate[i] > 0.0 ? debt / rate[i] : 0.0;
     model.importGhosts("Dissolution_Demand");
-    model.evaluateFluxDivergence(h, rateField, true);
+    model.evaluateFluxDivergence(h, rateField_, true);
     for (std::size_t k = 0; k < liquid.size(); ++k) {
       concentration[liquid[k]] = present[k] + rate[liquid[k]];
       salt[liquid[k]] = covered[k];
@@ -178,7 +202,7 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
     for (const auto& [i, debt] : debts) concentration[i] -= debt;
     fillLiquid(demand, 0.0);
   }
-  model.importGhosts("Concentration");
+  model.importGhosts(field_);
   bool owes = false;
   for (const int i : lists_.liquid()) owes = owes || concentration[i] < -1e-6 * saturation[i];
   for (const int i : lists_.dissolving()) owes = owes || concentration[i] < -1e-6 * saturation[i];
@@ -213,7 +237,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
     return false;
   }
   if (!before.empty()) {
-    dissolveLooseMetalFirst(model, before, h);
+    dissolveLooseMetalFirst(model, field_, before, h);
     lists_.update(model);
   }
   const double* volume = model.field("Volume");
@@ -265,7 +289,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       shortest_ = shortest_ == 0.0 ? h : std::min(shortest_, h);
       longest_ = std::max(longest_, h);
       ceiling_ *= ceilingGrowth;
-      simulation.model.requireFinite("Concentration", static_cast<int>(nSteps_));
+      simulation.model.requireFinite(field_, static_cast<int>(nSteps_));
     } else {
       ++nRejected_;
       ceiling_ = 0.75 * h;
@@ -280,7 +304,7 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       proposedStep_ = std::min(proposedStep_, ceiling_);
     }
   }
-  simulation.model.evaluateFluxDivergence(dt, rateField);  // pH and what else follows from concentrations, for results
+  simulation.model.evaluateFluxDivergence(dt, rateField_);  // pH and what else follows from concentrations, for results
   surface_.show(simulation.model);
   balance_ = std::abs(metal(simulation) + outflow_ - initialMetal_) / std::max(initialMetal_, 1e-300);
 }

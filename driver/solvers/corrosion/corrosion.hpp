@@ -17,8 +17,7 @@ class Corrosion : public Solver {
   explicit Corrosion(const Teuchos::ParameterList& given);
 
   struct Fields : FieldTable {
-    FieldHandle concentration = writes(pd::fields::ionConcentration());
-    FieldHandle rate = reads(pd::fields::ionFluxDivergence());
+    FieldHandle concentration, rate;
     FieldHandle damage = reads(pd::fields::damage());
     FieldHandle salt = writes(pd::fields::saltCoverage());
     FieldHandle demand = writes(pd::fields::dissolutionDemand());
@@ -32,9 +31,13 @@ class Corrosion : public Solver {
         writes(pd::fields::pointScalar("Transport_Unknown", "1", "Of the linear system of a step, for its exchange."));
     FieldHandle lastRate = writes(pd::fields::pointScalar(
         "Last_Transport_Rate", "mol/(m3 s)", "Rate of liquid points in the step before; no number elsewhere."));
+    explicit Fields(const std::string& ions = "Concentration") {
+      concentration = writes(pd::fields::ionConcentration(ions));
+      rate = reads(pd::fields::ionFluxDivergence(ions));
+    }
   };
   const Fields& fields() const override { return fields_; }
-  std::vector<std::string> fieldsWithFarField() const override { return {"Concentration"}; }
+  std::vector<std::string> fieldsWithFarField() const override { return {field_}; }
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
@@ -55,6 +58,7 @@ class Corrosion : public Solver {
   double metal(Simulation& simulation) const;
   double nextStep(double h) const;
 
+  std::string field_, rateField_;
   Fields fields_;
   int nIncrements_;
   double fixedStep_ = 0.0, tolerance_, slack_, frontLimit_, largestStep_;

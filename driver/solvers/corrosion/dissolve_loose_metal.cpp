@@ -24,13 +24,14 @@ void forEachPartner(const Discretization& mesh, const double* damage, std::size_
 
 }  // namespace
 
-void dissolveLooseMetalFirst(Model& model, const std::vector<double>& before, double dt) {
+void dissolveLooseMetalFirst(Model& model, const std::string& concentrationField, const std::vector<double>& before,
+                             double dt) {
   if (!model.hasField(looseField)) return;
   const Discretization& mesh = model.discretization();
   const auto n = static_cast<std::size_t>(model.nOwned()), nPoints = static_cast<std::size_t>(model.nPoints());
   const double *loose = model.field(looseField), *volume = model.field("Volume"), *damage = model.field("Damage");
   const double* saturation = model.field("Saturation_Concentration");
-  double *concentration = model.field("Concentration"), *exchange = model.field(exchangeField);
+  double *concentration = model.field(concentrationField), *exchange = model.field(exchangeField);
   const auto shared = [&](const std::vector<double>& values) {
     std::copy(values.begin(), values.end(), exchange);
     model.importGhosts(exchangeField);
@@ -72,7 +73,7 @@ void dissolveLooseMetalFirst(Model& model, const std::vector<double>& before, do
     concentration[j] = std::min(concentration[j] + offer[j] * returned / volume[j], before[j]);
   }
   std::fill(exchange, exchange + nPoints, 0.0);
-  model.importGhosts("Concentration");
+  model.importGhosts(concentrationField);
   model.evaluateDamage(dt);
 }
 

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "../diffusion/scalar_unknown.hpp"
 #include "Peridigm_SerialMatrix.hpp"
-#include "field_names.hpp"
 
 namespace pd {
 
 namespace {
-
-const std::string rateField = fluxDivergenceField("Concentration");
 
 /// Sums of what couples each point to others, of a matrix whose couplings are positive.
 class CouplingSums : public PeridigmNS::SerialMatrix {
@@ -68,10 +65,10 @@ void ExplicitStep::Change::add(const Change& other) {
   sum(inflow, other.inflow);
 }
 
-void ExplicitStep::findBound(Model& model, double h) {
+void ExplicitStep::findBound(Model& model, const Fields& fields, double h) {
   // Points only ever turn liquid: as many as before are the same.
   if (!model.comm().any(nOfBound_ == 0 || ids_.size() != nOfBound_)) return;
-  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true);
+  const ScalarUnknown unknown(fields.label);
   CouplingSums sums(model.discretization());
   model.assembleJacobian(h, sums);
   const double* volume = model.field("Volume");
@@ -102,10 +99,10 @@ bool ExplicitStep::findSalt(const Fields& fields, double h, const StabilizedStag
 
 void ExplicitStep::evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage) {
   const auto rates = [&] {
-    model.evaluateFluxDivergence(h, rateField, true);
+    model.evaluateFluxDivergence(h, fields.rateLabel, true);
     ++nEvaluations_;
   };
-  model.importGhosts("Concentration");
+  model.importGhosts(fields.label);
   if (!pauses()) {
     fields.coverWithSalt(ids_, 0.0);
     rates();
@@ -156,7 +153,7 @@ void ExplicitStep::useScheme(int nStages) {
 bool ExplicitStep::advance(Simulation& simulation, const Fields& fields, double, double h) {
   constexpr double margin = 0.9;  // of the longest stable step, in which no point takes more from another than it has
   Model& model = simulation.model;
-  findBound(model, h);
+  findBound(model, fields, h);
   long long nSubSteps = 1;
   if (method_ == ExplicitMethod::Euler) {
     nSubSteps = std::max(1LL, std::llround(std::ceil(h * bound_ / margin)));

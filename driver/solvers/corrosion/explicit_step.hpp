@@ -16,7 +16,8 @@ enum class ExplicitMethod {
 /// salt keeps C at C_sat, S is what keeps the stage's result there, clamped to [0, 1].
 class ExplicitStep : public TransportStep {
  public:
-  ExplicitStep(ExplicitMethod method, Saturation saturation) : TransportStep(saturation), method_(method) {}
+  ExplicitStep(ExplicitMethod method, Saturation saturation, const std::string& concentrationField)
+      : TransportStep(saturation, concentrationField), method_(method) {}
 
   void forget() override { nOfBound_ = 0; }
   /// x h^2 C'', from the change of the rate since the last step.
@@ -39,7 +40,7 @@ class ExplicitStep : public TransportStep {
   };
 
   /// Largest sum of the weights of a point's bonds with liquid, and exchange beyond the mesh, 1/s.
-  void findBound(Model& model, double h);
+  void findBound(Model& model, const Fields& fields, double h);
   void takeSubStep(Model& model, const Fields& fields, double h);
   /// Rates of the stage from the values in the fields, into now_.
   void evaluate(Model& model, const Fields& fields, double h, const StabilizedStage& stage);

@@ -22,8 +22,9 @@ enum class ImplicitMethod {
 /// `largestOvershoot`, is replaced by one of backward Euler.
 class ImplicitStep : public TransportStep {
  public:
-  ImplicitStep(ImplicitMethod method, std::unique_ptr<StageSolver> solver, Saturation saturation)
-      : TransportStep(saturation), method_(method), solver_(std::move(solver)) {}
+  ImplicitStep(ImplicitMethod method, std::unique_ptr<StageSolver> solver, Saturation saturation,
+               const std::string& concentrationField)
+      : TransportStep(saturation, concentrationField), method_(method), solver_(std::move(solver)) {}
 
   void forget() override { solver_->forget(); }
   int order() const override { return order_; }

@@ -22,7 +22,7 @@ void NewtonKrylov::applyMatrix(StageEquation& equation, const std::vector<double
   const std::vector<int>& ids = equation.ids();
   const double h = equation.h();
   for (std::size_t k = 0; k < ids.size(); ++k) fields.concentration[ids[k]] = direction[k];
-  equation.model().importGhosts("Concentration");
+  equation.model().importGhosts(fields.label);
   equation.findRates();
   for (std::size_t k = 0; k < ids.size(); ++k) {
     const double diagonal = 1.0 + h * (equation.exchange(k) - slope_[k]);
@@ -71,7 +71,7 @@ int NewtonKrylov::conjugateGradients(StageEquation& equation, double target, int
 }
 
 void NewtonKrylov::makePreconditioner(const StageEquation& equation) {
-  preconditioner_.build(equation.model(), equation.ids(), equation.isFree(), equation.h());
+  preconditioner_.build(equation.model(), equation.fields().label, equation.ids(), equation.isFree(), equation.h());
   builtFor_ = equation.h();
   leastIterations_ = std::numeric_limits<int>::max();
   excess_ = 0;

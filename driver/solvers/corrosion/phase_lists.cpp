@@ -21,7 +21,7 @@ void PhaseLists::markNeighborsOf(const Discretization& d, int point) {
 
 void PhaseLists::reset(Model& model) {
   const Discretization& d = model.discretization();
-  const double* damage = model.field("Damage");
+  const double *damage = model.field("Damage"), *saturation = model.field("Saturation_Concentration");
   const auto nGhosts = static_cast<std::size_t>(d.nPoints - d.nOwned);
   if (aroundGhost_.size() != nGhosts) {
     aroundGhost_.resize(nGhosts);
@@ -35,7 +35,8 @@ void PhaseLists::reset(Model& model) {
   dissolving_.clear();
   state_.assign(static_cast<std::size_t>(d.nPoints), State::Intact);
   for (int i = 0; i < d.nPoints; ++i) {
-    if (damage[i] < 1.0) continue;
+    if (saturation[i] == 0.0) state_[static_cast<std::size_t>(i)] = State::Wall;
+    if (damage[i] < 1.0 || saturation[i] == 0.0) continue;
     state_[static_cast<std::size_t>(i)] = State::Liquid;
     if (i < d.nOwned) liquid_.push_back(i);
   }
@@ -55,7 +56,7 @@ std::vector<int> PhaseLists::update(Model& model) {
   liquid_.insert(liquid_.end(), turned.begin(), turned.end());
   std::inplace_merge(liquid_.begin(), liquid_.begin() + middle, liquid_.end());
   for (int i = d.nOwned; i < d.nPoints; ++i)
-    if (isTurned(i) && state_[static_cast<std::size_t>(i)] != State::Liquid) turned.push_back(i);
+    if (isTurned(i) && state_[static_cast<std::size_t>(i)] == State::Intact) turned.push_back(i);
   for (const int i : turned) state_[static_cast<std::size_t>(i)] = State::Liquid;
   const auto known = static_cast<std::ptrdiff_t>(dissolving_.size());
   for (const int i : turned) markNeighborsOf(d, i);

@@ -8,7 +8,8 @@
 
 namespace pd {
 
-/// Kept up to date point by point, so that what a step costs does not depend on how much intact solid there is.
+/// Kept up to date point by point, so that what a step costs does not depend on how much intact solid there is. Points
+/// of blocks that do not dissolve (Saturation_Concentration 0) are in no list.
 class PhaseLists {
  public:
   /// Looks at all points (field Damage, ghosts included; 1 is liquid).
@@ -21,7 +22,7 @@ class PhaseLists {
   const std::vector<int>& dissolving() const { return dissolving_; }  ///< owned solid points with a liquid neighbour
 
  private:
-  enum class State : char { Intact, Dissolving, Liquid };
+  enum class State : char { Wall, Intact, Dissolving, Liquid };
   void markNeighborsOf(const Discretization& d, int point);
 
   std::vector<State> state_;                   ///< by local id

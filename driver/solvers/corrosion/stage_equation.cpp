@@ -3,15 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field_names.hpp"
-
 namespace pd {
-
-namespace {
-
-const std::string rateField = fluxDivergenceField("Concentration");
-
-}  // namespace
 
 StageEquation::StageEquation(Model& model, const TransportFields& fields, const Points& points,
                              const std::vector<double>& paused, long long& nEvaluations)
@@ -39,7 +31,7 @@ double StageEquation::dot(const std::vector<double>& a, const std::vector<double
 }
 
 void StageEquation::findRates() {
-  model_.evaluateFluxDivergence(h_, rateField, true);
+  model_.evaluateFluxDivergence(h_, fields_.rateLabel, true);
   ++nEvaluations_;
 }
 
@@ -58,7 +50,7 @@ double StageEquation::evaluate() {
     fields_.setSalt(model_, ids(), paused_);
   else
     fields_.coverWithSalt(ids(), 0.0);
-  model_.importGhosts("Concentration");
+  model_.importGhosts(fields_.label);
   findRates();
   double largest = 0.0;
   for (std::size_t k = 0; k < ids().size(); ++k) {

@@ -58,15 +58,15 @@ void declareTransportMethods(ParameterDeclarations& declare) {
 }
 
 std::unique_ptr<TransportStep> makeTransportStep(const Teuchos::ParameterList& params) {
-  const auto method = params.get<std::string>("Method");
+  const auto method = params.get<std::string>("Method"), field = params.get<std::string>("Concentration Field");
   const Saturation saturation =
       params.get<std::string>("Saturation") == "Pause" ? Saturation::Pause : Saturation::Complementarity;
   const bool isNewton = params.get<std::string>("Nonlinear Solver") == newtonKrylov;
   if (!isNewton && (method == "Euler" || method == "RKL"))
     throw std::invalid_argument("Corrosion: \"Nonlinear Solver\" has no meaning with Method: " + method +
                                 " (it belongs to Backward Euler and SDIRK2)");
-  if (method == "Euler") return std::make_unique<ExplicitStep>(ExplicitMethod::Euler, saturation);
-  if (method == "RKL") return std::make_unique<ExplicitStep>(ExplicitMethod::Legendre, saturation);
+  if (method == "Euler") return std::make_unique<ExplicitStep>(ExplicitMethod::Euler, saturation, field);
+  if (method == "RKL") return std::make_unique<ExplicitStep>(ExplicitMethod::Legendre, saturation, field);
   const double tolerance = params.get<double>("Solver Tolerance");
   const int mostIterations = params.get<int>("Maximum Linear Iterations");
   std::unique_ptr<StageSolver> solver;
@@ -75,7 +75,7 @@ std::unique_ptr<TransportStep> makeTransportStep(const Teuchos::ParameterList& p
   else
     solver = std::make_unique<PolakRibiere>(tolerance, mostIterations);
   return std::make_unique<ImplicitStep>(method == "SDIRK2" ? ImplicitMethod::Sdirk2 : ImplicitMethod::BackwardEuler,
-                                        std::move(solver), saturation);
+                                        std::move(solver), saturation, field);
 }
 
 }  // namespace pd

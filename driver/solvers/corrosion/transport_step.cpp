@@ -8,11 +8,13 @@
 
 namespace pd {
 
-TransportFields::TransportFields(Model& model)
-    : nOwned(model.nOwned()),
+TransportFields::TransportFields(Model& model, const std::string& concentrationField)
+    : label(concentrationField),
+      rateLabel(fluxDivergenceField(label)),
+      nOwned(model.nOwned()),
       nPoints(model.nPoints()),
-      concentration(model.field("Concentration")),
-      rate(model.field(fluxDivergenceField("Concentration"))),
+      concentration(model.field(label)),
+      rate(model.field(rateLabel)),
       salt(model.field("Salt_Coverage")),
       dissolution(model.field("Dissolution_Rate")),
       slope(model.field("Dissolution_Rate_Slope")),
@@ -40,7 +42,7 @@ void TransportStep::findPaused(const Fields& fields, std::vector<double>& covera
 }
 
 void TransportStep::begin(Simulation& simulation, const Fields& fields, double end) {
-  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed("Concentration");
+  const std::vector<char>& isHeld = simulation.conditions.valueIsPrescribed(label_);
   const std::size_t n = ids_.size();
   for (auto* values : {&before_, &rate_, &inflow_}) values->resize(n);
   isUnknown_.resize(n);
@@ -50,8 +52,8 @@ void TransportStep::begin(Simulation& simulation, const Fields& fields, double e
 }
 
 void TransportStep::setBoundary(Simulation& simulation, double time) {
-  simulation.conditions.applyPrescribedValue("Concentration", time);
-  const BoundaryConditions::FarField& far = simulation.conditions.farField("Concentration", time);
+  simulation.conditions.applyPrescribedValue(label_, time);
+  const BoundaryConditions::FarField& far = simulation.conditions.farField(label_, time);
   exchange_.assign(ids_.size(), 0.0);
   farValue_.assign(ids_.size(), 0.0);
   for (std::size_t k = 0; k < ids_.size() && !far.coefficient.empty(); ++k) {
@@ -63,14 +65,14 @@ void TransportStep::setBoundary(Simulation& simulation, double time) {
 
 bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, double t, double h) {
   Model& model = simulation.model;
-  const Fields fields(model);
+  const Fields fields(model, label_);
   ids_ = lists.liquid();
   trouble_.clear();
   solidBefore_.clear();
   solidIds_ = lists.dissolving();
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   begin(simulation, fields, t + h);
-  model.evaluateFluxDivergence(h, fluxDivergenceField("Concentration"));  // takes up the phases
+  model.evaluateFluxDivergence(h, fields.rateLabel);  // takes up the phases
   if (!advance(simulation, fields, t, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
     return false;

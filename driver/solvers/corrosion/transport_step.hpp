@@ -19,9 +19,10 @@ enum class Saturation {
 
 /// Point fields that steps work on.
 struct TransportFields {
+  std::string label, rateLabel;  ///< of the concentration and its rate
   int nOwned, nPoints;
   double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area;
-  explicit TransportFields(Model& model);
+  TransportFields(Model& model, const std::string& concentrationField);
   /// Salt_Coverage of the owned points `ids`, and the same of all points of other ranks.
   void coverWithSalt(const std::vector<int>& ids, double coverage) const;
   /// Salt_Coverage of the owned points `ids`; imports that of others.
@@ -36,7 +37,7 @@ class TransportStep {
  public:
   virtual ~TransportStep() = default;
 
-  /// From time t to t + h. Advances field Concentration at liquid and dissolving points by the same rates, so that what
+  /// From time t to t + h. Advances the concentration at liquid and dissolving points by the same rates, so that what
   /// leaves the one enters the other: mass is conserved whatever the tolerance. Prescribed points keep their values;
   /// Salt_Coverage is left as the step needs it. Returns false where it does not converge: the caller takes the step
   /// back (Model::takeBackStep), which it has begun. Collective.
@@ -63,7 +64,8 @@ class TransportStep {
  protected:
   using Fields = TransportFields;
 
-  explicit TransportStep(Saturation saturation) : saturation_(saturation) {}
+  TransportStep(Saturation saturation, const std::string& concentrationField)
+      : saturation_(saturation), label_(concentrationField) {}
   /// From the state before, in the fields, to that after; rate_ and inflow_ of the step. Prescribed concentrations and
   /// far fields are those of t + h.
   virtual bool advance(Simulation& simulation, const Fields& fields, double t, double h) = 0;
@@ -84,6 +86,7 @@ class TransportStep {
   void begin(Simulation& simulation, const Fields& fields, double end);
 
   Saturation saturation_;
+  std::string label_;  ///< of the concentration
 };
 
 }  // namespace pd

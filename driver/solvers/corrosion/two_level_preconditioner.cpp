@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "../diffusion/scalar_unknown.hpp"
 #include "Peridigm_SerialMatrix.hpp"
 
 namespace pd {
@@ -291,15 +291,15 @@ void TwoLevelPreconditioner::makeCoarse(const Communicator& comm, const std::vec
     coarseOf_[static_cast<std::size_t>(cube)] = nCoarse_ > 0 ? numberOf.at(key) : 0;
 }
 
-void TwoLevelPreconditioner::build(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree,
-                                   double h) {
+void TwoLevelPreconditioner::build(Model& model, const std::string& field, const std::vector<int>& ids,
+                                   const std::vector<char>& isFree, double h) {
   if (spacing_ == 0.0) measure(model);
   double* unknown = model.field("Transport_Unknown");
   for (const int i : points_) unknown[i] = 0.0;
   for (std::size_t k = 0; k < ids.size(); ++k) unknown[ids[k]] = isFree[k] != 0 ? 1.0 : 0.0;
   model.importGhosts("Transport_Unknown");
   gatherPoints(model, ids, isFree);
-  PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true);
+  const ScalarUnknown unknownField(field);
   Collector collector(*this, model, h);
   model.assembleJacobian(h, collector);
   const double* volume = model.field("Volume");

@@ -19,7 +19,8 @@ class TwoLevelPreconditioner {
  public:
   /// Of V (1 - h L - h s), V: volumes, L: diffusion, s: slopes of the dissolution rate as the material's Jacobian has
   /// them, at the points `ids` (owned local ids) where `isFree`. Collective.
-  void build(Model& model, const std::vector<int>& ids, const std::vector<char>& isFree, double h);
+  void build(Model& model, const std::string& field, const std::vector<int>& ids, const std::vector<char>& isFree,
+             double h);
   bool isBuilt() const { return isBuilt_; }
   void discard() { isBuilt_ = false; }
 

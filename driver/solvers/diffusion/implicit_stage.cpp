@@ -52,10 +52,10 @@ void ImplicitStage::begin(Simulation& simulation, const std::string& field) {
   if (hasChanged) hasMatrix_ = false;
 }
 
-void ImplicitStage::assemble(Simulation& simulation, double h) {
+void ImplicitStage::assemble(Simulation& simulation, const std::string& field, double h) {
   // A step that differs by rounding alone shares its matrix with the one before.
   if (!(std::abs(h - matrixStep_) <= 1e-9 * h)) matrixStep_ = h;
-  stiffness_ = assembleFluxMatrix(simulation.model, matrixStep_, -matrixStep_, true, isHeld_, system_);
+  stiffness_ = assembleFluxMatrix(simulation.model, field, matrixStep_, -matrixStep_, true, isHeld_, system_);
   hasMatrix_ = true;
   ++nMatrices_;
 }
@@ -74,7 +74,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
                           const std::vector<double>& right) {
   Model& model = simulation.model;
   if (std::abs(h - matrixStep_) > 1e-9 * h) hasMatrix_ = false;
-  if (!hasMatrix_) assemble(simulation, h);
+  if (!hasMatrix_) assemble(simulation, rate.field(), h);
   const std::vector<double> volumes(model.field("Volume"), model.field("Volume") + model.nOwned());
   const double volume = normOverRanks(model.comm(), volumes);
   bool matrixIsNew = false;
@@ -96,7 +96,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
           t, now / (largest * volume), iteration, target / (largest * volume), linearSolver_, preconditioner_));
     // A flux that is not linear in the field needs the matrix of the present values.
     if (now > 0.1 * before && !matrixIsNew) {
-      assemble(simulation, h);
+      assemble(simulation, rate.field(), h);
       matrixIsNew = true;
     }
     before = now;

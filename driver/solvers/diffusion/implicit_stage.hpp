@@ -37,7 +37,7 @@ class ImplicitStage {
   void setMatrixStep(double h) { matrixStep_ = h; }
 
  private:
-  void assemble(Simulation& simulation, double h);
+  void assemble(Simulation& simulation, const std::string& field, double h);
   double residual(Simulation& simulation, ScalarRate& rate, double h, const std::vector<double>& right);
 
   std::string linearSolver_, preconditioner_;

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Peridigm_Field.hpp"
-#include "field_names.hpp"
+#include "../../model/rates.hpp"
 
 namespace pd {
 
-double assembleFluxMatrix(Model& model, double dt, double factor, bool addsVolumes, const std::vector<char>& isHeld,
-                          std::unique_ptr<LinearSystem>& system) {
+double assembleFluxMatrix(Model& model, const std::string& field, double dt, double factor, bool addsVolumes,
+                          const std::vector<char>& isHeld, std::unique_ptr<LinearSystem>& system) {
   if (!system) system = std::make_unique<LinearSystem>(model.comm(), model.discretization(), 1, false);
   system->putScalar(0.0);
   {
-    const ScalarUnknown unknown;
+    const ScalarUnknown unknown(field);
     model.assembleJacobian(dt, *system);
   }
   const Timers::Scope timer(model.timers(), "matrix assembly");
@@ -34,13 +33,8 @@ double normOverRanks(const Communicator& comm, const std::vector<double>& values
 }
 
 void requireFluxDivergence(Model& model, const std::string& field, const std::string& solver) {
-  const int flux = PeridigmNS::FieldManager::self().getFieldId(fluxDivergenceField(field));
-  const auto& blocks = *model.blocks();
-  const bool hasFlux = std::any_of(blocks.begin(), blocks.end(), [&](PeridigmNS::Block block) {
-    const auto ids = block.getMaterialModel()->FieldIds();
-    return std::find(ids.begin(), ids.end(), flux) != ids.end();
-  });
-  if (!hasFlux)
+  const std::vector<std::string> given = fieldsWithRates(*model.blocks());
+  if (std::find(given.begin(), given.end(), field) == given.end())
     throw RunError(solver + ": no material of this run gives a flux divergence of \"" + field +
                    "\"; give a block a material that diffuses it, or name another Field");
 }

@@ -12,20 +12,26 @@
 
 namespace pd {
 
-/// The scalar is the unknown as long as this exists; otherwise displacements are.
+/// The scalar field is the unknown as long as this exists; then what was before is again.
 class ScalarUnknown {
  public:
-  ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(false, true); }
-  ~ScalarUnknown() { PeridigmNS::DegreesOfFreedomManager::self().setUnknowns(true, false); }
+  explicit ScalarUnknown(const std::string& field) : before_(Manager::self().unknowns()) {
+    Manager::self().setUnknowns({{field, 1}});
+  }
+  ~ScalarUnknown() { Manager::self().setUnknowns(before_); }
   ScalarUnknown(const ScalarUnknown&) = delete;
   ScalarUnknown& operator=(const ScalarUnknown&) = delete;
+
+ private:
+  using Manager = PeridigmNS::DegreesOfFreedomManager;
+  std::vector<Manager::Unknown> before_;
 };
 
-/// `system` (made where there is none) = factor dF/dc, F the flux divergence times the volumes, plus the volumes on the
-/// diagonal where `addsVolumes`; rows of held points [nOwned] are left out. Returns the norm of the diagonal of the
-/// others. Collective.
-double assembleFluxMatrix(Model& model, double dt, double factor, bool addsVolumes, const std::vector<char>& isHeld,
-                          std::unique_ptr<LinearSystem>& system);
+/// `system` (made where there is none) = factor dF/dc, F the flux divergence of the field c times the volumes, plus the
+/// volumes on the diagonal where `addsVolumes`; rows of held points [nOwned] are left out. Returns the norm of the
+/// diagonal of the others. Collective.
+double assembleFluxMatrix(Model& model, const std::string& field, double dt, double factor, bool addsVolumes,
+                          const std::vector<char>& isHeld, std::unique_ptr<LinearSystem>& system);
 
 /// Euclidean norm over all ranks of values of owned points. Collective.
 double normOverRanks(const Communicator& comm, const std::vector<double>& values);

@@ -1,4 +1,4 @@
-#include "random_bond_breaking.hpp"
+#include "dissolving_bonds.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@ namespace pd {
 
 using PeridigmNS::DataManager;
 
-RandomBondBreaking::Cache RandomBondBreaking::makeCache(const Call& call, std::size_t nPoints) {
+DissolvingBonds::Cache DissolvingBonds::makeCache(const Call& call, std::size_t nPoints) {
   Cache made;
   made.neighborhood = {call.neighborhoodList, call.nOwned};
   made.position.assign(nPoints, -1);
@@ -32,8 +32,8 @@ RandomBondBreaking::Cache RandomBondBreaking::makeCache(const Call& call, std::s
   return made;
 }
 
-std::vector<int> RandomBondBreaking::pointsToVisit(const Call& call, const std::vector<double>& expected,
-                                                   const double* damage, Cache& cache) {
+std::vector<int> DissolvingBonds::pointsToVisit(const Call& call, const std::vector<double>& expected,
+                                                const double* damage, Cache& cache) {
   std::vector<char> isMarked(static_cast<std::size_t>(call.nOwned), 0);
   for (std::size_t j = 0; j < expected.size(); ++j) {
     if (expected[j] == cache.seenExpected[j]) continue;
@@ -57,25 +57,30 @@ std::vector<int> RandomBondBreaking::pointsToVisit(const Call& call, const std::
   return marked;
 }
 
-void RandomBondBreaking::lookAtAllAgain() const {
+void DissolvingBonds::lookAtAllAgain() const {
   caches_.forEach(
       [](Cache& cache) { cache.seenDamage.assign(cache.seenDamage.size(), std::numeric_limits<double>::quiet_NaN()); });
 }
 
-void RandomBondBreaking::update(const Call& call, const std::vector<double>& expected, DataManager& dataManager) const {
+bool DissolvingBonds::breaks(int id, double own, int neighborId, double other, int imageShift) const {
+  if (!seed_ || own >= 1.0 || other >= 1.0) return own >= 1.0 || other >= 1.0;
+  if (own <= 0.0 && other <= 0.0) return false;
+  const kernels::BondThresholds thresholds = kernels::bondThresholds(*seed_, id, neighborId, imageShift);
+  return own > thresholds.ofFirst || other > thresholds.ofSecond;
+}
+
+void DissolvingBonds::update(const Call& call, const std::vector<double>& expected, DataManager& dataManager) const {
   double* damage = fields_.damage.of(dataManager);
-  double* loose = fields_.loose.of(dataManager);
+  double* loose = fields_.loose.isUsed() ? fields_.loose.of(dataManager) : nullptr;
   double* bondDamage = fields_.bondDamage.of(dataManager);
   const double* oldBondDamage = fields_.bondDamage.before(dataManager);
   const double* imageShift = fields_.imageShift.ifIn(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   Cache& cache = caches_.of(call, fields_.modelCoordinates.of(dataManager),
                             [&](const Call& c) { return makeCache(c, expected.size()); });
-  if (bondDamage != oldBondDamage) {
-    // This host keeps N and NP1 apart and swaps them: then nothing at NP1 is of the last call.
-    std::copy(oldBondDamage, oldBondDamage + fields_.bondDamage.length(dataManager), bondDamage);
+  // A host that keeps N and NP1 apart has put back the bonds of the last call.
+  if (bondDamage != oldBondDamage)
     cache.seenDamage.assign(cache.seenDamage.size(), std::numeric_limits<double>::quiet_NaN());
-  }
   for (const int p : pointsToVisit(call, expected, damage, cache)) {
     const auto position = static_cast<std::size_t>(p);
     const int i = call.ownedIds[p], id = map.GID(i);
@@ -85,16 +90,15 @@ void RandomBondBreaking::update(const Call& call, const std::vector<double>& exp
     int nBroken = 0;
     for (int k = 0; k < neighbors[-1]; ++k) {
       const double other = expected[static_cast<std::size_t>(neighbors[k])];
-      if (bonds[k] < 1.0 && (own > 0.0 || other > 0.0)) {
+      if (bonds[k] < 1.0) {
         const int shift = imageShift == nullptr ? 0 : static_cast<int>(imageShift[neighbors[k]]);
-        const kernels::BondThresholds thresholds = kernels::bondThresholds(seed_, id, map.GID(neighbors[k]), shift);
-        if (own > thresholds.ofFirst || other > thresholds.ofSecond) bonds[k] = 1.0;
+        if (breaks(id, own, map.GID(neighbors[k]), other, shift)) bonds[k] = 1.0;
       }
       nBroken += bonds[k] >= 1.0 ? 1 : 0;
     }
     const bool isLiquid = own >= 1.0, hasLostAll = nBroken == neighbors[-1];
     damage[i] = isLiquid ? 1.0 : std::min(static_cast<double>(nBroken) / std::max(neighbors[-1], 1), mostDamagedSolid);
-    loose[i] = hasLostAll && !isLiquid ? 1.0 : 0.0;
+    if (loose != nullptr) loose[i] = hasLostAll && !isLiquid ? 1.0 : 0.0;
     cache.seenDamage[position] = damage[i];
   }
 }

@@ -1,0 +1,20 @@
+// What the materials of a run give the rates of.
+#ifndef PD_RATES_HPP
+#define PD_RATES_HPP
+
+#include <string>
+#include <vector>
+
+#include "Peridigm_Block.hpp"
+
+namespace pd {
+
+/// Labels of the fields that materials zero and add to, in the order of their ids.
+std::vector<std::string> summedFields(std::vector<PeridigmNS::Block>& blocks);
+
+/// Labels of the fields whose rates they give, in the order of their ids.
+std::vector<std::string> fieldsWithRates(std::vector<PeridigmNS::Block>& blocks);
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,279 @@
+#include "composite_material.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "plugins.hpp"
+#include "unknowns.hpp"
+
+namespace pd {
+
+using PeridigmNS::DataManager;
+
+namespace {
+
+const std::string owner = "material Combined";
+const std::string probeLength = "Finite Difference Probe Length";
+
+int forceField() { return fields::forceDensity().id(); }
+
+void addNew(std::vector<int>& ids, const std::vector<int>& more) {
+  for (const int id : more)
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+}
+
+/// `messages` as one, each with the owner's name.
+void throwAll(const std::vector<std::string>& messages) {
+  std::string all;
+  for (const std::string& message : messages) all += (all.empty() ? "" : "\n") + owner + ": " + message;
+  if (!all.empty()) throw std::invalid_argument(all);
+}
+
+}  // namespace
+
+bool CompositeMaterial::Part::adds(int field) const {
+  const std::vector<int> sums = table.sums();
+  return std::find(sums.begin(), sums.end(), field) != sums.end();
+}
+
+bool CompositeMaterial::Part::hasForce() const { return adds(forceField()); }
+
+void CompositeMaterial::declareParameters(ParameterDeclarations& declare) {
+  declare.text("Material Model", "Name of this model.").defaultTo("Combined");
+  declare.texts(partsKey, "Names of the parts; each has a list of its parameters under its name.").required();
+  declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  declare.real(probeLength, "m", "Step of finite-difference tangents of parts that give none.").positive();
+}
+
+CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Material(given) {
+  const Teuchos::ParameterList params = completedParts<CompositeMaterial>(MaterialRegistry::self(), given, owner);
+  for (const std::string& name : params.get<Teuchos::Array<std::string>>(partsKey)) {
+    Teuchos::ParameterList list(params.sublist(name));
+    const auto model = list.get<std::string>("Material Model");
+    const ParameterDeclarations declarations = MaterialRegistry::self().find(model)->declare();
+    for (const std::string& key : {std::string("Horizon"), probeLength})
+      if (params.isParameter(key) && !list.isParameter(key) && declarations.find(key) != nullptr)
+        list.set(key, params.get<double>(key));
+    const auto material = MaterialRegistry::self().create(model, list);
+    parts_.push_back({name, material, fieldsIn(*material)});
+  }
+  std::vector<NamedTable> tables;
+  for (const Part& part : parts_) {
+    fields_.include(part.table);
+    tables.push_back({part.name, part.table});
+  }
+  throwAll(contestedFields(tables));
+  checkDensities();
+  bringBonds();
+  findSharedSums();
+}
+
+void CompositeMaterial::checkDensities() const {
+  const Part* first = nullptr;
+  double density = 0.0;
+  for (const Part& part : parts_) {
+    if (!part.hasForce()) continue;
+    double own = 0.0;
+    try {
+      own = part.material->Density();
+    } catch (const std::invalid_argument&) {
+      continue;  // static solvers need none
+    }
+    if (first != nullptr && own != density)
+      throwAll({"\"" + first->name + "\" and \"" + part.name + "\" differ in Density, but are one body"});
+    first = &part;
+    density = own;
+  }
+}
+
+void CompositeMaterial::bringBonds() {
+  const int damage = fields::damage().id(), bondDamage = fields::bondDamage().id();
+  const auto follows = [&](const Part& part) {
+    const FieldUse* use = part.hasForce() ? nullptr : part.table.find(damage);
+    return use != nullptr && !use->isOptional;
+  };
+  const auto dissolves = std::find_if(parts_.begin(), parts_.end(), follows);
+  if (dissolves == parts_.end()) return;
+  std::vector<std::string> messages;
+  for (const Part& part : parts_) {
+    if (!part.hasForce()) continue;
+    if (part.table.find(bondDamage) == nullptr)
+      messages.push_back("\"" + part.name + "\" knows no broken bonds (Bond_Damage): where \"" + dissolves->name +
+                         "\" has dissolved it would go on carrying load; choose another material");
+    fields_.bringBondDamage();
+  }
+  throwAll(messages);
+}
+
+void CompositeMaterial::findSharedSums() {
+  for (const int id : fields_.sums())
+    if (std::count_if(parts_.begin(), parts_.end(), [id](const Part& part) { return part.adds(id); }) > 1)
+      sharedSums_.push_back(id);
+}
+
+double CompositeMaterial::Density() const {
+  for (const bool wantsForce : {true, false})
+    for (const Part& part : parts_) {
+      if (part.hasForce() != wantsForce) continue;
+      try {
+        return part.material->Density();
+      } catch (const std::invalid_argument&) {
+        continue;
+      }
+    }
+  throw std::invalid_argument(owner + ": no part has a Density, which this solver needs");
+}
+
+double CompositeMaterial::BulkModulus() const {
+  double sum = 0.0;
+  for (const Part& part : parts_) sum += part.hasForce() ? part.material->BulkModulus() : 0.0;
+  return sum;
+}
+
+double CompositeMaterial::ShearModulus() const {
+  double sum = 0.0;
+  for (const Part& part : parts_) sum += part.hasForce() ? part.material->ShearModulus() : 0.0;
+  return sum;
+}
+
+double CompositeMaterial::lookupMaterialProperty(const std::string keyname) const {
+  for (const Part& part : parts_) try {
+      return part.material->lookupMaterialProperty(keyname);
+    } catch (const std::exception&) {
+      continue;
+    }
+  throw std::invalid_argument(owner + ": no part has a property \"" + keyname + "\"");
+}
+
+std::vector<int> CompositeMaterial::FieldIdsForSynchronizationAfterInitialize() const {
+  std::vector<int> ids;
+  for (const Part& part : parts_) addNew(ids, part.material->FieldIdsForSynchronizationAfterInitialize());
+  return ids;
+}
+
+std::vector<int> CompositeMaterial::FieldIdsForSynchronizationAfterPrecompute() const {
+  std::vector<int> ids;
+  for (const Part& part : parts_) addNew(ids, part.material->FieldIdsForSynchronizationAfterPrecompute());
+  return ids;
+}
+
+std::vector<std::string> CompositeMaterial::runNotes() const {
+  std::vector<std::string> notes;
+  for (const Part& part : parts_)
+    if (const auto* own = dynamic_cast<const RunNotes*>(part.material.get()))
+      for (const std::string& line : own->runNotes()) notes.push_back(line);
+  return notes;
+}
+
+void CompositeMaterial::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
+                                   const int* neighborhoodList, DataManager& dataManager) {
+  for (const Part& part : parts_)
+    part.material->initialize(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+}
+
+void CompositeMaterial::precompute(const double dt, const int numOwnedPoints, const int* ownedIDs,
+                                   const int* neighborhoodList, DataManager& dataManager) const {
+  for (const Part& part : parts_)
+    part.material->precompute(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+}
+
+void CompositeMaterial::addUp(const std::function<bool(const Part&)>& isAsked,
+                              const std::function<void(const Part&)>& work, DataManager& data) const {
+  std::vector<std::vector<double>> sums(sharedSums_.size());
+  const auto viewOf = [&](std::size_t k) {
+    double* values = nullptr;
+    const auto field = data.getData(sharedSums_[k], PeridigmNS::PeridigmField::STEP_NP1);
+    field->ExtractView(&values);
+    sums[k].resize(static_cast<std::size_t>(field->MyLength()), 0.0);
+    return values;
+  };
+  for (const Part& part : parts_) {
+    if (!isAsked(part)) continue;
+    // Parts may rely on it that where they add nothing they find nothing.
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      if (part.adds(sharedSums_[k])) std::fill_n(viewOf(k), sums[k].size(), 0.0);
+    work(part);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      if (!part.adds(sharedSums_[k])) continue;
+      const double* own = viewOf(k);
+      for (std::size_t i = 0; i < sums[k].size(); ++i) sums[k][i] += own[i];
+    }
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    if (!sums[k].empty()) std::copy(sums[k].begin(), sums[k].end(), viewOf(k));
+}
+
+void CompositeMaterial::computeForce(const double dt, const int numOwnedPoints, const int* ownedIDs,
+                                     const int* neighborhoodList, DataManager& dataManager) const {
+  addUp([](const Part& part) { return part.hasForce(); },
+        [&](const Part& part) {
+          part.material->computeForce(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+        },
+        dataManager);
+}
+
+void CompositeMaterial::computeFluxDivergence(const double dt, const int numOwnedPoints, const int* ownedIDs,
+                                              const int* neighborhoodList, DataManager& dataManager) const {
+  addUp(
+      [](const Part& part) {
+        const std::vector<int> sums = part.table.sums();
+        return std::any_of(sums.begin(), sums.end(), [](int id) { return id != forceField(); });
+      },
+      [&](const Part& part) {
+        part.material->computeFluxDivergence(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+      },
+      dataManager);
+}
+
+void CompositeMaterial::prepareRate(int rateField, double dt, const Call& call, DataManager& data) const {
+  for (const Part& part : parts_)
+    if (part.adds(rateField) && !part.hasForce())
+      part.material->precompute(dt, call.nOwned, call.ownedIds, call.neighborhoodList, data);
+}
+
+void CompositeMaterial::computeRate(int rateField, double dt, const Call& call, DataManager& data) const {
+  addUp([rateField](const Part& part) { return part.adds(rateField); },
+        [&](const Part& part) {
+          part.material->computeFluxDivergence(dt, call.nOwned, call.ownedIds, call.neighborhoodList, data);
+        },
+        data);
+}
+
+void CompositeMaterial::computeStoredElasticEnergyDensity(const double dt, const int numOwnedPoints,
+                                                          const int* ownedIDs, const int* neighborhoodList,
+                                                          DataManager& dataManager) const {
+  double* energy = nullptr;
+  dataManager.getData(fields::storedEnergyDensity().id(), PeridigmNS::PeridigmField::STEP_NONE)->ExtractView(&energy);
+  std::vector<double> sum(static_cast<std::size_t>(numOwnedPoints), 0.0);
+  for (const Part& part : parts_) {
+    for (int p = 0; p < numOwnedPoints; ++p) energy[ownedIDs[p]] = 0.0;
+    part.material->computeStoredElasticEnergyDensity(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+    for (std::size_t p = 0; p < sum.size(); ++p) sum[p] += energy[ownedIDs[p]];
+  }
+  for (std::size_t p = 0; p < sum.size(); ++p) energy[ownedIDs[p]] = sum[p];
+}
+
+void CompositeMaterial::computeJacobian(const double dt, const int numOwnedPoints, const int* ownedIDs,
+                                        const int* neighborhoodList, DataManager& dataManager,
+                                        PeridigmNS::SerialMatrix& jacobian, JacobianType jacobianType) const {
+  for (const Part& part : parts_)
+    if (givesUnknownRate(part.table))
+      part.material->computeJacobian(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager, jacobian,
+                                     jacobianType);
+}
+
+void CompositeMaterial::stepAccepted(const Call& call, DataManager& data, double time, double dt) const {
+  for (const Part& part : parts_)
+    if (const auto* listener = dynamic_cast<const StepListener*>(part.material.get()))
+      listener->stepAccepted(call, data, time, dt);
+}
+
+void CompositeMaterial::stepTakenBack() const {
+  for (const Part& part : parts_)
+    if (const auto* listener = dynamic_cast<const StepListener*>(part.material.get())) listener->stepTakenBack();
+}
+
+PD_REGISTER_MATERIAL(CompositeMaterial, "Combined", "Several materials of one block, each with its own physics.")
+
+}  // namespace pd
