@@ -1,6 +1,7 @@
 #include "fields.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <map>
 
 #include "field_names.hpp"
@@ -100,7 +101,11 @@ FieldHandle FieldTable::writes(const FieldDescription& field, Ghosts ghosts) {
 FieldHandle FieldTable::writesIfThere(const FieldDescription& field) {
   return use(field, FieldAccess::Writes, Ghosts::None, true);
 }
+/// Solvers find rates by their names.
 FieldHandle FieldTable::adds(const FieldDescription& field) {
+  if (!field.rateOf.empty() && field.label != fluxDivergenceField(field.rateOf))
+    throw std::logic_error("the rate of \"" + field.rateOf + "\" must be called \"" +
+                           fluxDivergenceField(field.rateOf) + "\", not \"" + field.label + "\"");
   return use(field, FieldAccess::Adds, Ghosts::None, false);
 }
 FieldHandle FieldTable::addsIfThere(const FieldDescription& field) {
