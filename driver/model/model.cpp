@@ -11,6 +11,7 @@
 #include "../discretization/mesh_points.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
+#include "field_names.hpp"
 #include "influence.hpp"
 #include "rates.hpp"
 #include "run_notes.hpp"
