@@ -45,7 +45,7 @@ void writeSteps(const std::string& name, int firstStep) {
       damage[i] = step + ids[i] / 65536.0;
       for (int k = 0; k < 3; ++k) displacement[3 * i + k] = step * ids[i] + k;
     }
-    writer.write(step, 0.5 * step, {{"Damage", 1, damage.data()}, {"Displacement", 3, displacement.data()}});
+    writer.write(step, 0.5 * step, {{"Damage", 1, damage.data(), "1"}, {"Displacement", 3, displacement.data(), "m"}});
   }
 }
 

@@ -195,7 +195,7 @@ TEST(Registry, MakesPluginsByName) {
   EXPECT_DOUBLE_EQ(ShapeRegistry::self().create("Square", 3.0)->area(), 9.0);
   EXPECT_NE(ShapeRegistry::self().find("Square")->declare().find("Side"), nullptr);
   EXPECT_THROW(ShapeRegistry::self().create("Circle", 1.0), std::invalid_argument);
-  EXPECT_THROW(ShapeRegistry::self().add({"Square", "", {}, {}, {}}), std::logic_error);
+  EXPECT_THROW(ShapeRegistry::self().add({"Square", "", {}, {}, {}, {}}), std::logic_error);
 }
 
 }  // namespace

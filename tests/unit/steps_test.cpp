@@ -73,14 +73,14 @@ TEST_P(Steps, ARunGoesOnFromACheckpointToTheLastBit) {
   advance(first, *ofFirst, 0, nBefore);
   const Discretization& points = first.scene.model().discretization();
   const GlobalOrder order(comm, points.globalIds, points.nOwned, points.nGlobal);
-  writeCheckpoint(first.scene.model(), order, folder / "steps.h5", nBefore, timeOf(nBefore),
-                  ofFirst->restartState(), "");
+  writeCheckpoint(first.scene.model(), order, folder / "steps.h5",
+                  {nBefore, timeOf(nBefore), name, ofFirst->restartState(), "", {}});
 
   second.start();
   const Checkpoint checkpoint = readCheckpoint(second.scene.model(), folder / "steps.h5");
   second.scene.simulation().conditions.resume(checkpoint.time);
   ofSecond->initialize(second.scene.simulation());
-  ofSecond->setRestartState(checkpoint.solverState);
+  ofSecond->setRestartState(checkpoint.state);
   advance(second, *ofSecond, nBefore, nSteps);
   EXPECT_EQ(second.life(), whole.life());
   EXPECT_EQ(second.scene.values("Test_Accepted_Steps"), whole.scene.values("Test_Accepted_Steps"));
