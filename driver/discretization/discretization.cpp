@@ -183,8 +183,9 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
   NeighborRule rule = neighborRule(box, body, wholeBody(horizon, d.symmetry), ruleSpacing, filters);
   rule.isBox = shape.isBox();
-  checkResolution(deck, searched, ruleSpacing, d.dimension, rule, comm.size(), d.symmetry.nCopies());
   checkBesidePlanes(deck, planes, points, searched, spacing, rule);
+  mistakes.report();
+  checkResolution(deck, searched, ruleSpacing, d.dimension, rule, comm.size(), d.symmetry.nCopies());
   mistakes.report();
 
   const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(body.size());

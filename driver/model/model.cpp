@@ -191,8 +191,7 @@ void Model::allocatePluginFields() {
     for (const int id : fieldsIn(*block.getMaterialModel()).sums()) block.getDataManager()->allocatePrivateData(id);
   }
   if (hasMechanics())
-    shared_->allocateData({fields.getFieldId(NODE, VECTOR, TWO_STEP, "Coordinates"),
-                           fields.getFieldId(NODE, VECTOR, TWO_STEP, "Displacement")});
+    shared_->allocateData({pd::fields::coordinates().id(), pd::fields::displacement().id()});
   fillConstantFields();
 }
 

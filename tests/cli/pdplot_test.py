@@ -281,7 +281,8 @@ class PdplotTest(unittest.TestCase):
         (self.folder / "plate.csv").write_text("step,time,Top_ReactionX,Top_ReactionY,Top_ReactionZ\n0,0,0,0,0\n"
                                                "5,1,2,3,0\n")
         history = read_history(self.folder / "plate")
-        figure = history_panels([("plate", history)], ["top_reaction"])
+        figure = history_panels([("plate", history)], ["top_reaction"],
+                                units=history_units(self.folder / "plate", history))
         self.assertEqual([axis.get_ylabel() for axis in figure.axes if axis.lines],
                          ["Top ReactionX (N)", "Top ReactionY (N)"])
         figures.plt.close(figure)

@@ -86,7 +86,7 @@ void DamageRun::initialize() {
 
 void DamageRun::evaluate(const Motion& motion, int nEvaluations) {
   for (const auto& body : bodies_)
-    for (int i = 0; i < body->nPoints(); ++i) {
+    for (int i = 0; body->hasField("Coordinates") && i < body->nPoints(); ++i) {
       const Point y = motion(body->globalId(i), body->point(i));
       std::copy(y.begin(), y.end(), body->field("Coordinates") + 3 * i);
     }

@@ -64,8 +64,9 @@ void expectAll(const std::string& broken, std::initializer_list<const char*> par
 template <class Registry>
 void expectWholeTables() {
   for (const std::string& name : Registry::self().names()) {
-    if (name.find("Test") == 0) continue;
-    EXPECT_EQ(gapsIn(Registry::self().find(name)->fields()), "") << name;
+    const auto& plugin = *Registry::self().find(name);
+    if (name.find("Test") == 0 || !plugin.partsKey.empty()) continue;  // one that is made of parts has theirs
+    EXPECT_EQ(gapsIn(plugin.fields()), "") << name;
   }
 }
 
