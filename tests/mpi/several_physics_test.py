@@ -29,7 +29,7 @@ class OnRanks(LoadedMetal):
              "Phases": {"Damage Model": "Dissolution", "Concentration Field": "Ions", "Rule": rule}},
             {**grips(), **sea("Ions"), **charge},
             [(1.0, NEWTON), (end, {"Corrosion": {"Load Steps": 1, "Concentration Field": "Ions"}}),
-             (end + 5.0, {"Diffusion": {"Field": "Hydrogen", "Method": "Implicit Euler", "Time Steps": 3}}),
+             (end + 5.0, {"Diffusion": {"Field": "Hydrogen", "Method": "Implicit Euler", "Load Steps": 3}}),
              (end + 6.0, NEWTON)], self.FIELDS)
 
     def check(self, rule):

@@ -54,15 +54,18 @@ def sea(field="Concentration"):
 
 def bar_deck(materials, damage_models, conditions, solvers, variables, **more):
     """`solvers`: (Final Time, solver) one after another."""
+    computes = {}
+    if "Hold" in conditions:
+        computes["Reaction"] = {"Compute Class": "Reaction_Force", "Node Set": "Left Node Set",
+                                "Output Label": "Reaction"}
+        variables = variables + ["Reaction"]
     deck = {
         "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt", "Thickness": 1.0},
         "Materials": materials, "Damage Models": damage_models,
         "Blocks": {"Bar": {"Block Names": "block_1", "Material": list(materials), "Horizon": HORIZON}},
         "Boundary Conditions": conditions,
-        "Compute Class Parameters": {"Reaction": {"Compute Class": "Reaction_Force", "Node Set": "Left Node Set",
-                                                  "Output Label": "Reaction"}} if "Hold" in conditions else {},
-        "Output": {"Output Filename": "result", "Output Frequency": 1,
-                   "Output Variables": variables + (["Reaction"] if "Hold" in conditions else [])}, **more}
+        "Output": {"Output Filename": "result", "Output Frequency": 1, "Output Variables": variables}, **more}
+    deck["Compute Class Parameters"] = {**computes, **more.get("Compute Class Parameters", {})}
     if damage_models:
         deck["Blocks"]["Bar"]["Damage Model"] = list(damage_models)
     start = 0.0
