@@ -40,7 +40,7 @@ class OnRanks(LoadedMetal):
             fields = {label: result.field(label) for label in self.FIELDS}
             if expected is None:
                 expected = fields
-                self.assertGreater(np.count_nonzero(fields["Damage"] >= 1.0), 2 * 32 * (4 + 2))
+                self.assertGreaterEqual(np.count_nonzero(fields["Damage"] >= 1.0), 2 * 32 * (4 + 2))  # sea, and two rows
             np.testing.assert_array_equal(fields["Damage"], expected["Damage"])
             for label in self.FIELDS:
                 worst = np.max(np.abs(fields[label] - expected[label])) / np.max(np.abs(expected[label]))
