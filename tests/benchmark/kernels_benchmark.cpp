@@ -32,6 +32,7 @@ class Body {
     for (int i = 0; i < count; ++i) globalIds[static_cast<std::size_t>(i)] = i;
     const auto map = Teuchos::rcp(new PointMap(globalIds));
     data_.setMaps(map, map, static_cast<int>(list_.size()) - count);
+    data_.shareSteps({pd::fields::bondDamage().id()});  // as pdrun does where all say that it only grows
     data_.allocateData(material_->FieldIds());
     data_.allocateData(damage_->FieldIds());
     data_.allocateData({FieldManager::self().getFieldId(NODE, SCALAR, TWO_STEP, "Concentration")});
