@@ -117,7 +117,8 @@ std::vector<Broken> brokenRuns() {
        {{"Type: Prescribed Concentration\n",
          "Type: Far Field Concentration\n    Distance: 1.0e-3\n    Diffusivity: 1.0e-9\n    Area: 1.0e-6\n"}},
        {"deck.yaml:53:3: Boundary Conditions/Charge: Far Field Concentration does nothing, since no solver of this "
-        "deck takes an electrolyte beyond the mesh into account, as Corrosion does; use Prescribed Concentration"}},
+        "deck takes an electrolyte beyond the mesh into account for \"Concentration\", as Corrosion does for its "
+        "Concentration Field; use Prescribed Concentration"}},
       {"InitialValueOfTheMesh",
        {{"Type: Prescribed Concentration\n", "Type: Initial Value\n    Field: Volume\n"}},
        {"deck.yaml:55:12: Boundary Conditions/Charge/Field: \"Volume\" cannot be set, since it is that of the mesh or "

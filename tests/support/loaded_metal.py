@@ -52,8 +52,8 @@ def sea(field="Concentration"):
             "Sea": {"Type": "Prescribed Value", "Field": field, "Node Set": "Sea Node Set", "Value": 0.0}}
 
 
-def bar_deck(materials, damage_models, conditions, solvers, variables, **more):
-    """`solvers`: (Final Time, solver) one after another."""
+def bar_deck(materials, damage_models, conditions, solvers, variables, start=0.0, **more):
+    """`solvers`: (Final Time, solver) one after another from `start` on."""
     computes = {}
     if "Hold" in conditions:
         computes["Reaction"] = {"Compute Class": "Reaction_Force", "Node Set": "Left Node Set",
@@ -68,7 +68,6 @@ def bar_deck(materials, damage_models, conditions, solvers, variables, **more):
     deck["Compute Class Parameters"] = {**computes, **more.get("Compute Class Parameters", {})}
     if damage_models:
         deck["Blocks"]["Bar"]["Damage Model"] = list(damage_models)
-    start = 0.0
     for number, (end, solver) in enumerate(solvers, 1):
         deck[f"Solver{number}"] = {"Initial Time": start, "Final Time": end, **solver}
         start = end

@@ -116,6 +116,19 @@ class FarField(CorrosionTest):
         expected = quasi_steady_depths(history["time"][1:], distance, -left)
         np.testing.assert_allclose(history["Dissolved"][5:], expected[4:], rtol=0.02)
 
+    def test_ions_of_another_name_leave_alike(self):
+        found = []
+        for label in ("Concentration", "Ions"):
+            deck = self.bar(-20e-6, 20e-6, "x > 0", 10e-6, 20.0, 2, far=100.0, name=label)
+            deck["Boundary Conditions"]["Metal"].update({"Type": "Initial Value", "Field": label})
+            deck["Boundary Conditions"]["Open Sea"]["Field"] = label
+            for part in (deck["Materials"]["Metal"], deck["Damage Models"]["Phases"], deck["Solver"]["Corrosion"]):
+                part["Concentration Field"] = label
+            deck["Output"]["Output Variables"] = [label, "Damage"]
+            found.append(self.solve(deck).field(label))
+        np.testing.assert_array_equal(found[0], found[1])
+        self.assertGreater(np.max(found[0][self.x[:, 0] < -10e-6]), 10.0)
+
     def test_a_far_sea_is_a_wall_and_a_near_one_a_mouth(self):
         # Closed, the electrolyte fills and the front stops.
         closed = self.solve(self.bar(-20e-6, 20e-6, "x > 0", 1e3, 100.0, 4, SALTED, name="closed"))

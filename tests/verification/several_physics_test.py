@@ -110,7 +110,7 @@ class DissolvingBar(LoadedMetal):
 
 
 class HydrogenAndIons(LoadedMetal):
-    """Each of two scalars on the same points does what it does alone, to rounding."""
+    """Each of two scalars on the same points does what it does alone, to the last bit."""
     HYDROGEN = {"Material Model": "PDHE", "Plane Strain": True, "Diffusivity": 2e-12, "Diffusing Field": "Hydrogen"}
     CONDITIONS = {"Charged Node Set": {"Expression": f"x < {3 * SPACING!r}"},
                   "Charge": {"Type": "Prescribed Value", "Field": "Hydrogen", "Node Set": "Charged Node Set",
@@ -129,18 +129,19 @@ class HydrogenAndIons(LoadedMetal):
         alone = self.solve(bar_deck({"Metal": metal}, phases, sea(), [(10.0, corrode)],
                                     ["Concentration", "Damage", "Loss"], **{"Compute Class Parameters": loss}))
         c, damage, lost = alone.field("Concentration"), alone.field("Damage"), alone.history()["Loss"][-1]
-        dry = self.solve(bar_deck({"Steel": self.HYDROGEN}, {}, self.CONDITIONS, [(10.0, self.DIFFUSE)], ["Hydrogen"]))
+        # From 10 s on, as below: times are rounded.
+        dry = self.solve(bar_deck({"Steel": self.HYDROGEN}, {}, self.CONDITIONS, [(20.0, self.DIFFUSE)], ["Hydrogen"],
+                                  start=10.0))
         hydrogen = dry.field("Hydrogen")
         metal, phases, corrode = self.ions("Ions")
         loss["Loss"]["Concentration Field"] = "Ions"
         both = self.solve(bar_deck({"Steel": self.HYDROGEN, "Metal": metal}, phases,
                                    {**sea("Ions"), **self.CONDITIONS}, [(10.0, corrode), (20.0, self.DIFFUSE)],
                                    ["Ions", "Hydrogen", "Damage", "Loss"], **{"Compute Class Parameters": loss}))
-        # Sums of two materials in one field may be made in another order.
-        np.testing.assert_allclose(both.field("Ions"), c, rtol=1e-12, atol=1e-9)
-        np.testing.assert_array_equal(both.field("Damage") >= 1.0, damage >= 1.0)
-        np.testing.assert_allclose(both.field("Hydrogen"), hydrogen, rtol=1e-12, atol=1e-14)
-        self.assertAlmostEqual(both.history()["Loss"][-1] / lost, 1.0, delta=1e-12)
+        np.testing.assert_array_equal(both.field("Ions"), c)
+        np.testing.assert_array_equal(both.field("Damage"), damage)
+        np.testing.assert_array_equal(both.field("Hydrogen"), hydrogen)
+        self.assertEqual(both.history()["Loss"][-1], lost)
         self.assertGreater(np.max(hydrogen[self.x[:, 0] > 3 * SPACING]), 0.1)
 
     def test_a_solver_and_a_material_that_name_different_ions_are_told_so(self):

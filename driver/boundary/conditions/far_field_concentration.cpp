@@ -12,6 +12,8 @@ class FarFieldConcentration : public Condition {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
     declareNodeSet(declare);
+    declare.text("Field", "Label of the concentration, where the deck gives metal ions another one.")
+        .defaultTo("Concentration");
     declare.function("Value", "mol/m3", "Concentration where the electrolyte beyond the mesh ends.").required();
     declare
         .real(
@@ -28,16 +30,15 @@ class FarFieldConcentration : public Condition {
         .required();
   }
   explicit FarFieldConcentration(const ConditionSection& section)
-      : Condition(section, "Concentration", 1),
+      : Condition(section, section.list.get<std::string>("Field"), 1),
         distance_(section.list.get<double>("Distance")),
         diffusivity_(section.list.get<double>("Diffusivity")),
         area_(section.list.get<double>("Area")) {}
 
   std::string obstacle(const RunContents& run) const override {
     if (run.fieldsWithFarField.count(field()) != 0) return "";
-    return "no solver of this deck takes an electrolyte beyond the mesh into account, as Corrosion does; use "
-           "Prescribed "
-           "Concentration";
+    return "no solver of this deck takes an electrolyte beyond the mesh into account for \"" + field() +
+           "\", as Corrosion does for its Concentration Field; use Prescribed Concentration";
   }
   bool reachesBeyond() const override { return true; }
   void measure(const Discretization& mesh, const Communicator& comm) override {
