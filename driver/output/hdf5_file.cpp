@@ -52,6 +52,12 @@ std::string freeSpace(const std::string& path) {
   return error || bytes > little ? "" : "; the disk has " + std::to_string(bytes >> 10) + " KiB left";
 }
 
+Hdf5Id withoutTimes(hid_t propertyClass) {
+  Hdf5Id properties(H5Pcreate(propertyClass), H5Pclose);
+  H5Pset_obj_track_times(properties, false);
+  return properties;
+}
+
 Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator& comm) {
   // Open MPI looks for the working folder of a relative path itself, and crashes where that was removed.
   std::error_code error;
@@ -64,8 +70,9 @@ Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator
   H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);
   // The latest form of a file has checksums over its tables of contents.
   if (mode == Hdf5File::Mode::CreateChecked) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-  const hid_t file = mode == Hdf5File::Mode::Read ? H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access)
-                                                  : H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  const hid_t file = mode == Hdf5File::Mode::Read
+                         ? H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access)
+                         : H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, withoutTimes(H5P_FILE_CREATE), access);
   return Hdf5Id(file, H5Fclose);
 }
 
@@ -73,12 +80,6 @@ Hdf5Id collectiveTransfer() {
   Hdf5Id transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
   return transfer;
-}
-
-Hdf5Id withoutTimes(hid_t propertyClass) {
-  Hdf5Id properties(H5Pcreate(propertyClass), H5Pclose);
-  H5Pset_obj_track_times(properties, false);
-  return properties;
 }
 
 /// Selects this rank's rows in the file, and gives the shape of its memory.

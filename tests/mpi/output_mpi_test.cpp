@@ -1,7 +1,9 @@
 // Files of fields and checkpoints: the same from any number of ranks, and readable by any other number.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "../model_plugins.hpp"
 #include "../test_folder.hpp"
@@ -190,6 +192,7 @@ TEST_F(OutputOnRanks, CheckpointsAreReadOnOtherRanks) {
     Body all(world);
     all.fill();
     all.write(folder / "all.checkpoint.h5", state);
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // what time stamps count in
     Body one(alone);
     one.fill();
     one.write(own("one.checkpoint.h5"), state);
