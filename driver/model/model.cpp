@@ -190,8 +190,7 @@ void Model::allocatePluginFields() {
     if (discretization_.blockNumbers.size() == 1) continue;
     for (const int id : fieldsIn(*block.getMaterialModel()).sums()) block.getDataManager()->allocatePrivateData(id);
   }
-  if (hasMechanics())
-    shared_->allocateData({pd::fields::coordinates().id(), pd::fields::displacement().id()});
+  if (hasMechanics()) shared_->allocateData({pd::fields::coordinates().id(), pd::fields::displacement().id()});
   fillConstantFields();
 }
 

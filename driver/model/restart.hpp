@@ -13,8 +13,8 @@ namespace pd {
 
 class Restart {
  public:
-  /// Reads `fileName` into the model; where its materials, conditions or bonds are not those of this deck, what plug-ins
-  /// make of the deck stays. Throws RunError as readCheckpoint() does. Collective.
+  /// Reads `fileName` into the model; where its materials, conditions or bonds are not those of this deck, what
+  /// plug-ins make of the deck stays. Throws RunError as readCheckpoint() does. Collective.
   Restart(Model& model, const std::string& fileName, const Deck& deck);
 
   int step() const { return checkpoint_.step; }

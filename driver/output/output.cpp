@@ -88,11 +88,12 @@ void Output::Implementation::refuse(Model& model, const OutputVariable& variable
   for (const std::string& label : FieldManager::self().getFieldLabels())
     if (model.hasField(label)) known.push_back(label);
   const std::string nearest = nearestWord(variable.label, known);
-  const std::string message = isBondField ? "\"" + variable.label +
-                                                "\" is a field of bonds, which are written to checkpoints only; the "
-                                                "compute Bond_Field_Mean makes a field of "
-                                                "points of it"
-                                          : "no plug-in of this run provides \"" + variable.label + "\"";
+  const std::string label = "\"" + variable.label + "\"";
+  const std::string message =
+      isBondField ? label +
+                        " is a field of bonds, which are written to checkpoints only; the compute Bond_Field_Mean "
+                        "makes a field of points of it"
+                  : "no plug-in of this run provides " + label;
   // Peridigm leaves out in silence what no plug-in provides.
   if (deck.isPeridigmDeck())
     line("note: " + variable.place + ": " + message + "; it is left out");

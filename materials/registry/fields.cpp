@@ -1,8 +1,8 @@
 #include "fields.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <map>
+#include <stdexcept>
 
 #include "field_names.hpp"
 

@@ -40,8 +40,8 @@ class SerialComm : public PeridigmNS::Communicator {
 /// Points of a lattice, x fastest; the first is at `origin`.
 std::vector<Point> lattice(int nx, int ny, int nz, double spacing, Point origin = {0.0, 0.0, 0.0});
 
-/// How N and NP1 of Bond_Damage are kept: in one memory, apart and copied at the end of a step as in pdrun of fields that
-/// are not known to grow only, or swapped as in Peridigm.
+/// How N and NP1 of Bond_Damage are kept: in one memory, apart and copied at the end of a step as in pdrun of fields
+/// that are not known to grow only, or swapped as in Peridigm.
 enum class BondSteps { Shared, Copied, Swapped };
 
 struct BodyOptions {
