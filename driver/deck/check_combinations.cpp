@@ -11,6 +11,7 @@
 #include "deck_data.hpp"
 #include "function.hpp"
 #include "symmetry_planes.hpp"
+#include "vector3.hpp"
 
 namespace pd {
 
@@ -155,22 +156,19 @@ class CombinationCheck {
     }
   }
 
-  std::array<double, 3> vectorOf(const Teuchos::ParameterList& list, const std::string& name) {
+  Vector3 vectorOf(const Teuchos::ParameterList& list, const std::string& name) {
     return {list.get<double>(name + "_X"), list.get<double>(name + "_Y"), list.get<double>(name + "_Z")};
-  }
-  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
   void directions(const CheckedSection& filter) {
     if (!filter.isGood || filter.section.declarations.find("Normal_X") == nullptr) return;
     const DeckNode& node = filter.section.node;
     const auto normal = vectorOf(filter.list, "Normal");
-    const double normalLength = std::sqrt(dot(normal, normal));
+    const double normalLength = length(normal);
     if (normalLength == 0.0) mistakes_.add(node["Normal_X"].place(), node.path() + ": the normal has no length");
     if (filter.section.plugin != "Rectangular_Plane") return;
     const auto bottom = vectorOf(filter.list, "Bottom_Unit_Vector");
-    const double bottomLength = std::sqrt(dot(bottom, bottom));
+    const double bottomLength = length(bottom);
     const DeckNode place = node["Bottom_Unit_Vector_X"];
     if (bottomLength == 0.0)
       mistakes_.add(place.place(), node.path() + ": the bottom vector has no length");
@@ -182,11 +180,11 @@ class CombinationCheck {
   }
 
   void box(const DeckNode& node) {
-    std::vector<std::array<double, 3>> corners;
+    std::vector<Vector3> corners;
     const auto items = node.items();
     for (const DeckNode& corner : items) {
       const auto numbers = corner.items();
-      std::array<double, 3> values{};
+      Vector3 values{};
       bool isGood = numbers.size() == 3;
       for (std::size_t i = 0; isGood && i < 3; ++i) {
         const auto value =

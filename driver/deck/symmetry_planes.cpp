@@ -3,16 +3,14 @@
 #include <cmath>
 #include <optional>
 
+#include "vector3.hpp"
+
 namespace pd {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// None after a mistake.
-std::optional<Vector> vectorOf(const DeckNode& plane, const std::string& key, Mistakes& mistakes) {
+std::optional<Vector3> vectorOf(const DeckNode& plane, const std::string& key, Mistakes& mistakes) {
   const DeckNode node = plane[key];
   if (!node) {
     mistakes.add(plane.keyPlace(), plane.path() + " needs " + key + ": [x, y, z]");
@@ -23,7 +21,7 @@ std::optional<Vector> vectorOf(const DeckNode& plane, const std::string& key, Mi
     mistakes.add(node.place(), node.path() + " must be three numbers, [x, y, z]");
     return std::nullopt;
   }
-  Vector result{};
+  Vector3 result{};
   for (std::size_t k = 0; k < 3; ++k) result[k] = items[k].real();
   return result;
 }
@@ -32,12 +30,12 @@ std::optional<SymmetryPlane> readPlane(const DeckNode& node, Mistakes& mistakes)
   const auto point = vectorOf(node, "Point", mistakes);
   auto normal = vectorOf(node, "Normal", mistakes);
   if (!point || !normal) return std::nullopt;
-  const double length = std::sqrt(dot(*normal, *normal));
-  if (!(length > 0.0) || !std::isfinite(length)) {
+  const double norm = length(*normal);
+  if (!(norm > 0.0) || !std::isfinite(norm)) {
     mistakes.add(node["Normal"].place(), node.path() + ": the normal has no length");
     return std::nullopt;
   }
-  for (double& component : *normal) component /= length;
+  for (double& component : *normal) component /= norm;
   return SymmetryPlane{*point, *normal, node.keyPlace(), node.path()};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "../deck/vector3.hpp"
 #include "exodus_surface.hpp"
 #include "mesh_geometry.hpp"
 
@@ -11,24 +12,14 @@ namespace pd {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
 // ---- filters ----
 
 /// Cuts bonds that meet a part of a plane.
 class PlaneFilter : public BondFilter {
  public:
   /// `covers`: whether a point of the plane belongs to the surface.
-  PlaneFilter(const MeshPoints& points, const Vector& origin, const Vector& normal, double tolerance,
-              std::function<bool(const Vector&)> covers)
+  PlaneFilter(const MeshPoints& points, const Vector3& origin, const Vector3& normal, double tolerance,
+              std::function<bool(const Vector3&)> covers)
       : points_(points), covers_(std::move(covers)), height_(points.volume.size()) {
     for (int i = 0; i < points.size(); ++i) {
       const double height = dot(difference(at(i), origin), normal);
@@ -42,18 +33,18 @@ class PlaneFilter : public BondFilter {
     const bool isOnOneSide = (heightA > 0.0 && heightB > 0.0) || (heightA < 0.0 && heightB < 0.0);
     if (isOnOneSide || heightA == heightB) return false;
     const double t = heightA / (heightA - heightB);
-    const Vector xa = at(a), xb = at(b);
+    const Vector3 xa = at(a), xb = at(b);
     return covers_({xa[0] + t * (xb[0] - xa[0]), xa[1] + t * (xb[1] - xa[1]), xa[2] + t * (xb[2] - xa[2])});
   }
 
  private:
-  Vector at(int point) const {
+  Vector3 at(int point) const {
     const double* x = points_.at(point);
     return {x[0], x[1], x[2]};
   }
 
   const MeshPoints& points_;
-  std::function<bool(const Vector&)> covers_;
+  std::function<bool(const Vector3&)> covers_;
   std::vector<double> height_;  ///< over the plane, m
 };
 
@@ -89,7 +80,7 @@ class BlockFilter : public BondFilter {
 
 class BoxFilter : public BondFilter {
  public:
-  BoxFilter(const MeshPoints& points, const Vector& box) : points_(points), box_(box) {}
+  BoxFilter(const MeshPoints& points, const Vector3& box) : points_(points), box_(box) {}
   bool cuts(int a, int b) const override {
     for (std::size_t k = 0; k < 3; ++k)
       if (std::abs(points_.at(a)[k] - points_.at(b)[k]) > box_[k]) return true;
@@ -98,7 +89,7 @@ class BoxFilter : public BondFilter {
 
  private:
   const MeshPoints& points_;
-  const Vector box_;
+  const Vector3 box_;
 };
 
 // ---- reading ----
@@ -116,17 +107,17 @@ double positive(const DeckNode& node, const std::string& key) {
 }
 
 /// The three values <stem>_X, <stem>_Y, <stem>_Z.
-Vector vectorOf(const DeckNode& node, const std::string& stem) {
+Vector3 vectorOf(const DeckNode& node, const std::string& stem) {
   return {required(node, stem + "_X").real(), required(node, stem + "_Y").real(), required(node, stem + "_Z").real()};
 }
 
-Vector directionOf(const DeckNode& node, const std::string& stem) {
-  Vector direction = vectorOf(node, stem);
-  const double length = std::sqrt(dot(direction, direction));
-  if (!(length > 0.0))
+Vector3 directionOf(const DeckNode& node, const std::string& stem) {
+  Vector3 direction = vectorOf(node, stem);
+  const double norm = length(direction);
+  if (!(norm > 0.0))
     throw DeckError(node[stem + "_X"].place() + ": " + node.path() + ": " + stem +
                     " is a zero vector, not a direction");
-  for (double& component : direction) component /= length;
+  for (double& component : direction) component /= norm;
   return direction;
 }
 
@@ -152,9 +143,9 @@ class FilterReader {
 
  private:
   std::unique_ptr<BondFilter> rectangle(const DeckNode& node) const {
-    const Vector normal = directionOf(node, "Normal"), corner = vectorOf(node, "Lower_Left_Corner");
+    const Vector3 normal = directionOf(node, "Normal"), corner = vectorOf(node, "Lower_Left_Corner");
     const double bottomLength = positive(node, "Bottom_Length"), sideLength = positive(node, "Side_Length");
-    Vector bottom = directionOf(node, "Bottom_Unit_Vector");
+    Vector3 bottom = directionOf(node, "Bottom_Unit_Vector");
     if (isPeridigmDeck_) {
       // Peridigm takes the vector as it is, of which the part within the plane counts.
       bottom = vectorOf(node, "Bottom_Unit_Vector");
@@ -163,9 +154,9 @@ class FilterReader {
     } else if (std::abs(dot(normal, bottom)) > 1e-6)
       throw DeckError(node["Bottom_Unit_Vector_X"].place() + ": " + node.path() +
                       ": Bottom_Unit_Vector must be perpendicular to Normal");
-    const Vector side = cross(bottom, normal);
+    const Vector3 side = cross(bottom, normal);
     const double tolerance = tolerance_;
-    return std::make_unique<PlaneFilter>(points_, corner, normal, tolerance, [=](const Vector& x) {
+    return std::make_unique<PlaneFilter>(points_, corner, normal, tolerance, [=](const Vector3& x) {
       const double alongBottom = dot(difference(x, corner), bottom), alongSide = dot(difference(x, corner), side);
       return alongBottom >= -tolerance && alongBottom <= bottomLength + tolerance && alongSide >= -tolerance &&
              alongSide <= sideLength + tolerance;
@@ -173,11 +164,11 @@ class FilterReader {
   }
 
   std::unique_ptr<BondFilter> disk(const DeckNode& node) const {
-    const Vector center = vectorOf(node, "Center"), normal = directionOf(node, "Normal");
+    const Vector3 center = vectorOf(node, "Center"), normal = directionOf(node, "Normal");
     // Peridigm cuts what meets the inside of the disk, we its rim too.
     const double reach = positive(node, "Radius") + (isPeridigmDeck_ ? -tolerance_ : tolerance_);
-    return std::make_unique<PlaneFilter>(points_, center, normal, tolerance_, [=](const Vector& x) {
-      const Vector distance = difference(x, center);
+    return std::make_unique<PlaneFilter>(points_, center, normal, tolerance_, [=](const Vector3& x) {
+      const Vector3 distance = difference(x, center);
       return dot(distance, distance) <= reach * reach;
     });
   }

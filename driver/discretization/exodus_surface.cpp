@@ -13,14 +13,6 @@ namespace {
 
 constexpr double tolerance = 1e-10;  ///< in parts of an edge: neighbouring triangles leave no gap
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector difference(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 std::vector<double> trianglesOf(const NetcdfFile& file) {
   const std::vector<double> nodes = exodusNodes(file);
   std::vector<double> triangles;
@@ -66,10 +58,10 @@ std::vector<double> readExodusSurface(const std::string& fileName, const std::st
 }
 
 SurfaceFilter::SurfaceFilter(const MeshPoints& points, const std::vector<double>& triangles) : points_(points) {
-  Vector high{};
+  Vector3 high{};
   double sumOfSizes = 0.0;
   for (std::size_t t = 0; t < triangles.size(); t += 9) {
-    std::array<Vector, 3> corners;
+    std::array<Vector3, 3> corners;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t k = 0; k < 3; ++k) {
         corners[c][k] = triangles[t + 3 * c + k];
@@ -79,7 +71,7 @@ SurfaceFilter::SurfaceFilter(const MeshPoints& points, const std::vector<double>
       }
     Triangle triangle{corners[0], difference(corners[1], corners[0]), difference(corners[2], corners[0]), {}};
     triangle.normal = cross(triangle.edge, triangle.otherEdge);
-    const double area = std::sqrt(dot(triangle.normal, triangle.normal));
+    const double area = length(triangle.normal);
     if (!(area > 0.0)) continue;  // it has no inside
     for (double& component : triangle.normal) component /= area;
     sumOfSizes += std::sqrt(area);
@@ -93,7 +85,7 @@ SurfaceFilter::SurfaceFilter(const MeshPoints& points, const std::vector<double>
   for (std::size_t k = 0; k < 3; ++k) nCells_[k] = static_cast<int>(cellsAlong(k));
   trianglesOfCell_.resize(indexOf(nCells_[0] - 1, nCells_[1] - 1, nCells_[2] - 1) + 1);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    Vector least = triangles_[t].corner, most = least;
+    Vector3 least = triangles_[t].corner, most = least;
     for (std::size_t k = 0; k < 3; ++k) {
       const double a = triangles_[t].edge[k], b = triangles_[t].otherEdge[k];
       least[k] += std::min({0.0, a, b}) - tolerance * cellSize_;
@@ -106,7 +98,7 @@ SurfaceFilter::SurfaceFilter(const MeshPoints& points, const std::vector<double>
   }
 }
 
-SurfaceFilter::Cell SurfaceFilter::cellOf(const Vector& x) const {
+SurfaceFilter::Cell SurfaceFilter::cellOf(const Vector3& x) const {
   Cell cell{};
   for (std::size_t k = 0; k < 3; ++k)
     cell[k] = static_cast<int>(std::clamp((x[k] - low_[k]) / cellSize_, 0.0, nCells_[k] - 1.0));
@@ -119,14 +111,14 @@ std::size_t SurfaceFilter::indexOf(int i, int j, int k) const {
          static_cast<std::size_t>(i);
 }
 
-bool SurfaceFilter::meets(const Triangle& triangle, const Vector& from, const Vector& along) const {
+bool SurfaceFilter::meets(const Triangle& triangle, const Vector3& from, const Vector3& along) const {
   const double rise = dot(along, triangle.normal);
   if (rise * rise <= tolerance * tolerance * dot(along, along)) return false;  // it runs along the surface
   const double t = dot(difference(triangle.corner, from), triangle.normal) / rise;
   if (t < -tolerance || t > 1.0 + tolerance) return false;
   // Barycentric coordinates of the point of intersection.
-  const Vector place{from[0] + t * along[0] - triangle.corner[0], from[1] + t * along[1] - triangle.corner[1],
-                     from[2] + t * along[2] - triangle.corner[2]};
+  const Vector3 place{from[0] + t * along[0] - triangle.corner[0], from[1] + t * along[1] - triangle.corner[1],
+                      from[2] + t * along[2] - triangle.corner[2]};
   const double aa = dot(triangle.edge, triangle.edge), bb = dot(triangle.otherEdge, triangle.otherEdge),
                ab = dot(triangle.edge, triangle.otherEdge), ap = dot(triangle.edge, place),
                bp = dot(triangle.otherEdge, place), determinant = aa * bb - ab * ab;
@@ -137,8 +129,8 @@ bool SurfaceFilter::meets(const Triangle& triangle, const Vector& from, const Ve
 bool SurfaceFilter::cuts(int a, int b) const {
   if (a > b) std::swap(a, b);  // the same arithmetic from either end
   const double *xa = points_.at(a), *xb = points_.at(b);
-  const Vector from{xa[0], xa[1], xa[2]}, along{xb[0] - xa[0], xb[1] - xa[1], xb[2] - xa[2]};
-  Vector least{}, most{};
+  const Vector3 from{xa[0], xa[1], xa[2]}, along{xb[0] - xa[0], xb[1] - xa[1], xb[2] - xa[2]};
+  Vector3 least{}, most{};
   for (std::size_t k = 0; k < 3; ++k) {
     least[k] = std::min(xa[k], xb[k]) - tolerance * cellSize_;
     most[k] = std::max(xa[k], xb[k]) + tolerance * cellSize_;

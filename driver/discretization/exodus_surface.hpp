@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../deck/deck.hpp"
+#include "../deck/vector3.hpp"
 #include "../parallel/communicator.hpp"
 #include "bond_filters.hpp"
 #include "mesh_points.hpp"
@@ -26,18 +27,17 @@ class SurfaceFilter : public BondFilter {
   bool cuts(int a, int b) const override;
 
  private:
-  using Vector = std::array<double, 3>;
   using Cell = std::array<int, 3>;
   struct Triangle {
-    Vector corner, edge, otherEdge, normal;  ///< unit normal
+    Vector3 corner, edge, otherEdge, normal;  ///< unit normal
   };
-  bool meets(const Triangle& triangle, const Vector& from, const Vector& along) const;
-  Cell cellOf(const Vector& x) const;
+  bool meets(const Triangle& triangle, const Vector3& from, const Vector3& along) const;
+  Cell cellOf(const Vector3& x) const;
   std::size_t indexOf(int i, int j, int k) const;
 
   const MeshPoints& points_;
   std::vector<Triangle> triangles_;
-  Vector low_{};
+  Vector3 low_{};
   double cellSize_ = 1.0;
   Cell nCells_{1, 1, 1};
   std::vector<std::vector<int>> trianglesOfCell_;

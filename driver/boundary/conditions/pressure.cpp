@@ -8,20 +8,14 @@
 #include <complex>
 #include <numeric>
 
+#include "../../deck/vector3.hpp"
 #include "../load.hpp"
 
 namespace pd {
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) { return std::sqrt(dot(a, a)); }
-void add(Vector& sum, double factor, const Vector& a) {
+void add(Vector3& sum, double factor, const Vector3& a) {
   for (std::size_t d = 0; d < 3; ++d) sum[d] += factor * a[d];
 }
 
@@ -44,23 +38,23 @@ class Pressure : public Load {
 
  private:
   bool isAroundCenter() const { return static_cast<bool>(node()["Center"]); }
-  Vector vectorOf(const ConditionSection& section, const std::string& key) const;
-  Vector directionOf(const ConditionSection& section, const std::string& key) const;
+  Vector3 vectorOf(const ConditionSection& section, const std::string& key) const;
+  Vector3 directionOf(const ConditionSection& section, const std::string& key) const;
   void requireFittingDirections(const Discretization& mesh) const;
-  Vector radial(const Discretization& mesh, int point) const;
-  std::vector<Vector> normals(const Discretization& mesh, const Communicator& comm) const;
-  std::vector<double> harmonics(const Vector& n, const Discretization& mesh) const;
+  Vector3 radial(const Discretization& mesh, int point) const;
+  std::vector<Vector3> normals(const Discretization& mesh, const Communicator& comm) const;
+  std::vector<double> harmonics(const Vector3& n, const Discretization& mesh) const;
   std::vector<std::size_t> harmonicsByDegree(const Discretization& mesh) const;
   std::vector<double> correction(const std::vector<double>& products, std::size_t nAll, std::size_t n) const;
-  double close(std::vector<double>& shares, const std::vector<Vector>& normals, const Discretization& mesh,
+  double close(std::vector<double>& shares, const std::vector<Vector3>& normals, const Discretization& mesh,
                const Communicator& comm) const;
 
-  double area_;                ///< m2
-  Vector normal_{};            ///< of a flat face
-  Vector center_{}, axis_{};   ///< of a curved one; an axis of no length: a sphere, or a circle in the plane
-  double outward_ = 1.0;       ///< normals point to the Center (-1) or away from it (1)
-  bool isClosed_;              ///< it surrounds its Center
-  std::vector<Vector> loads_;  ///< [points()] of unit pressure, 1/m; those of owned points count
+  double area_;                 ///< m2
+  Vector3 normal_{};            ///< of a flat face
+  Vector3 center_{}, axis_{};   ///< of a curved one; an axis of no length: a sphere, or a circle in the plane
+  double outward_ = 1.0;        ///< normals point to the Center (-1) or away from it (1)
+  bool isClosed_;               ///< it surrounds its Center
+  std::vector<Vector3> loads_;  ///< [points()] of unit pressure, 1/m; those of owned points count
   std::string note_;
 };
 
@@ -101,7 +95,7 @@ Pressure::Pressure(const ConditionSection& section)
   if (section.list.get<std::string>("Side") == "Inside") outward_ = -1.0;
 }
 
-Vector Pressure::vectorOf(const ConditionSection& section, const std::string& key) const {
+Vector3 Pressure::vectorOf(const ConditionSection& section, const std::string& key) const {
   const auto given = section.list.get<Teuchos::Array<double>>(key);
   if (given.size() != 3)
     throw DeckError(node()[key].place() + ": " + node()[key].path() + " must be three numbers, [x, y, z]");
@@ -109,10 +103,10 @@ Vector Pressure::vectorOf(const ConditionSection& section, const std::string& ke
 }
 
 /// Of unit length.
-Vector Pressure::directionOf(const ConditionSection& section, const std::string& key) const {
-  const Vector given = vectorOf(section, key);
+Vector3 Pressure::directionOf(const ConditionSection& section, const std::string& key) const {
+  const Vector3 given = vectorOf(section, key);
   if (length(given) == 0.0) throw DeckError(node()[key].place() + ": " + node()[key].path() + " has no length");
-  Vector unit{};
+  Vector3 unit{};
   add(unit, 1.0 / length(given), given);
   return unit;
 }
@@ -126,20 +120,20 @@ void Pressure::requireFittingDirections(const Discretization& mesh) const {
 }
 
 /// From the Center, or its axis, to the point.
-Vector Pressure::radial(const Discretization& mesh, int point) const {
-  Vector result{};
+Vector3 Pressure::radial(const Discretization& mesh, int point) const {
+  Vector3 result{};
   for (int d = 0; d < mesh.dimension; ++d)
     result[static_cast<std::size_t>(d)] = mesh.x[3 * static_cast<std::size_t>(point) + d] - center_[d];
   add(result, -dot(result, axis_), axis_);
   return result;
 }
 
-std::vector<Vector> Pressure::normals(const Discretization& mesh, const Communicator& comm) const {
-  if (!isAroundCenter()) return std::vector<Vector>(points().size(), normal_);
-  std::vector<Vector> result(points().size());
+std::vector<Vector3> Pressure::normals(const Discretization& mesh, const Communicator& comm) const {
+  if (!isAroundCenter()) return std::vector<Vector3>(points().size(), normal_);
+  std::vector<Vector3> result(points().size());
   bool isUndefined = false;
   for (std::size_t k = 0; k < result.size(); ++k) {
-    const Vector away = radial(mesh, points()[k]);
+    const Vector3 away = radial(mesh, points()[k]);
     if (length(away) == 0.0)
       isUndefined = true;
     else
@@ -152,7 +146,7 @@ std::vector<Vector> Pressure::normals(const Discretization& mesh, const Communic
 }
 
 /// Harmonics of a normal, 1 first: to degree 4 on a circle (around a bore at any place along it), 2 on a sphere.
-std::vector<double> Pressure::harmonics(const Vector& n, const Discretization& mesh) const {
+std::vector<double> Pressure::harmonics(const Vector3& n, const Discretization& mesh) const {
   if (mesh.dimension == 1) return {1.0, n[0]};
   const bool hasAxis = length(axis_) > 0.0;
   if (mesh.dimension == 3 && !hasAxis)
@@ -166,9 +160,9 @@ std::vector<double> Pressure::harmonics(const Vector& n, const Discretization& m
             n[0] * n[0] - n[1] * n[1],
             3.0 * n[2] * n[2] - 1.0};
   // Two directions across the axis, the first one across a coordinate direction too.
-  const Vector axis = hasAxis ? axis_ : Vector{0.0, 0.0, 1.0};
-  const Vector across = std::abs(axis[2]) < 0.9 ? Vector{0.0, 0.0, 1.0} : Vector{0.0, 1.0, 0.0};
-  Vector first = cross(across, axis);
+  const Vector3 axis = hasAxis ? axis_ : Vector3{0.0, 0.0, 1.0};
+  const Vector3 across = std::abs(axis[2]) < 0.9 ? Vector3{0.0, 0.0, 1.0} : Vector3{0.0, 1.0, 0.0};
+  Vector3 first = cross(across, axis);
   const double scale = 1.0 / length(first);
   for (double& value : first) value *= scale;
   const std::complex<double> turn(dot(n, first), dot(n, cross(axis, first)));
@@ -202,12 +196,12 @@ std::vector<double> Pressure::correction(const std::vector<double>& products, st
 
 /// Corrects the shares of a closed surface, by the highest degree for which that is a correction and no more (few
 /// points cannot tell high degrees apart); returns by what part of itself a share changes at most.
-double Pressure::close(std::vector<double>& shares, const std::vector<Vector>& normals, const Discretization& mesh,
+double Pressure::close(std::vector<double>& shares, const std::vector<Vector3>& normals, const Discretization& mesh,
                        const Communicator& comm) const {
   const std::vector<std::size_t> nByDegree = harmonicsByDegree(mesh);
   const std::size_t nAll = nByDegree.back();
   std::vector<std::vector<double>> f;
-  for (const Vector& normal : normals) f.push_back(harmonics(normal, mesh));
+  for (const Vector3& normal : normals) f.push_back(harmonics(normal, mesh));
   std::vector<double> own(nAll * nAll, 0.0), products(nAll * nAll);
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (std::size_t i = 0; points()[k] < mesh.nOwned && i < own.size(); ++i)
@@ -243,7 +237,7 @@ double Pressure::close(std::vector<double>& shares, const std::vector<Vector>& n
 void Pressure::measure(const Discretization& mesh, const Communicator& comm) {
   requireFittingDirections(mesh);
   const double volume = volumeOf(points(), mesh, comm), depth = volume / area_;
-  const std::vector<Vector> outward = normals(mesh, comm);
+  const std::vector<Vector3> outward = normals(mesh, comm);
   std::vector<double> shares(points().size());
   for (std::size_t k = 0; k < shares.size(); ++k)
     shares[k] = mesh.volume[static_cast<std::size_t>(points()[k])] / depth;
@@ -252,7 +246,7 @@ void Pressure::measure(const Discretization& mesh, const Communicator& comm) {
   if (isAroundCenter() && isClosed_)
     note_ += fmt::format("; shares corrected by up to {:.2g} % for the steps of the mesh",
                          100.0 * close(shares, outward, mesh, comm));
-  loads_.assign(points().size(), Vector{});
+  loads_.assign(points().size(), Vector3{});
   for (std::size_t k = 0; k < shares.size(); ++k)
     add(loads_[k], -shares[k] / mesh.volume[static_cast<std::size_t>(points()[k])], outward[k]);
 }
