@@ -19,6 +19,24 @@ class StaggeredTest : public ::testing::Test {
   Communicator comm{MPI_COMM_WORLD};
   Lattice chain{nPoints, 1, 1, 1.0};
   static double none(double, double) { return 0.0; }
+
+  /// A run of `nSteps` steps of 1 s ends with the same bits where another solver goes on after `stop` of them.
+  void expectToGoOn(const std::string& parameters, int stop, int nSteps) {
+    SolverScene whole(comm, chain, conditions), halves(comm, chain, conditions);
+    const auto one = whole.make("Staggered", parameters), first = halves.make("Staggered", parameters),
+               second = halves.make("Staggered", parameters);
+    whole.start("Concentration", none);
+    halves.start("Concentration", none);
+    whole.run(*one, 0.0, nSteps);
+    first->initialize(halves.simulation());
+    halves.advance(*first, 0.0, stop, stop);
+    second->initialize(halves.simulation());
+    second->setRestartState(first->restartState());
+    second->numberOfIncrements(halves.simulation(), 0.0, nSteps);
+    halves.advance(*second, stop, nSteps, nSteps - stop);
+    EXPECT_EQ(whole.values("Concentration"), halves.values("Concentration"));
+    EXPECT_EQ(whole.values("Displacement"), halves.values("Displacement"));
+  }
 };
 
 TEST_F(StaggeredTest, IsItsPartsInTurn) {
@@ -67,19 +85,7 @@ TEST_F(StaggeredTest, GoesOnBitIdenticallyFromItsRestartState) {
   const std::string parameters =
       "{Load Steps: 8, Diffusion: {Method: RKC, Relative Tolerance: 1e-5}, Mechanics: {Adaptive Dynamic Relaxation: "
       "{Iterations Per Load Step: 3}}}";
-  SolverScene whole(comm, chain, conditions), halves(comm, chain, conditions);
-  const auto one = whole.make("Staggered", parameters), first = halves.make("Staggered", parameters),
-             second = halves.make("Staggered", parameters);
-  whole.start("Concentration", none);
-  halves.start("Concentration", none);
-  whole.run(*one, 0.0, 8.0);
-  first->initialize(halves.simulation());
-  halves.advance(*first, 0.0, 3.0, 3);
-  second->initialize(halves.simulation());
-  second->setRestartState(first->restartState());
-  halves.advance(*second, 3.0, 8.0, 5);
-  EXPECT_EQ(whole.values("Concentration"), halves.values("Concentration"));
-  EXPECT_EQ(whole.values("Displacement"), halves.values("Displacement"));
+  expectToGoOn(parameters, 3, 8);
 }
 
 /// The lowest mode between held ends decays by the factor 1 - eigenvalue dt in a step of forward Euler.
@@ -214,20 +220,7 @@ TEST_F(StaggeredTest, AListGoesOnBitIdenticallyInTheMiddleOfEverything) {
       "{Verlet: {Fixed dt: 0.3}, Sub Steps: 5}, Equilibrium: {QuasiStatic: {}, When: {Field: Concentration, Has "
       "Changed "
       "By: 0.3}}}}";
-  SolverScene whole(comm, chain, conditions), halves(comm, chain, conditions);
-  const auto one = whole.make("Staggered", parameters), first = halves.make("Staggered", parameters),
-             second = halves.make("Staggered", parameters);
-  whole.start("Concentration", none);
-  halves.start("Concentration", none);
-  whole.run(*one, 0.0, 9.0);
-  first->initialize(halves.simulation());
-  halves.advance(*first, 0.0, 6.0, 6);
-  second->initialize(halves.simulation());
-  second->setRestartState(first->restartState());
-  second->numberOfIncrements(halves.simulation(), 0.0, 9.0);
-  halves.advance(*second, 6.0, 9.0, 3);
-  EXPECT_EQ(whole.values("Concentration"), halves.values("Concentration"));
-  EXPECT_EQ(whole.values("Displacement"), halves.values("Displacement"));
+  expectToGoOn(parameters, 6, 9);
 }
 
 TEST_F(StaggeredTest, AsksForBothPartsAndForOneSolverOfMechanics) {
