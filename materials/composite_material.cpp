@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "parts.hpp"
 #include "plugins.hpp"
 #include "unknowns.hpp"
 
@@ -18,23 +19,11 @@ const std::string probeLength = "Finite Difference Probe Length";
 
 int forceField() { return fields::forceDensity().id(); }
 
-void addNew(std::vector<int>& ids, const std::vector<int>& more) {
-  for (const int id : more)
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-}
-
-/// `messages` as one, each with the owner's name.
-void throwAll(const std::vector<std::string>& messages) {
-  std::string all;
-  for (const std::string& message : messages) all += (all.empty() ? "" : "\n") + owner + ": " + message;
-  if (!all.empty()) throw std::invalid_argument(all);
-}
-
 }  // namespace
 
 bool CompositeMaterial::Part::adds(int field) const {
-  const std::vector<int> sums = table.sums();
-  return std::find(sums.begin(), sums.end(), field) != sums.end();
+  const FieldUse* use = table.find(field);
+  return use != nullptr && use->access == FieldAccess::Adds && !use->isOptional;
 }
 
 bool CompositeMaterial::Part::hasForce() const { return adds(forceField()); }
@@ -63,7 +52,7 @@ CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Mate
     fields_.include(part.table);
     tables.push_back({part.name, part.table});
   }
-  throwAll(contestedFields(tables));
+  throwAll(owner, contestedFields(tables));
   checkDensities();
   bringBonds();
   findSharedSums();
@@ -81,7 +70,7 @@ void CompositeMaterial::checkDensities() const {
       continue;  // static solvers need none
     }
     if (first != nullptr && own != density)
-      throwAll({"\"" + first->name + "\" and \"" + part.name + "\" differ in Density, but are one body"});
+      throwAll(owner, {"\"" + first->name + "\" and \"" + part.name + "\" differ in Density, but are one body"});
     first = &part;
     density = own;
   }
@@ -103,7 +92,7 @@ void CompositeMaterial::bringBonds() {
                          "\" has dissolved it would go on carrying load; choose another material");
     fields_.bringBondDamage();
   }
-  throwAll(messages);
+  throwAll(owner, messages);
 }
 
 void CompositeMaterial::findSharedSums() {
@@ -264,14 +253,11 @@ void CompositeMaterial::computeJacobian(const double dt, const int numOwnedPoint
 }
 
 void CompositeMaterial::stepAccepted(const Call& call, DataManager& data, double time, double dt) const {
-  for (const Part& part : parts_)
-    if (const auto* listener = dynamic_cast<const StepListener*>(part.material.get()))
-      listener->stepAccepted(call, data, time, dt);
+  for (const Part& part : parts_) tellStepAccepted(*part.material, call, data, time, dt);
 }
 
 void CompositeMaterial::stepTakenBack() const {
-  for (const Part& part : parts_)
-    if (const auto* listener = dynamic_cast<const StepListener*>(part.material.get())) listener->stepTakenBack();
+  for (const Part& part : parts_) tellStepTakenBack(*part.material);
 }
 
 PD_REGISTER_MATERIAL(CompositeMaterial, "Combined", "Several materials of one block, each with its own physics.")

@@ -95,7 +95,7 @@ void Model::evaluateDamage(double dt) {
 
 void Model::callPrecompute(double dt, int rateField) {
   hasCalledMaterials_ = true;
-  std::vector<int> ids;
+  std::set<int> ids;
   for (Block& block : *blocks_) {
     const auto material = block.getMaterialModel();
     const auto* separate = rateField < 0 ? nullptr : dynamic_cast<const SeparateRates*>(material.get());
@@ -109,10 +109,9 @@ void Model::callPrecompute(double dt, int rateField) {
           material->precompute(dt, n, owned, list, data);
       });
     }
-    for (const int id : material->FieldIdsForSynchronizationAfterPrecompute())
-      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    for (const int id : material->FieldIdsForSynchronizationAfterPrecompute()) ids.insert(id);
   }
-  synchronise(ids);
+  synchronise({ids.begin(), ids.end()});
 }
 
 void Model::sumBlocks(const std::string& label) {

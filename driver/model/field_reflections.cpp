@@ -4,9 +4,7 @@
 
 namespace pd {
 
-void FieldReflections::include(const FieldTable& table) {
-  for (const FieldUse& use : table.uses()) declared_.emplace(use.id, use.field.reflection);
-}
+void FieldReflections::include(const FieldUse& use) { declared_.emplace(use.id, use.field.reflection); }
 
 std::optional<Reflection> FieldReflections::of(const PeridigmNS::FieldSpec& field) const {
   // Every image has its own.

@@ -12,7 +12,7 @@ namespace pd {
 class FieldReflections {
  public:
   /// Takes over what a plug-in declares.
-  void include(const FieldTable& table);
+  void include(const FieldUse& use);
 
   /// The rule of a point field: that of the plug-in that declares it, else by what it is, a scalar or a vector. Fields
   /// of other widths have none: they are written at owned points and read by nobody at neighbours.

@@ -12,6 +12,7 @@
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "field_names.hpp"
+#include "for_each_plugin.hpp"
 #include "influence.hpp"
 #include "rates.hpp"
 #include "run_notes.hpp"
@@ -126,11 +127,7 @@ Model::Model(const Deck& deck, const Communicator& comm, Discretization discreti
 
 void Model::prepareImages(const Deck& deck) {
   using namespace PeridigmField;
-  for (Block& block : *blocks_) {
-    if (const FieldTable* table = fieldTableOf(*block.getMaterialModel())) reflections_.include(*table);
-    if (block.getDamageModel().is_null()) continue;
-    if (const FieldTable* table = fieldTableOf(*block.getDamageModel())) reflections_.include(*table);
-  }
+  for (Block& block : *blocks_) forEachFieldUse(block, [&](const FieldUse& use) { reflections_.include(use); });
   allocateFields({FieldManager::self().getFieldId(NODE, SCALAR, CONSTANT, imageShiftField)});
   for (const FieldSpec& spec : FieldManager::self().getFieldSpecs())
     if (spec.length == VECTOR && spec.relation != BOND && spec.relation != GLOBAL && hasField(spec.label) &&
@@ -180,13 +177,8 @@ void Model::allocatePluginFields() {
   shared_->allocateData({fields.getFieldId(NODE, VECTOR, CONSTANT, "Model_Coordinates"),
                          fields.getFieldId(ELEMENT, SCALAR, CONSTANT, "Volume")});
   for (Block& block : *blocks_) {
-    std::vector<int> ids = block.getMaterialModel()->FieldIds();
-    if (!block.getDamageModel().is_null()) {
-      const std::vector<int> more = block.getDamageModel()->FieldIds();
-      ids.insert(ids.end(), more.begin(), more.end());
-    }
     shareBondSteps(block);
-    block.getDataManager()->allocateData(ids);
+    forEachPlugin(block, [&](const auto& plugin) { block.getDataManager()->allocateData(plugin.FieldIds()); });
     if (discretization_.blockNumbers.size() == 1) continue;
     for (const int id : fieldsIn(*block.getMaterialModel()).sums()) block.getDataManager()->allocatePrivateData(id);
   }
@@ -197,7 +189,7 @@ void Model::allocatePluginFields() {
 /// Of bond fields that only grow, as every plug-in of the block that uses them says.
 void Model::shareBondSteps(Block& block) {
   std::vector<int> growing, others;
-  const auto look = [&](const auto& plugin) {
+  forEachPlugin(block, [&](const auto& plugin) {
     const FieldTable* table = fieldTableOf(plugin);
     if (table == nullptr) {
       const std::vector<int> ids = plugin.FieldIds();
@@ -205,9 +197,7 @@ void Model::shareBondSteps(Block& block) {
       return;
     }
     for (const FieldUse& use : table->uses()) (use.field.onlyGrows ? growing : others).push_back(use.id);
-  };
-  look(*block.getMaterialModel());
-  if (!block.getDamageModel().is_null()) look(*block.getDamageModel());
+  });
   const auto isNotShared = [&](int id) { return std::find(others.begin(), others.end(), id) != others.end(); };
   growing.erase(std::remove_if(growing.begin(), growing.end(), isNotShared), growing.end());
   block.getDataManager()->shareSteps(growing);
@@ -287,8 +277,7 @@ void Model::initialize() {
     }
   });
   for (Block& block : *blocks_) {
-    note(block.getMaterialModel()->FieldIdsForSynchronizationAfterInitialize());
-    if (!block.getDamageModel().is_null()) note(block.getDamageModel()->FieldIdsForSynchronizationAfterInitialize());
+    forEachPlugin(block, [&](const auto& plugin) { note(plugin.FieldIdsForSynchronizationAfterInitialize()); });
   }
   synchronise({toSynchronise.begin(), toSynchronise.end()});
   adoptState();

@@ -10,8 +10,7 @@
 
 #include "../deck/deck_differences.hpp"
 #include "../deck/sections.hpp"
-#include "Peridigm_Field.hpp"
-#include "fields.hpp"
+#include "for_each_plugin.hpp"
 
 namespace pd {
 
@@ -38,22 +37,15 @@ std::set<std::string> fieldsOf(const Solver& solver) {
 std::map<std::string, std::vector<double>> fieldsOfTheDeck(Model& model) {
   namespace Field = PeridigmNS::PeridigmField;
   std::map<std::string, std::vector<double>> result;
-  const auto look = [&](const auto& plugin) {
-    const FieldTable* table = fieldTableOf(plugin);
-    if (table == nullptr) return;
-    for (const FieldUse& use : table->uses()) {
-      const bool isOfPoints = use.field.relation == Field::NODE || use.field.relation == Field::ELEMENT;
-      const bool isFilled = use.access == FieldAccess::Writes && use.field.temporal == Field::CONSTANT;
-      if (!isOfPoints || !isFilled || use.field.isState || !model.hasField(use.field.label)) continue;
-      const double* values = model.field(use.field.label);
-      const auto count = static_cast<std::ptrdiff_t>(model.fieldWidth(use.field.label)) * model.nPoints();
-      result[use.field.label].assign(values, values + count);
-    }
+  const auto keep = [&](const FieldUse& use) {
+    const FieldDescription& field = use.field;
+    const bool isFilled = use.access == FieldAccess::Writes && field.temporal == Field::CONSTANT;
+    if (!isOfPoints(field.relation) || !isFilled || field.isState || !model.hasField(field.label)) return;
+    const double* values = model.field(field.label);
+    const auto count = static_cast<std::ptrdiff_t>(model.fieldWidth(field.label)) * model.nPoints();
+    result[field.label].assign(values, values + count);
   };
-  for (PeridigmNS::Block& block : *model.blocks()) {
-    look(*block.getMaterialModel());
-    if (!block.getDamageModel().is_null()) look(*block.getDamageModel());
-  }
+  for (PeridigmNS::Block& block : *model.blocks()) forEachFieldUse(block, keep);
   return result;
 }
 

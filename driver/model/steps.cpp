@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "Peridigm_Field.hpp"
+#include "for_each_plugin.hpp"
 #include "model.hpp"
 #include "step_listener.hpp"
 
@@ -12,30 +12,16 @@ using namespace PeridigmNS;
 
 namespace {
 
-/// work(plugin) for the material and the damage model of a block.
-template <class Work>
-void forEachPlugin(Block& block, const Work& work) {
-  work(*block.getMaterialModel());
-  if (!block.getDamageModel().is_null()) work(*block.getDamageModel());
-}
-
 template <class Plugin>
 void tellAccepted(const Plugin& plugin, Block& block, double time, double dt) {
-  const auto* listener = dynamic_cast<const StepListener*>(&plugin);
   const auto points = block.getNeighborhoodData();
-  if (listener == nullptr || points->NumOwnedPoints() == 0) return;
-  listener->stepAccepted({points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList()},
-                         *block.getDataManager(), time, dt);
+  if (points->NumOwnedPoints() == 0) return;
+  tellStepAccepted(plugin, {points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList()},
+                   *block.getDataManager(), time, dt);
 }
 
 void tellTakenBack(Block& block) {
-  forEachPlugin(block, [](const auto& plugin) {
-    if (const auto* listener = dynamic_cast<const StepListener*>(&plugin)) listener->stepTakenBack();
-  });
-}
-
-bool isPointField(const FieldSpec& spec) {
-  return spec.relation == PeridigmField::NODE || spec.relation == PeridigmField::ELEMENT;
+  forEachPlugin(block, [](const auto& plugin) { tellStepTakenBack(plugin); });
 }
 
 }  // namespace
@@ -44,19 +30,15 @@ bool isPointField(const FieldSpec& spec) {
 std::vector<StepRecord::PointField> Model::recordedFields() {
   std::set<int> state, results;
   for (Block& block : *blocks_)
-    forEachPlugin(block, [&](const auto& plugin) {
-      const FieldTable* table = fieldTableOf(plugin);
-      if (table == nullptr) return;
-      for (const FieldUse& use : table->uses()) {
-        if (use.field.isState) state.insert(use.id);
-        if (use.access == FieldAccess::Adds || !use.field.rateOf.empty()) results.insert(use.id);
-      }
+    forEachFieldUse(block, [&](const FieldUse& use) {
+      if (use.field.isState) state.insert(use.id);
+      if (use.access == FieldAccess::Adds || !use.field.rateOf.empty()) results.insert(use.id);
     });
   std::vector<StepRecord::PointField> fields;
   for (const int id : shared_->getFieldIds()) {
     const FieldSpec spec = FieldManager::self().getFieldSpec(id);
     const bool isStepped = spec.temporal == PeridigmField::TWO_STEP && results.count(id) == 0;
-    if (isPointField(spec) && (isStepped || state.count(id) > 0))
+    if (isOfPoints(spec.relation) && (isStepped || state.count(id) > 0))
       fields.push_back({spec.label, field(spec.label), fieldWidth(spec.label)});
   }
   return fields;
@@ -102,11 +84,8 @@ void Model::adoptState() {
 void Model::restoreHistories() {
   for (Block& block : *blocks_) {
     block.getDataManager()->restoreBondState();
-    forEachPlugin(block, [&](const auto& plugin) {
-      const FieldTable* table = fieldTableOf(plugin);
-      if (table == nullptr) return;
-      for (const FieldUse& use : table->uses())
-        if (use.access == FieldAccess::Writes) shared_->restorePointState(use.id);
+    forEachFieldUse(block, [&](const FieldUse& use) {
+      if (use.access == FieldAccess::Writes) shared_->restorePointState(use.id);
     });
   }
   hasCalledMaterials_ = hasCalledDamage_ = false;

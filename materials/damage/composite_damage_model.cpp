@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "bond_damage_model.hpp"
+#include "parts.hpp"
 #include "plugins.hpp"
 #include "step_listener.hpp"
 
@@ -14,11 +15,6 @@ using PeridigmNS::DataManager;
 namespace {
 
 const std::string owner = "damage model Combined";
-
-void addNew(std::vector<int>& ids, const std::vector<int>& more) {
-  for (const int id : more)
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-}
 
 /// A field's values at NP1, kept to be compared with what a model makes of them.
 class Worst {
@@ -67,10 +63,7 @@ class CompositeDamageModel : public DamageModel, public FieldUser, public StepLi
       const auto* own = dynamic_cast<const BondDamageModel*>(part.get());
       (own == nullptr ? foreign_ : own->marksLiquid() ? liquefying_ : breaking_).push_back(part.get());
     }
-    const std::vector<std::string> contested = contestedFields(tables);
-    std::string all;
-    for (const std::string& message : contested) all += (all.empty() ? "" : "\n") + owner + ": " + message;
-    if (!all.empty()) throw std::invalid_argument(all);
+    throwAll(owner, contestedFields(tables));
   }
 
   std::string Name() const override { return "Combined"; }
@@ -121,13 +114,10 @@ class CompositeDamageModel : public DamageModel, public FieldUser, public StepLi
   }
 
   void stepAccepted(const Call& call, DataManager& data, double time, double dt) const override {
-    for (const auto& part : parts_)
-      if (const auto* listener = dynamic_cast<const StepListener*>(part.get()))
-        listener->stepAccepted(call, data, time, dt);
+    for (const auto& part : parts_) tellStepAccepted(*part, call, data, time, dt);
   }
   void stepTakenBack() const override {
-    for (const auto& part : parts_)
-      if (const auto* listener = dynamic_cast<const StepListener*>(part.get())) listener->stepTakenBack();
+    for (const auto& part : parts_) tellStepTakenBack(*part);
   }
 
  private:

@@ -24,6 +24,16 @@ class StepListener {
   virtual void stepTakenBack() const {}
 };
 
+/// Tells a plug-in, if it listens.
+template <class Plugin>
+void tellStepAccepted(const Plugin& plugin, const Call& call, PeridigmNS::DataManager& data, double time, double dt) {
+  if (const auto* listener = dynamic_cast<const StepListener*>(&plugin)) listener->stepAccepted(call, data, time, dt);
+}
+template <class Plugin>
+void tellStepTakenBack(const Plugin& plugin) {
+  if (const auto* listener = dynamic_cast<const StepListener*>(&plugin)) listener->stepTakenBack();
+}
+
 /// Tells a damage model of accepted steps in a host that has no such call: Peridigm swaps N and NP1 at the end of a
 /// step. Times are counted from 0. A damage model calls it first thing in computeDamage(); in pdrun it does nothing.
 class StepWatch {
