@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "../deck/deck.hpp"
+#include "../deck/deck_parameters.hpp"
 #include "explain_fields.hpp"
 
 namespace pd {
@@ -113,9 +113,8 @@ std::vector<ReferenceChapter> chaptersAbout(const std::string& name) {
     result.push_back(chapter);
   }
   if (!result.empty()) return result;
-  const std::string nearest = nearestWord(name, known);
-  throw DeckError("--explain: nothing is called \"" + name + "\"" +
-                  (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") + "; pdrun --list names everything");
+  throw DeckError("--explain: nothing is called \"" + name + "\"" + didYouMean(name, known) +
+                  "; pdrun --list names everything");
 }
 
 std::string explain(const std::string& name) {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "deck.hpp"
+#include "deck_parameters.hpp"
 
 namespace pd {
 
@@ -98,9 +99,8 @@ std::string unknownName(const std::string& token, const Names& names) {
     known.push_back(entry.first);
     functions += (functions.empty() ? "" : ", ") + entry.first;
   }
-  const std::string nearest = nearestWord(word, known);
-  return "unknown name \"" + word + "\"" + (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
-         "; variables: " + variables + "; constant: pi; functions: " + functions;
+  return "unknown name \"" + word + "\"" + didYouMean(word, known) + "; variables: " + variables +
+         "; constant: pi; functions: " + functions;
 }
 
 }  // namespace

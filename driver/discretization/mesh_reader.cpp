@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "../deck/deck_parameters.hpp"
 #include "exodus_mesh.hpp"
 #include "quick_grid.hpp"
 #include "text_file.hpp"
@@ -15,10 +16,8 @@ void checkName(const DeckNode& value, const NodeSets& nodeSets, Mistakes& mistak
   if (!value || !value.isScalar() || findNodeSet(nodeSets, value.text()) != nullptr) return;
   std::vector<std::string> known;
   for (const auto& entry : nodeSets) known.push_back(entry.first);
-  const std::string nearest = nearestWord(value.text(), known);
   mistakes.add(value.place(), value.path() + ": neither Boundary Conditions nor the mesh has a node set \"" +
-                                  value.text() + "\"" +
-                                  (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+                                  value.text() + "\"" + didYouMean(value.text(), known) +
                                   "; there are: " + quotedList(known));
 }
 

@@ -65,10 +65,10 @@ std::set<std::string> fieldLabels(Model& model) {
   return labels;
 }
 
-Restart::Restart(Model& model, const std::string& fileName, const Deck& deck) : fileName_(fileName) {
+Restart::Restart(Model& model, const std::string& fileName, const std::string& deck) : fileName_(fileName) {
   const auto ofDeck = fieldsOfTheDeck(model);
   checkpoint_ = readCheckpoint(model, fileName);
-  for (const DeckDifference& difference : deckDifferences(resolvedDeck(deck), checkpoint_.deck)) {
+  for (const DeckDifference& difference : deckDifferences(deck, checkpoint_.deck)) {
     differences_.push_back(fmt::format("{} is {}, was {}", difference.path, difference.now, difference.before));
     isSameDeck_ = false;
     isSameModel_ = isSameModel_ && !difference.isOfModel;

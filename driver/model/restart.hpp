@@ -14,8 +14,9 @@ namespace pd {
 class Restart {
  public:
   /// Reads `fileName` into the model; where its materials, conditions or bonds are not those of this deck, what
-  /// plug-ins make of the deck stays. Throws RunError as readCheckpoint() does. Collective.
-  Restart(Model& model, const std::string& fileName, const Deck& deck);
+  /// plug-ins make of the deck stays. `deck`: text of the resolved deck. Throws RunError as readCheckpoint() does.
+  /// Collective.
+  Restart(Model& model, const std::string& fileName, const std::string& deck);
 
   int step() const { return checkpoint_.step; }
   double time() const { return checkpoint_.time; }

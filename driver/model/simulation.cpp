@@ -53,12 +53,12 @@ void logModel(Model& model, Output& output, const Deck& deck) {
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 
-void writeResolvedDeck(const Deck& deck, const Communicator& comm) {
+void writeResolvedDeck(const Deck& deck, const std::string& resolved, const Communicator& comm) {
   collectively(comm, [&] {
     if (!comm.isRoot()) return;
     const std::string fileName = mainOutputName(deck, readOutputSections(deck)) + ".resolved.yaml";
     std::ofstream file(fileName);
-    file << resolvedDeck(deck) << std::flush;
+    file << resolved << std::flush;
     if (!file) throw RunError(fileName + ": cannot be written");
   });
 }
@@ -185,7 +185,8 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   model.allocateFields(output.fieldIds());
   output.initialize(model);
   const ErrorNorms errorNorms(deck, model);
-  writeResolvedDeck(deck, comm);
+  const std::string resolved = resolvedDeck(deck);
+  writeResolvedDeck(deck, resolved, comm);
   logModel(model, output, deck);
   for (const std::string& note : conditions.notes()) output.log(note);
 
@@ -203,15 +204,14 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     model.adoptState();
     output.write(model, 0, 0, stages.front().startTime, false);
   } else {
-    restart.emplace(model, options.restartFile, deck);
+    restart.emplace(model, options.restartFile, resolved);
     firstStage = restart->findStage(stages, ofPlugins, ofConditions);
     conditions.resume(restart->time());
     model.adoptState();
     for (const std::string& note : restart->notes()) output.log(note);
   }
 
-  Run(Simulation{model, conditions, output}, stages, comm, resolvedDeck(deck))
-      .execute(restart ? &*restart : nullptr, firstStage);
+  Run(Simulation{model, conditions, output}, stages, comm, resolved).execute(restart ? &*restart : nullptr, firstStage);
 
   std::vector<std::string> summary = notes;
   for (const Stage& stage : stages)

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <sstream>
 
+#include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "Peridigm_Field.hpp"
@@ -87,7 +88,6 @@ void Output::Implementation::refuse(Model& model, const OutputVariable& variable
   std::vector<std::string> known = {rankLabel};
   for (const std::string& label : FieldManager::self().getFieldLabels())
     if (model.hasField(label)) known.push_back(label);
-  const std::string nearest = nearestWord(variable.label, known);
   const std::string label = "\"" + variable.label + "\"";
   const std::string message =
       isBondField ? label +
@@ -98,8 +98,7 @@ void Output::Implementation::refuse(Model& model, const OutputVariable& variable
   if (deck.isPeridigmDeck())
     line("note: " + variable.place + ": " + message + "; it is left out");
   else
-    mistakes.add(variable.place, message + (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
-                                     "; there are: " + joined(known));
+    mistakes.add(variable.place, message + didYouMean(variable.label, known) + "; there are: " + joined(known));
 }
 
 OutputLabels Output::Implementation::sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "../boundary/boundary_conditions.hpp"
+#include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
 #include "../discretization/discretization.hpp"
 #include "../output/compute_set.hpp"
@@ -153,11 +154,9 @@ class StudyCheck {
         if (label == history.name) history.columns = columns;
         if (std::find(columns.begin(), columns.end(), history.name) != columns.end()) history.columns = {history.name};
       }
-      const std::string nearest = nearestWord(history.name, names);
       if (history.columns.empty())
         deck.mistakes().add(history.place,
-                            "Histories: no run writes \"" + history.name + "\"" +
-                                (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+                            "Histories: no run writes \"" + history.name + "\"" + didYouMean(history.name, names) +
                                 (names.empty() ? "; the deck has no computes for the whole body; add them to Compute "
                                                  "Class Parameters"
                                                : "; there are: " + quotedList(names)));
