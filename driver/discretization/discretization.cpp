@@ -36,16 +36,19 @@ double positiveLength(const DeckNode& section, const std::string& key, Mistakes&
   return value;
 }
 
+bool isQuickGrid(const Deck& deck) { return deck["Discretization"].text("Type", "") == "PdQuickGrid"; }
+
 /// Half edges of neighbourhoods that are boxes.
 std::optional<std::array<double, 3>> neighborBox(const Deck& deck, const std::vector<double>& horizon) {
-  if (deck["Discretization"].text("Type", "") != "PdQuickGrid") return std::nullopt;
-  return quickGridNeighborBox(deck, horizon.front());
+  return isQuickGrid(deck) ? quickGridNeighborBox(deck, horizon.front()) : std::nullopt;
 }
 
 /// The rule of distances, and a filter where neighbourhoods are boxes. `body`: what filters see.
-NeighborRule neighborRule(const std::optional<std::array<double, 3>>& box, const MeshPoints& body,
+NeighborRule neighborRule(const Deck& deck, const std::optional<std::array<double, 3>>& box, const MeshPoints& body,
                           const std::vector<double>& horizon, const std::vector<double>& spacing,
                           BondFilters& filters) {
+  // Peridigm's grids leave out what is at the horizon, its searches take it in.
+  if (!box && deck.isPeridigmDeck() && spacing.empty()) return NeighborRule::exact(horizon, !isQuickGrid(deck));
   if (!box) return NeighborRule::make(horizon, spacing);
   filters.keepWithin(*box, body);
   const double diagonal = std::hypot((*box)[0], (*box)[1], (*box)[2]);
@@ -181,7 +184,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const std::vector<double> spacing = pointSpacings(searched.volume, d.dimension, thickness, area);
   const bool includesPartial = section.flag("Include Partial Neighbors", !deck.isPeridigmDeck());
   const std::vector<double> ruleSpacing = includesPartial ? spacing : std::vector<double>();
-  NeighborRule rule = neighborRule(box, body, wholeBody(horizon, d.symmetry), ruleSpacing, filters);
+  NeighborRule rule = neighborRule(deck, box, body, wholeBody(horizon, d.symmetry), ruleSpacing, filters);
   rule.isBox = shape.isBox();
   checkBesidePlanes(deck, planes, points, searched, spacing, rule);
   mistakes.report();

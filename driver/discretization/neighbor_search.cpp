@@ -18,6 +18,14 @@ NeighborRule NeighborRule::make(const std::vector<double>& horizon, const std::v
   return rule;
 }
 
+NeighborRule NeighborRule::exact(const std::vector<double>& horizon, bool includesLimit) {
+  NeighborRule rule;
+  rule.reach = horizon;
+  rule.margin.assign(horizon.size(), 0.0);
+  rule.includesLimit = includesLimit;
+  return rule;
+}
+
 double NeighborRule::widest() const {
   if (reach.empty()) return 0.0;
   return *std::max_element(reach.begin(), reach.end()) + 2.0 * *std::max_element(margin.begin(), margin.end());
@@ -65,7 +73,7 @@ std::size_t NeighborSearch::indexOf(const Cell& cell) const {
 
 NeighborSearch::NeighborSearch(const std::vector<double>& x, const NeighborRule& rule,
                                const std::vector<int>& candidates)
-    : isBox_(rule.isBox) {
+    : isBox_(rule.isBox), includesLimit_(rule.includesLimit) {
   chooseCells(x, rule, candidates);
   const std::size_t n = candidates.size();
   std::vector<std::size_t> cell(n);
@@ -114,8 +122,9 @@ double NeighborSearch::find(int position, std::vector<int>& neighbors) const {
         const double dx = x_[k] - x, dy = y_[k] - y, dz = z_[k] - z;
         const double largest = std::max({std::abs(dx), std::abs(dy), std::abs(dz)});
         const double distanceSquared = isBox_ ? largest * largest : dx * dx + dy * dy + dz * dz;
-        const double limit = reach + (margin + margin_[k]);
-        const bool isNeighbor = distanceSquared < limit * limit && slot != self;
+        const double limit = reach + (margin + margin_[k]), limitSquared = limit * limit;
+        const bool isWithin = includesLimit_ ? distanceSquared <= limitSquared : distanceSquared < limitSquared;
+        const bool isNeighbor = isWithin && slot != self;
         out[n] = position_[k];
         n += isNeighbor ? 1 : 0;
         shortest = isNeighbor && distanceSquared < shortest ? distanceSquared : shortest;

@@ -7,17 +7,22 @@
 
 namespace pd {
 
-/// Point j is a neighbour of point i where |x_j - x_i| < reach_i + (margin_i + margin_j). For points of one horizon
-/// this is the same from both ends, to the last bit. |.|: Euclidean, or the largest component where `isBox`.
+/// Point j is a neighbour of point i where |x_j - x_i| < reach_i + (margin_i + margin_j), or <= where `includesLimit`.
+/// For points of one horizon this is the same from both ends, to the last bit. |.|: Euclidean, or the largest component
+/// where `isBox`.
 struct NeighborRule {
   std::vector<double> reach, margin;  ///< m, by point
-  bool isBox = false;
+  bool isBox = false, includesLimit = false;
 
   /// With `spacing`: distances below horizon + (spacing_i + spacing_j) / 4, that is, up to half a spacing beyond the
   /// horizon, as far as the volume correction ramp of partly covered neighbours goes. With an empty `spacing`:
   /// distances up to the horizon. Where a pair lies exactly on the limit, as happens on lattices, rounding does not
   /// decide: it is out (its weight on the ramp is 0) in the first case and in in the second.
   static NeighborRule make(const std::vector<double>& horizon, const std::vector<double>& spacing);
+
+  /// Peridigm's: squares of distances up to that of the horizon (with `includesLimit`) or below it. On the limit
+  /// rounding decides, as there.
+  static NeighborRule exact(const std::vector<double>& horizon, bool includesLimit);
 
   double widest() const;  ///< no pair is further apart, m
 };
@@ -46,7 +51,7 @@ class NeighborSearch {
   std::vector<int> position_;  ///< in `candidates`
   std::vector<int> slot_;      ///< of each candidate in these arrays
   double widestMargin_ = 0.0;
-  bool isBox_;
+  bool isBox_, includesLimit_;
 };
 
 }  // namespace pd

@@ -8,9 +8,10 @@ namespace pd {
 
 namespace {
 
-/// The owned points and those within `reach` of their bounding box, in the order of `order`.
+/// The owned points and those within `reach` of their bounding box, in the order of `order`. Rounding loses none.
 std::vector<int> candidatesOf(const MeshPoints& points, const std::vector<int>& order, const std::vector<int>& owner,
                               int rank, double reach) {
+  reach *= 1.0 + 1e-9;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
   for (int i = 0; i < static_cast<int>(owner.size()); ++i) {

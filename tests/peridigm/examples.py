@@ -32,19 +32,21 @@ MATERIALS = {"Elastic", "Elastic Bond Based", "Diffusion"}
 AGREES = 1e-8
 HALF_STEP = ("Peridigm's velocities of prescribed points carry half a step of their acceleration, "
              "dt/2 (F + b)/rho; ours are those prescribed")
-# Differences whose cause has been found: deck -> (fields, cause). All other fields of the deck must agree.
+# Differences whose cause has been found: deck -> (field: largest relative error, cause). An error beyond that, or in any
+# other field, is not explained by it. That of wave_in_bar is dt/2 F/rho of the forces at its held end.
 EXPLAINED = {
-    "Body_Force_Explicit.xml": ({"Velocity"}, HALF_STEP),
-    "Compression_QS_Explicit_3x2x2.xml": ({"Velocity"}, HALF_STEP),
-    "Compression_QS_Explicit_MultiFreqOutput_3x2x2.xml": ({"Velocity"}, HALF_STEP),
-    "wave_in_bar.yaml": ({"Velocity"}, HALF_STEP),
-    "CentrifugalLoad.xml": (None, "both stop at the deck's absolute tolerance; tighter ones bring them together"),
+    "Body_Force_Explicit.xml": ({"Velocity": 3e-2}, HALF_STEP),
+    "Compression_QS_Explicit_3x2x2.xml": ({"Velocity": 1e-4}, HALF_STEP),
+    "Compression_QS_Explicit_MultiFreqOutput_3x2x2.xml": ({"Velocity": 1e-4}, HALF_STEP),
+    "wave_in_bar.yaml": ({"Velocity": 0.26}, HALF_STEP),
+    "CentrifugalLoad.xml": (
+        dict.fromkeys(("Displacement", "Velocity", "Dilatation", "Force", "Force_Density"), 5e-8),
+        "both stop at the deck's absolute tolerance; tighter ones bring them together"),
     "PrecrackedPlateTwoCracks/PrecrackedPlate.xml": (
-        None, "bonds that meet the very edge of a crack: all are cut here, by rounding some of them in Peridigm, whose "
+        {"Displacement": 0.04, "Velocity": 0.04, "Dilatation": 0.3, "Force": 0.06, "Force_Density": 0.06,
+         "Number_Of_Neighbors": 0.08},
+        "bonds that meet the very edge of a crack: all are cut here, by rounding some of them in Peridigm, whose "
         "neighbourhoods are not symmetric there"),
-    "MultipleHorizons.xml": (
-        {"Number_Of_Neighbors", "Weighted_Volume", "Dilatation"},
-        "a neighbour at exactly the horizon (to 1e-10) is one here, by rounding in Peridigm"),
 }
 
 
@@ -204,8 +206,8 @@ class Comparison:
         if not self.differences:
             return "nothing to compare"
         large = [label for label in self.differences if self.relative(label) > AGREES]
-        fields, cause = next((EXPLAINED[name] for name in EXPLAINED if deck.endswith(name)), (set(), ""))
-        is_explained = fields is None or set(large) <= fields
+        fields, cause = next((EXPLAINED[name] for name in EXPLAINED if deck.endswith(name)), ({}, ""))
+        is_explained = all(self.relative(label) <= fields.get(label, 0.0) for label in large)
         notes = []
         if self.missing_times:
             notes.append(f"{self.missing_times} times missing")

@@ -107,6 +107,54 @@ TEST(Neighborhoods, LatticePointsExactlyAtTheHorizonAreInWhateverTheUnit) {
   EXPECT_EQ(globalNeighbors(d, 3 * 9 + 5).size(), 28u);
 }
 
+/// Of a deck of Peridigm, of one block a horizon.
+pd::Discretization discretizeAsPeridigm(const std::string& section, const std::vector<std::string>& horizons,
+                                        const std::string& mesh = "") {
+  std::string deck = "Peridigm:\n  Discretization:\n" + section + "  Blocks:\n";
+  for (std::size_t b = 0; b < horizons.size(); ++b)
+    deck += fmt::format("    Block {0}: {{Block Names: block_{0}, Material: None, Horizon: {1}}}\n", b + 1, horizons[b]);
+  const SceneFiles files("peridigm_discretization");
+  files.write("mesh.txt", mesh);
+  return pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+}
+
+const std::string textFile = "    Type: Text File\n    Input Mesh File: mesh.txt\n";
+
+TEST(Neighborhoods, ReachToTheHorizonAndNoFurtherInDecksOfPeridigm) {
+  // A cross of points, in which arms of 1 + 2e-12 are beyond a horizon of 1 + 1e-12 and arms of 1 beyond 1 - 1e-12:
+  // what Peridigm's own test of several horizons has in it.
+  std::string mesh;
+  for (const int block : {1, 2, 3})
+    for (const char* offset : {"0 0", "1 0", "0 1", "-1.000000000002 0", "0 -1.000000000002"}) {
+      double x = 0.0, y = 0.0;
+      std::sscanf(offset, "%lf %lf", &x, &y);
+      mesh += fmt::format("{:.17g} {:.17g} 0 {} 1.0\n", x, y + 10.0 * (block - 1), block);
+    }
+  const pd::Discretization d =
+      discretizeAsPeridigm(textFile, {"1.0", "0.999999999999", "1.000000000001"}, mesh);
+  EXPECT_THAT(globalNeighbors(d, 0), testing::ElementsAre(1, 2));  // exactly at the horizon: in
+  EXPECT_THAT(globalNeighbors(d, 5), testing::IsEmpty());
+  EXPECT_THAT(globalNeighbors(d, 10), testing::ElementsAre(11, 12));
+}
+
+TEST(Neighborhoods, OnTheHorizonRoundingDecidesInDecksOfPeridigm) {
+  std::string mesh;
+  for (int i = 0; i < 8; ++i) mesh += fmt::format("{:.17g} 0 0 1 0.1\n", 0.1 * i);
+  const pd::Discretization d = discretizeAsPeridigm(textFile, {"0.3"}, mesh);
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) {
+      const double dx = 0.1 * j - 0.1 * i;
+      EXPECT_EQ(i != j && areNeighbors(d, i, j), i != j && dx * dx <= 0.3 * 0.3) << i << " " << j;
+    }
+  EXPECT_FALSE(areNeighbors(d, 0, 3));  // 0.1 * 3 > 0.3
+}
+
+TEST(Neighborhoods, PartialNeighborsThatADeckOfPeridigmAsksForKeepTheTolerance) {
+  const pd::Discretization d = discretizeAsPeridigm(textFile + "    Include Partial Neighbors: true\n", {"3.0"},
+                                                    latticeMesh(11, 1, 1));
+  EXPECT_EQ(globalNeighbors(d, 5).size(), 6u);  // 3.5 spacings, where the ramp is at 0
+}
+
 TEST(Neighborhoods, JitteredMeshMatchesAllPairs) {
   const pd::Discretization plane = discretize(latticeMesh(23, 17, 1, 0.4), deckText("3.1", noPartial));
   expectAllPairsWithin(plane, 3.1);

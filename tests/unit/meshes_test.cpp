@@ -315,6 +315,9 @@ TEST(QuickGrid, PeridigmsNeighborhoodsAreBoxesOfCells) {
   EXPECT_EQ(cells(1.6, "  NeighborhoodType: Spherical\n", "Peridigm"), 18);
   EXPECT_EQ(cells(1.6, "  NeighborhoodType: Box\n", ""), 124);
   EXPECT_EQ(cells(1.6, "  Include Partial Neighbors: false\n", ""), 18);
+  // At the horizon to the last bit: out in its grids, in here.
+  EXPECT_EQ(cells(2.0, "  NeighborhoodType: Spherical\n", "Peridigm"), 26);
+  EXPECT_EQ(cells(2.0, "  Include Partial Neighbors: false\n", ""), 32);
 }
 
 TEST(QuickGrid, ABondCanBeLongerThanTheHorizon) {
