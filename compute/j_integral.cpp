@@ -3,10 +3,12 @@
 // Domain form (Li, Shih and Needleman 1985): with q falling from 1 at the inner to 0 at the outer radius of the ring,
 //   J = (1/h) sum of V (sigma_ij u_i,d q_,j - W q_,d),   d the direction of growth, W the strain energy density.
 // Stress and gradients are those of Bond_Stress. The crack must leave the ring along -d, and be free of traction.
+// Beside planes of symmetry the ring is that of the whole body.
 #include <cmath>
 
 #include "plugins.hpp"
 #include "point_deformation.hpp"
+#include "whole_body.hpp"
 
 namespace pd {
 
@@ -37,13 +39,15 @@ class JIntegral : public TabledCompute {
   int compute(Blocks blocks) const override;
 
  private:
-  double contribution(const Tensor& deformationGradient, const HookesLaw& law, const double* fromTip) const;
+  double contribution(const Tensor& gradientOfPart, int copy, const HookesLaw& law, const double* x,
+                      const Vector3& tip) const;
 
   DeformationGradients gradients_;
   Fields fields_;
   Vector3 tip_, direction_;
   double innerRadius_, outerRadius_, thickness_;
   bool isPlaneStress_;
+  Teuchos::RCP<const WholeBody> whole_;
 };
 
 void JIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -76,7 +80,8 @@ JIntegral::JIntegral(ComputeParameters params, ComputeComm comm, ComputeParamete
       innerRadius_(parameters_.get<double>("Inner Radius")),
       outerRadius_(parameters_.get<double>("Outer Radius")),
       thickness_(parameters_.get<double>("Thickness")),
-      isPlaneStress_(parameters_.get<bool>("Plane Stress")) {
+      isPlaneStress_(parameters_.get<bool>("Plane Stress")),
+      whole_(WholeBody::of(globalData)) {
   if (!(outerRadius_ > innerRadius_))
     throw std::invalid_argument("J_Integral: \"Outer Radius\" must be larger than \"Inner Radius\"");
 }
@@ -87,14 +92,19 @@ void JIntegral::initialize(Blocks blocks) {
                                 "\" is not the result of a Crack_Tip");
 }
 
-/// The integrand at a point of the ring, per volume and thickness.
-double JIntegral::contribution(const Tensor& deformationGradient, const HookesLaw& law, const double* fromTip) const {
+/// The integrand in a copy of the point at x, per volume and thickness; 0 outside the ring.
+double JIntegral::contribution(const Tensor& gradientOfPart, int copy, const HookesLaw& law, const double* x,
+                               const Vector3& tip) const {
+  const Vector3 place = whole_->place(copy, x);
+  const double fromTip[2] = {place[0] - tip[0], place[1] - tip[1]};
+  const double radius = std::hypot(fromTip[0], fromTip[1]);
+  if (radius <= innerRadius_ || radius >= outerRadius_) return 0.0;
+  const Tensor deformationGradient = reflected(gradientOfPart, whole_->reflection(copy));
   const Tensor strain = strainOf(deformationGradient, false);
   const Tensor stress = law.stress(strain);
   double energy = 0.0;
   for (std::size_t k = 0; k < 9; ++k) energy += 0.5 * stress[k] * strain[k];
 
-  const double radius = std::hypot(fromTip[0], fromTip[1]);
   const double slope = -1.0 / ((outerRadius_ - innerRadius_) * radius);
   double result = 0.0;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -123,10 +133,8 @@ int JIntegral::compute(Blocks blocks) const {
     const HookesLaw law(*block.getMaterialModel(), isPlaneStress_);
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       const int id = block.getNeighborhoodData()->OwnedIDs()[i];
-      const double fromTip[2] = {x[3 * id] - tip[0], x[3 * id + 1] - tip[1]};
-      const double radius = std::hypot(fromTip[0], fromTip[1]);
-      if (radius <= innerRadius_ || radius >= outerRadius_) continue;
-      sum += volume[id] * contribution(gradients[i], law, fromTip);
+      for (int copy = 0; copy < whole_->nCopies(); ++copy)
+        sum += volume[id] * contribution(gradients[i], copy, law, x + 3 * id, tip);
     }
   }
   setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / thickness_);

@@ -2,25 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
+#include "connected_points.hpp"
+
 namespace pd {
 
-/// A damaged point that may be the foremost one.
+namespace {
+
+constexpr double sameColumn = 1e-6;  ///< of the spacing: nearer to each other, two points are equally far ahead
+
+}  // namespace
+
+/// A damaged point of the whole body.
 struct CrackFront::Candidate {
-  std::size_t block;
+  ConnectedPoint point;  ///< with its damaged neighbours
+  Vector3 place;         ///< m
+  double ahead;          ///< along the direction, m
+  double front;          ///< the same where damage falls through the threshold towards the next point ahead, m
+  double shortestBond, longestBond;  ///< m
+};
+
+/// A damaged point of the part that the mesh holds, as its block sees it.
+struct CrackFront::Surroundings {
+  std::function<int(int id)> globalId;
+  const double *x, *damage;
   int id;
   const int* neighbors;
   int nNeighbors;
-  double ahead;  ///< coordinate along the direction, m
+  int nGlobal;  ///< points of the mesh
 };
 
 void CrackFront::declareParameters(ParameterDeclarations& declarations) {
   declarations.text("Variable", "Scalar point field of the damage.").defaultTo("Damage");
   declarations.real("Threshold", "1", "Damage from which a point counts as cracked.").positive().defaultTo(0.36);
   declareVector(declarations, "Direction", "1", "Direction in which the crack grows (default: x; any length).");
-  declareVector(declarations, "Start", "m", "Mouth of the crack; what is not given is 0.");
+  declareVector(declarations, "Start", "m",
+                "Mouth of the crack; what is not given is 0. Where it is given, only damage counts that hangs together "
+                "with the line from there along the direction.");
   declarations.flag("Interpolate", "Place the tip between points, where damage falls through the threshold.")
       .defaultTo(true);
   PointSelection::declareParameters(declarations);
@@ -32,7 +53,10 @@ CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputePa
       threshold_(parameters.get<double>("Threshold")),
       direction_(directionOf(parameters, "Direction")),
       start_(vectorOf(parameters, "Start")),
-      isInterpolated_(parameters.get<bool>("Interpolate")) {
+      isInterpolated_(parameters.get<bool>("Interpolate")),
+      whole_(WholeBody::of(globalData)) {
+  const char* keys[] = {"Start X", "Start Y", "Start Z"};
+  for (std::size_t k = 0; k < 3; ++k) isStartGiven_[k] = parameters.isParameter(keys[k]);
   if (fields_.damage.width() != 1) throw std::invalid_argument("\"Variable\" of a crack must be a scalar field");
 }
 
@@ -41,11 +65,51 @@ void CrackFront::initialize(const Blocks& blocks) {
   fields_.damage.initialize(blocks);
 }
 
-std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks) const {
+/// In a copy of the body. The next point ahead is the nearest neighbour within 45 degrees of the direction.
+CrackFront::Candidate CrackFront::candidate(const Surroundings& around, int copy) const {
+  const auto globalIdOf = [&](int id) { return WholeBody::idInCopy(copy, around.globalId(id), around.nGlobal); };
+  const double* own = around.x + 3 * around.id;
+  const Vector3 place = whole_->place(copy, own);
+  // In the part, of what points along the direction in the copy.
+  const std::array<double, 9> m = whole_->reflection(copy);
+  const Vector3 direction{dot(direction_, &m[0]), dot(direction_, &m[3]), dot(direction_, &m[6])};
+  constexpr double farAway = std::numeric_limits<double>::max();
+  Candidate result{{globalIdOf(around.id), {}}, place, dot(direction_, place.data()), 0.0, farAway, 0.0};
+  double nearest = farAway, step = 0.0, damageAhead = 0.0;
+  for (int k = 0; k < around.nNeighbors; ++k) {
+    const int j = around.neighbors[k];
+    const double damage = around.damage[j], *other = around.x + 3 * j;
+    if (damage >= threshold_) result.point.neighbors.push_back(globalIdOf(j));
+    const double bond[3] = {other[0] - own[0], other[1] - own[1], other[2] - own[2]};
+    const double length = std::sqrt(bond[0] * bond[0] + bond[1] * bond[1] + bond[2] * bond[2]);
+    result.shortestBond = std::min(result.shortestBond, length);
+    result.longestBond = std::max(result.longestBond, length);
+    const double ahead = dot(direction, bond);
+    if (ahead < std::sqrt(0.5) * length) continue;
+    const bool isAsNear = std::abs(length - nearest) <= 1e-6 * length;
+    if (isAsNear ? damage > damageAhead : length < nearest) {
+      nearest = length;
+      step = ahead;
+      damageAhead = damage;
+    }
+  }
+  if (around.nNeighbors == 0) result.shortestBond = 0.0;
+  const double here = around.damage[around.id];
+  const double share = damageAhead >= threshold_ ? 1.0 : (here - threshold_) / (here - damageAhead);
+  result.front = result.ahead + (isInterpolated_ ? step * share : 0.0);
+  return result;
+}
+
+std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, const Epetra_Comm& comm) const {
+  int nOwned = 0;
+  for (PeridigmNS::Block& block : *blocks) nOwned += block.getNeighborhoodData()->NumOwnedPoints();
+  const int nGlobal = static_cast<int>(sumOverRanks(comm, static_cast<double>(nOwned)));
   std::vector<Candidate> result;
   for (std::size_t b = 0; b < blocks->size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
     const auto neighborhood = block.getNeighborhoodData();
+    const auto map = block.getOverlapScalarPointMap();
+    const auto globalId = [&](int id) { return map->GID(id); };
     const double* x = view(block, fields_.modelCoordinates);
     const double* damage = fields_.damage.values(block);
     const int* list = neighborhood->NeighborhoodList();
@@ -53,62 +117,64 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks) 
       const int id = neighborhood->OwnedIDs()[i];
       const int n = *list++;
       if (damage[id] >= threshold_ && points_.includes(b, i))
-        result.push_back({b, id, list, n, dot(direction_, x + 3 * id)});
+        for (int copy = 0; copy < whole_->nCopies(); ++copy)
+          result.push_back(candidate({globalId, x, damage, id, list, n, nGlobal}, copy));
       list += n;
     }
   }
   return result;
 }
 
-/// How far ahead of the candidate damage falls through the threshold: up to its nearest neighbour within 45 degrees
-/// of the direction.
-double CrackFront::stepAhead(const Candidate& candidate, const double* x, const double* damage) const {
-  const double* own = x + 3 * candidate.id;
-  double nearest = std::numeric_limits<double>::max(), step = 0.0, damageAhead = 0.0;
-  for (int k = 0; k < candidate.nNeighbors; ++k) {
-    const int j = candidate.neighbors[k];
-    const double bond[3] = {x[3 * j] - own[0], x[3 * j + 1] - own[1], x[3 * j + 2] - own[2]};
-    const double length = std::sqrt(bond[0] * bond[0] + bond[1] * bond[1] + bond[2] * bond[2]);
-    const double ahead = dot(direction_, bond);
-    if (ahead < std::sqrt(0.5) * length || damage[j] >= threshold_) continue;
-    const bool isAsNear = std::abs(length - nearest) <= 1e-6 * length;
-    if (isAsNear ? damage[j] > damageAhead : length < nearest) {
-      nearest = length;
-      step = ahead;
-      damageAhead = damage[j];
-    }
+bool CrackFront::isOnItsLine(const Candidate& candidate) const {
+  const double advance = std::max(0.0, candidate.ahead - dot(direction_, start_.data()));
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double distance = candidate.place[k] - start_[k] - advance * direction_[k];
+    if (isStartGiven_[k]) squared += distance * distance;
   }
-  if (step == 0.0) return 0.0;
-  const double damageHere = damage[candidate.id];
-  return step * (damageHere - threshold_) / (damageHere - damageAhead);
+  return squared <= candidate.longestBond * candidate.longestBond * (1.0 + 1e-10);
+}
+
+std::vector<CrackFront::Candidate> CrackFront::crack(const Blocks& blocks, const Epetra_Comm& comm) const {
+  std::vector<Candidate> damaged = candidates(blocks, comm);
+  std::vector<ConnectedPoint> points;
+  std::vector<char> isOfCrack;
+  for (const Candidate& candidate : damaged) {
+    points.push_back(candidate.point);
+    isOfCrack.push_back(isOnItsLine(candidate) ? 1 : 0);
+  }
+  spread(points, isOfCrack, comm);
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < damaged.size(); ++k)
+    if (isOfCrack[k] != 0) damaged[n++] = damaged[k];
+  damaged.erase(damaged.begin() + static_cast<std::ptrdiff_t>(n), damaged.end());
+  return damaged;
 }
 
 Vector3 CrackFront::locate(const Blocks& blocks, const Epetra_Comm& comm) const {
-  const std::vector<Candidate> cracked = candidates(blocks);
-  double foremost = std::numeric_limits<double>::lowest();
-  for (const Candidate& candidate : cracked) foremost = std::max(foremost, candidate.ahead);
-  foremost = maxOverRanks(comm, foremost);
-  if (foremost == std::numeric_limits<double>::lowest()) return start_;
+  const std::vector<Candidate> cracked = crack(blocks, comm);
+  constexpr double nowhere = std::numeric_limits<double>::lowest();
+  double front = nowhere, foremost = nowhere;
+  for (const Candidate& candidate : cracked) front = std::max(front, candidate.front);
+  front = maxOverRanks(comm, front);
+  const bool hasStart = isStartGiven_[0] || isStartGiven_[1] || isStartGiven_[2];
+  if (front == nowhere || (hasStart && front <= dot(direction_, start_.data()))) return start_;
 
+  // The point from which the tip is reached, and those equally far ahead.
+  for (const Candidate& candidate : cracked)
+    if (candidate.front >= front - sameColumn * candidate.shortestBond) foremost = std::max(foremost, candidate.ahead);
+  foremost = maxOverRanks(comm, foremost);
   std::vector<double> sums(4, 0.0);  // positions, number of points
   for (const Candidate& candidate : cracked) {
-    PeridigmNS::Block& block = (*blocks)[candidate.block];
-    const double* x = view(block, fields_.modelCoordinates);
-    const double* own = x + 3 * candidate.id;
-    // Equally far ahead: closer to the foremost point than a millionth of the spacing.
-    double spacing = 0.0;
-    for (int k = 0; k < candidate.nNeighbors; ++k) {
-      const double* other = x + 3 * candidate.neighbors[k];
-      const double length = std::hypot(other[0] - own[0], other[1] - own[1], other[2] - own[2]);
-      if (spacing == 0.0 || length < spacing) spacing = length;
-    }
-    if (candidate.ahead < foremost - 1e-6 * spacing) continue;
-    const double step = isInterpolated_ ? stepAhead(candidate, x, fields_.damage.values(block)) : 0.0;
-    for (std::size_t k = 0; k < 3; ++k) sums[k] += own[k] + step * direction_[k];
+    if (std::abs(candidate.ahead - foremost) > sameColumn * candidate.shortestBond) continue;
+    for (std::size_t k = 0; k < 3; ++k) sums[k] += candidate.place[k];
     sums[3] += 1.0;
   }
   sums = sumOverRanks(comm, sums);
-  return {sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
+  Vector3 tip{sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
+  const double step = front - dot(direction_, tip.data());
+  for (std::size_t k = 0; k < 3; ++k) tip[k] += step * direction_[k];
+  return tip;
 }
 
 }  // namespace pd

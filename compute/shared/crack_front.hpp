@@ -1,15 +1,20 @@
-// The foremost damaged point along a direction: what Crack_Tip and Crack_Length have in common.
+// The tip of a crack: what Crack_Tip and Crack_Length have in common.
 #ifndef PD_CRACK_FRONT_HPP
 #define PD_CRACK_FRONT_HPP
 
 #include "field_variable.hpp"
 #include "point_selection.hpp"
+#include "whole_body.hpp"
 
 namespace pd {
 
-/// The tip is where Damage, followed along the direction, falls through the threshold. It is found at the foremost
-/// point at or above the threshold; between that point and its next neighbour ahead the damage is taken as linear.
-/// Points that are equally far ahead (the two lips of a crack between two rows of points) are averaged.
+/// The crack is made of the points at or above the threshold that hang together, each a neighbour of the next, with one
+/// on the line from the start along the direction (nearer to it than that point's longest bond, by the coordinates of
+/// the start that are given): damage elsewhere is no part of it, and without a start all damage is. The tip is where
+/// Damage, followed along the direction from a point of the crack to its next neighbour ahead, falls through the
+/// threshold, linear between the two; the foremost such place, and never behind a start that is given. As long as
+/// damage does not heal it never goes back. Points that are equally far ahead (the two lips of a crack between two rows
+/// of points) are averaged. Beside planes of symmetry all this is that of the whole body.
 class CrackFront {
  public:
   static void declareParameters(ParameterDeclarations& declarations);
@@ -24,7 +29,7 @@ class CrackFront {
   };
   void initialize(const Blocks& blocks);
 
-  /// Position of the tip in the reference configuration, m; the start where no point reaches the threshold. Collective.
+  /// Position of the tip in the reference configuration, m; the start where there is no crack. Collective.
   Vector3 locate(const Blocks& blocks, const Epetra_Comm& comm) const;
 
   const Vector3& start() const { return start_; }
@@ -32,14 +37,19 @@ class CrackFront {
 
  private:
   struct Candidate;
-  std::vector<Candidate> candidates(const Blocks& blocks) const;
-  double stepAhead(const Candidate& candidate, const double* x, const double* damage) const;
+  struct Surroundings;
+  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm) const;
+  Candidate candidate(const Surroundings& around, int copy) const;
+  bool isOnItsLine(const Candidate& candidate) const;
+  std::vector<Candidate> crack(const Blocks& blocks, const Epetra_Comm& comm) const;
 
   PointSelection points_;
   Fields fields_;
   double threshold_;
   Vector3 direction_, start_;
+  std::array<bool, 3> isStartGiven_{};
   bool isInterpolated_;
+  Teuchos::RCP<const WholeBody> whole_;
 };
 
 }  // namespace pd

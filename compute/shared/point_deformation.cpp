@@ -64,6 +64,10 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
   return result;
 }
 
+Tensor reflected(const Tensor& tensor, const Tensor& reflection) {
+  return product(product(reflection, tensor), reflection);
+}
+
 void declareStrainMeasure(ParameterDeclarations& declarations) {
   declarations.text("Strain Measure", "Linear strain, or the Green-Lagrange strain, which rotation leaves alone.")
       .oneOf({"Small", "Green-Lagrange"})

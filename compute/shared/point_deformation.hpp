@@ -32,6 +32,9 @@ class DeformationGradients {
   Fields fields_;
 };
 
+/// What becomes of a tensor where vectors v become `reflection` v, a symmetric matrix.
+Tensor reflected(const Tensor& tensor, const Tensor& reflection);
+
 /// "Small" (F + F^T)/2 - I, or "Green-Lagrange" (F^T F - I)/2.
 void declareStrainMeasure(ParameterDeclarations& declarations);
 Tensor strainOf(const Tensor& deformationGradient, bool isGreenLagrange);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "collective.hpp"
+#include "state_fields.hpp"
 
 namespace pd {
 
@@ -63,6 +64,7 @@ std::vector<std::pair<std::string, double>> ErrorNorms::evaluate(double t) const
   std::vector<std::pair<std::string, double>> norms;
   const Discretization& mesh = model_.discretization();
   for (const Entry& entry : entries_) {
+    if (isMadeOfState(entry.field)) makeOfState(model_, {entry.field});
     const double* values = model_.field(entry.field);
     double squaredError = 0.0, squaredExact = 0.0, largestError = 0.0, largestExact = 0.0;
     for (const int point : entry.points) {

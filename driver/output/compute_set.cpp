@@ -4,7 +4,9 @@
 
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
+#include "../model/state_fields.hpp"
 #include "plugins.hpp"
+#include "whole_body.hpp"
 
 namespace pd {
 
@@ -27,11 +29,21 @@ void atPlace(const std::string& place, const Work& work) {
 
 }  // namespace
 
+class ComputeSet::SymmetricBody : public WholeBody {
+ public:
+  int nCopies() const override { return symmetry.nCopies(); }
+  std::array<double, 9> reflection(int copy) const override { return symmetry.matrix(copy); }
+  std::array<double, 3> place(int copy, const double* x) const override { return symmetry.place(copy, x); }
+  Symmetry symmetry;
+};
+
 ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm)
     : nodeSets_(Teuchos::rcp(new PeridigmNS::Discretization::NodeSets)),
       discretization_(Teuchos::rcp(new PeridigmNS::Discretization(nodeSets_))),
+      wholeBody_(Teuchos::rcp(new SymmetricBody)),
       globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
   globalData_->set("discretization", &discretization_);
+  globalData_->set<Teuchos::RCP<const WholeBody>>("whole body", wholeBody_);
   // First those that others may take fields from.
   for (const std::string& name : computesWithoutSection(deck)) add(name, DeckNode(), comm);
   Mistakes mistakes;
@@ -57,9 +69,10 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const C
   atPlace(entry.place, [&] {
     entry.compute =
         plugin->create(parameters, Teuchos::rcp(static_cast<const Epetra_Comm*>(&comm), false), globalData_);
+    for (const FieldUse& use : fieldsIn(*entry.compute).uses())
+      if (isMadeOfState(use.field.label)) entry.fieldsOfState.insert(use.field.label);
     for (const int id : entry.compute->FieldIds()) {
       const FieldSpec spec = FieldManager::self().getFieldSpec(id);
-      if (spec.label == "Stored_Elastic_Energy_Density") entry.needsStoredEnergy = true;
       if (spec.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
       entry.isGlobal = true;
       // What has steps is state that the compute keeps or that this host gives it, no result.
@@ -76,6 +89,13 @@ bool ComputeSet::hasClass(const std::string& name) const {
                      [&](const Entry& entry) { return entry.className == withUnderscores(name); });
 }
 
+std::set<std::string> ComputeSet::fieldsOfState(bool onlyGlobal) const {
+  std::set<std::string> labels;
+  for (const Entry& entry : entries_)
+    if (entry.isDue(onlyGlobal)) labels.insert(entry.fieldsOfState.begin(), entry.fieldsOfState.end());
+  return labels;
+}
+
 std::vector<int> ComputeSet::fieldIds() const {
   std::vector<int> ids;
   for (const Entry& entry : entries_) {
@@ -87,6 +107,7 @@ std::vector<int> ComputeSet::fieldIds() const {
 
 void ComputeSet::initialize(Model& model) {
   const Discretization& points = model.discretization();
+  wholeBody_->symmetry = points.symmetry;
   for (const auto& [name, localIds] : points.nodeSets) {
     std::vector<int>& globalIds = (*nodeSets_)[name];
     for (const int id : localIds)
@@ -97,13 +118,9 @@ void ComputeSet::initialize(Model& model) {
 }
 
 void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {
-  const auto isDue = [&](const Entry& entry) { return entry.isGlobal || !onlyGlobal; };
-  if (std::any_of(entries_.begin(), entries_.end(),
-                  [&](const Entry& entry) { return isDue(entry) && entry.needsStoredEnergy; }))
-    model.evaluateStoredEnergy(0.0);
   const Timers::Scope timer(model.timers(), "computes");
   for (const Entry& entry : entries_)
-    if (isDue(entry)) orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
+    if (entry.isDue(onlyGlobal)) orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
 }
 
 }  // namespace pd

@@ -3,6 +3,7 @@
 #define PD_COMPUTE_SET_HPP
 
 #include <Teuchos_ParameterList.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,13 @@ class ComputeSet {
   ComputeSet(const Deck& deck, const Communicator& comm);
 
   std::vector<int> fieldIds() const;
-  /// Hands the node sets to the computes and initialises them. Throws DeckError. Collective.
+  /// Hands the node sets and the whole body to the computes and initialises them. Throws DeckError. Collective.
   void initialize(Model& model);
 
   /// Evaluates all computes, or only those that yield values for the whole body. Collective.
   void evaluate(Model& model, bool onlyGlobal) const;
+  /// Fields that must be made of the state before (state_fields.hpp).
+  std::set<std::string> fieldsOfState(bool onlyGlobal) const;
 
   /// Labels of fields for the whole body, in the order of the computes.
   const std::vector<std::string>& globalLabels() const { return globalLabels_; }
@@ -37,7 +40,8 @@ class ComputeSet {
     std::string place;  ///< in the deck; empty where the compute is made by default
     Teuchos::RCP<PeridigmNS::Compute> compute;
     bool isGlobal = false;
-    bool needsStoredEnergy = false;
+    std::set<std::string> fieldsOfState;
+    bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
   void add(const std::string& className, const DeckNode& node, const Communicator& comm);
 
@@ -45,6 +49,8 @@ class ComputeSet {
   std::vector<std::string> globalLabels_;
   Teuchos::RCP<PeridigmNS::Discretization::NodeSets> nodeSets_;  ///< filled as the run starts
   Teuchos::RCP<PeridigmNS::Discretization> discretization_;
+  class SymmetricBody;
+  Teuchos::RCP<SymmetricBody> wholeBody_;  ///< so is this
   Teuchos::RCP<Teuchos::ParameterList> globalData_;
 };
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <sstream>
 
 #include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
+#include "../model/state_fields.hpp"
 #include "Peridigm_Field.hpp"
 #include "atomic_file.hpp"
 #include "compute_set.hpp"
@@ -60,7 +62,7 @@ struct Output::Implementation {
   std::unique_ptr<ComputeSet> computes;
   std::vector<OutputFiles> files;
   std::unique_ptr<GlobalOrder> order;
-  bool needsStoredEnergy = false;
+  std::set<std::string> fieldsOfState;  ///< that are written
   bool isOpen = false;
 
   Implementation(const Deck& deck_, const Communicator& comm_)
@@ -107,7 +109,7 @@ OutputLabels Output::Implementation::sortLabels(Model& model, const OutputSectio
     if (model.hasField(variable.label)) {
       const bool isGlobal = FieldManager::self().getFieldSpec(variable.label).relation == PeridigmField::GLOBAL;
       (isGlobal ? labels.global : labels.point).push_back(variable.label);
-      needsStoredEnergy = needsStoredEnergy || variable.label == "Stored_Elastic_Energy_Density";
+      if (isMadeOfState(variable.label)) fieldsOfState.insert(variable.label);
     } else if (variable.label == rankLabel) {
       labels.point.push_back(variable.label);
     } else if (!computes->hasClass(variable.label)) {
@@ -175,7 +177,9 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
   };
   const bool areFieldsDue = isAnyDue(&OutputFiles::areFieldsDue), isHistoryDue = isAnyDue(&OutputFiles::isHistoryDue);
   if (!areFieldsDue && !isHistoryDue) return;
-  if (areFieldsDue && self.needsStoredEnergy) model.evaluateStoredEnergy(0.0);
+  std::set<std::string> ofState = self.computes->fieldsOfState(!areFieldsDue);
+  if (areFieldsDue) ofState.insert(self.fieldsOfState.begin(), self.fieldsOfState.end());
+  makeOfState(model, ofState);
   self.computes->evaluate(model, !areFieldsDue);
   const Timers::Scope timer(model.timers(), "output");
   for (OutputFiles& files : self.files) files.write(model, step, time, isLast);

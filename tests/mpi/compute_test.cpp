@@ -81,6 +81,19 @@ TEST_F(DistributedComputes, CrackTipAveragesLipsOfDifferentRanks) {
   EXPECT_NEAR(run("Crack_Length", Teuchos::ParameterList()), 2.25, 1e-12);
 }
 
+TEST_F(DistributedComputes, CrackHangsTogetherAcrossRanks) {
+  for (int i = 0; i < body.nPoints(); ++i)
+    if (body.point(i)[0] == 5.0) body.field("Damage")[i] = 0.46;  // ahead of the crack, not connected
+  EXPECT_NEAR(run("Crack_Tip", Teuchos::ParameterList()), 5.0, 1e-12);
+  Teuchos::ParameterList parameters;
+  parameters.set("Start X", -0.5);
+  parameters.set("Start Y", -2.0);  // the line along y from there passes within a bond of the first column alone
+  parameters.set("Direction X", 0.0);
+  parameters.set("Direction Y", 1.0);
+  EXPECT_NEAR(run("Crack_Tip", parameters, 1), 0.5, 1e-12);
+  EXPECT_NEAR(run("Crack_Tip", parameters, 0), 1.0, 1e-12);  // the mean of the columns 0, 1 and 2
+}
+
 TEST_F(DistributedComputes, BrokenBondsAndReaction) {
   body.breakBonds([](const Point& a, const Point& b) { return a[1] * b[1] < 0.0; });
   EXPECT_EQ(run("Broken_Bonds", Teuchos::ParameterList()), 6.0 + 2.0 * 5.0);

@@ -186,6 +186,37 @@ class Breakage(CrackedPlate):
         self.check(self.deck({"Verlet": {"Fixed dt": 1e-7}}, 2e-5, **{"Output Frequency": 50}), (2,))
 
 
+class CrackComputes(CrackedPlate):
+    """Places and rates of a crack are those of the whole body, totals those of the part."""
+
+    def test_crack(self):
+        ring = {"Compute Class": "J_Integral", "Plane Stress": True, "Thickness": THICKNESS, "Inner Radius": 5e-3,
+                "Outer Radius": 7e-3}
+        tip = {"Compute Class": "Crack_Tip", "Threshold": 0.3}
+        computes = {
+            "Right": {**tip, "Start X": 0.0, "Start Y": 0.0}, "Left": {**tip, "Direction X": -1.0},
+            "Length": {**tip, "Compute Class": "Crack_Length"}, "Fixed": {**ring, "Tip X": 4e-3},
+            "Beside": {**ring, "Tip X": -4e-3, "Direction X": -1.0}, "Moving": {**ring, "Tip Field": "Right"},
+            "Area": {"Compute Class": "Crack_Area", "Horizon": HORIZON, "Thickness": THICKNESS},
+            "Broken": {"Compute Class": "Broken_Bonds"}, "Energy": {"Compute Class": "Strain_Energy"}}
+        # Two load steps before the crack runs, and two after.
+        deck = self.deck({"QuasiStatic": {**NEWTON["QuasiStatic"], "Number of Load Steps": 4}})
+        deck["Solver"]["Final Time"] = 1.0 / 3.0
+        deck["Compute Class Parameters"] = {name: {**keys, "Output Label": name} for name, keys in computes.items()}
+        whole = self.solve(self.deck_of(deck, "whole", False)).history()
+        self.assertGreater(whole["RightX"][-1], whole["RightX"][0] + SPACING)
+        self.assertGreater(whole["Fixed"][2], 1.0)
+        np.testing.assert_allclose(whole["LeftX"], -whole["RightX"], rtol=0.0, atol=1e-15)
+        totals = ("Area", "Broken", "Energy")
+        same = ("RightX", "RightY", "LeftX", "LeftY", "Length", "Fixed", "Beside", "Moving")
+        for ranks in (1, 4):
+            part = self.solve(self.deck_of(deck, "part", True), ranks=ranks).history()
+            for name in totals + same:
+                scale = np.max(np.abs(whole[name])) or SPACING
+                np.testing.assert_allclose(part[name] * (4.0 if name in totals else 1.0), whole[name], rtol=0.0,
+                                           atol=1e-9 * scale, err_msg=f"{name} on {ranks} ranks")
+
+
 class Diffusion(Plate):
     def deck(self, solver):
         start = "1 + cos(200*x)*cos(300*y)"

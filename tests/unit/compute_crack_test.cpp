@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "../support/small_body.hpp"
 
@@ -90,7 +91,7 @@ TEST_F(Crack, LooksAlongItsDirectionAndInItsRegionOnly) {
 }
 
 TEST_F(Crack, StraightDistanceOfAKinkedCrack) {
-  body.field("Damage")[18 + 4] = 1.0;  // at (4, 1.5)
+  for (const int id : {1, 6 + 2, 12 + 3, 18 + 4}) body.field("Damage")[id] = 1.0;  // from (1, -1.5) to (4, 1.5)
   Teuchos::ParameterList parameters;
   parameters.set("Interpolate", false);
   parameters.set("Start X", 1.0);
@@ -98,6 +99,75 @@ TEST_F(Crack, StraightDistanceOfAKinkedCrack) {
   EXPECT_DOUBLE_EQ(length(parameters), 3.0);
   parameters.set<std::string>("Measure", "Distance");
   EXPECT_DOUBLE_EQ(length(parameters), 5.0);
+}
+
+/// A plate with a notch from the left, 60 degrees wide, whose root is at the origin; points 1 apart.
+class VNotch : public ::testing::Test {
+ protected:
+  VNotch() : body(plate(), options()) {
+    body.allocate({damageField()});
+    parameters.set("Start X", 0.0);
+    parameters.set("Start Y", 0.0);
+  }
+  static std::vector<Point> plate() {
+    std::vector<Point> points;
+    for (const Point& x : lattice(17, 12, 1, 1.0, {-8.0, -5.5, 0.0}))
+      if (std::abs(x[1]) > -x[0] / std::sqrt(3.0)) points.push_back(x);
+    return points;
+  }
+  static BodyOptions options() {
+    BodyOptions result;
+    result.horizon = 1.5;
+    return result;
+  }
+  void damage(double x, double y, double value = 0.5) {
+    for (int i = 0; i < body.nPoints(); ++i)
+      if (body.point(i)[0] == x && body.point(i)[1] == y) body.field("Damage")[i] = value;
+  }
+  Point tip() {
+    makeCompute(body, "Crack_Tip", parameters)->compute(body.blocks());
+    const double* x = body.field("Crack_Tip");
+    return {x[0], x[1], x[2]};
+  }
+  SmallBody body;
+  Teuchos::ParameterList parameters;
+};
+
+TEST_F(VNotch, DamageOnAFlankIsNoCrack) {
+  damage(-5.0, 3.5);
+  EXPECT_EQ(tip(), (Point{0.0, 0.0, 0.0}));
+  damage(7.0, 5.5);  // nor is damage far ahead, at a pin
+  EXPECT_EQ(tip(), (Point{0.0, 0.0, 0.0}));
+}
+
+TEST_F(VNotch, FollowsWhatHangsTogetherWithItsRoot) {
+  damage(5.0, -0.5);
+  for (const double x : {0.0, 1.0, 2.0})
+    for (const double y : {-0.5, 0.5}) damage(x, y);
+  EXPECT_NEAR(tip()[0], 5.0 + 0.14 / 0.5, 1e-12);  // on the line of the crack, connected or not
+  damage(5.0, -0.5, 0.0);
+  damage(5.0, -2.5);
+  EXPECT_NEAR(tip()[0], 2.0 + 0.14 / 0.5, 1e-12);
+  EXPECT_EQ(tip()[1], 0.0);
+  damage(3.0, -1.5);
+  EXPECT_NEAR(tip()[0], 3.0 + 0.14 / 0.5, 1e-12);
+  EXPECT_EQ(tip()[1], -1.5);
+  damage(4.0, -2.5);
+  EXPECT_NEAR(tip()[0], 5.0 + 0.14 / 0.5, 1e-12);
+  EXPECT_EQ(tip()[1], -2.5);
+}
+
+TEST_F(VNotch, NeverGoesBackWhileNothingHeals) {
+  std::mt19937 random(3);
+  double before = 0.0;
+  for (int step = 0; step < 2000; ++step) {
+    double& value = body.field("Damage")[random() % static_cast<unsigned>(body.nPoints())];
+    value += (1.0 - value) * 0.01 * static_cast<double>(random() % 60);
+    const double now = tip()[0];
+    ASSERT_GE(now, before - 1e-12) << step;
+    before = now;
+  }
+  EXPECT_EQ(before, 8.0);
 }
 
 TEST_F(Crack, ZeroDirectionIsRefused) {

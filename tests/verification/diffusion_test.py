@@ -44,6 +44,36 @@ class Diffusion(SceneTest):
             output={"Output Variables": ["Concentration"]},
             Exact_Solution={"Mode": {"Field": "Concentration", "Value": exact}})
 
+    def test_flux_divergence_is_that_of_the_state_beside_it(self):
+        """The sum over bonds of the written concentrations, at prescribed points too, whatever a solver evaluated last;
+        that it is looked at changes nothing."""
+        x = lattice([0.04, 0.016], self.spacing)
+        self.write_mesh(x, self.spacing**2 * self.thickness)
+        bond = x[None, :, :2] - x[:, None, :2]
+        r = np.hypot(bond[..., 0], bond[..., 1])
+        weight = 4.0 * D / (np.pi * self.thickness * self.horizon**2) * share(r, self.horizon, self.spacing)
+        weight *= self.spacing**2 * self.thickness / np.where(r > 0.0, r, np.inf)**2
+        flux = "Concentration_Flux_Divergence"
+        for solver in ({"Diffusion": {"Method": "RKL"}}, {"Diffusion": {"Method": "TR-BDF2"}},
+                       {"Diffusion": {"Method": "Euler"}}, {"ImplicitDiffusion": {"Field": "Concentration"}}):
+            deck = self.mode_deck({})[1]
+            deck["Solver"] = {"Final Time": deck["Solver"]["Final Time"], **solver}
+            deck["Output"]["Output Filename"] = "alone"
+            alone = self.solve(deck)
+            deck["Output"].update({"Output Filename": "result", "Output Variables": ["Concentration", flux]})
+            deck["Compute Class Parameters"] = {"Inflow": {"Compute Class": "Field_Integral", "Variable": flux,
+                                                           "Output Label": "Inflow"}}
+            result = self.solve(deck)
+            for step in result.steps():
+                c = result.field("Concentration", step).ravel()
+                np.testing.assert_array_equal(c, alone.field("Concentration", step).ravel())
+                expected = weight @ c - weight.sum(axis=1) * c
+                scale = np.max(np.abs(weight.sum(axis=1) * c))
+                np.testing.assert_allclose(result.field(flux, step).ravel(), expected, rtol=0.0, atol=1e-13 * scale,
+                                           err_msg=f"{solver}, step {step}")
+            # Bonds take from one end what they give to the other.
+            self.assertLess(np.max(np.abs(result.history()["Inflow"])), 1e-13 * scale * self.spacing * len(x))
+
     def mode_error(self, method):
         self.write_mesh(lattice([0.04, 0.016], self.spacing), self.spacing**2 * self.thickness)
         _, deck = self.mode_deck(method)
