@@ -7,6 +7,7 @@
 
 #include "../boundary/boundary_conditions.hpp"
 #include "../deck/sections.hpp"
+#include "../parallel/launch.hpp"
 #include "../study/check_study.hpp"
 #include "../study/run_study.hpp"
 #include "explain.hpp"
@@ -21,7 +22,8 @@ constexpr int userMistake = 2, failedRun = 3, unexpected = 4;
 const char* const sampleRuns =
     "Sample runs:\n"
     "  pdrun plate.yaml                                   run a deck\n"
-    "  mpirun -np 4 pdrun plate.yaml                      the same on 4 processes\n"
+    "  pdrun --ranks 4 plate.yaml                         the same on 4 processes\n"
+    "  mpirun -np 4 pdrun plate.yaml                      so, too, with what mpirun offers\n"
     "  pdrun plate.yaml --set \"Solver/Final Time=1.0\"     with another value\n"
     "  pdrun plate.yaml --restart plate.checkpoint.h5     go on from a checkpoint\n"
     "  pdrun --check plate.yaml                           look for mistakes only\n"
@@ -32,10 +34,13 @@ const char* const sampleRuns =
     "\n"
     "Exit codes: 0 done; 2 a mistake in deck, mesh or arguments; 3 the run could not go on; 4 a fault of pdrun.";
 
-void print(const Communicator& comm, std::FILE* stream, const std::string& text) {
-  if (!comm.isRoot()) return;
+void print(std::FILE* stream, const std::string& text) {
   std::fprintf(stream, "%s%s", text.c_str(), text.empty() || text.back() == '\n' ? "" : "\n");
   std::fflush(stream);
+}
+
+void print(const Communicator& comm, std::FILE* stream, const std::string& text) {
+  if (comm.isRoot()) print(stream, text);
 }
 
 std::string withPrefix(const std::string& prefix, const Mistakes& lines) {
@@ -64,41 +69,71 @@ void performStudy(const CommandLine& commandLine, const Communicator& comm) {
   print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(study.runs.size()) + " runs");
 }
 
-int perform(int argc, const char* const* argv, const Communicator& comm) {
+/// Does what any process can do alone; false where that is not what is asked for.
+bool explains(const CommandLine& commandLine) {
+  if (commandLine.action == CommandLine::Action::Print)
+    print(stdout, commandLine.text);
+  else if (commandLine.action == CommandLine::Action::WriteReference)
+    for (const std::string& page : writeReference(commandLine.referenceFolder)) print(stdout, page);
+  else
+    return false;
+  return true;
+}
+
+void perform(const CommandLine& commandLine, const Communicator& comm) {
+  switch (commandLine.action) {
+    case CommandLine::Action::Print:
+    case CommandLine::Action::WriteReference:
+      if (comm.isRoot()) explains(commandLine);
+      break;
+    case CommandLine::Action::Check:
+      check(commandLine.options, comm);
+      break;
+    case CommandLine::Action::Run:
+      runDeck(commandLine.options, comm);
+      break;
+    case CommandLine::Action::Study:
+    case CommandLine::Action::CheckStudy:
+      performStudy(commandLine, comm);
+      break;
+  }
+}
+
+/// The exit code of `work`, whose errors are printed; those of all ranks by rank 0.
+template <class Work>
+int exitCodeOf(int rank, const Work& work) {
+  const auto printOnce = [&](const std::string& text) {
+    if (rank == 0) print(stderr, text);
+  };
   try {
-    const CommandLine commandLine = parseCommandLine(argc, argv);
-    switch (commandLine.action) {
-      case CommandLine::Action::Print:
-        print(comm, stdout, commandLine.text);
-        break;
-      case CommandLine::Action::Check:
-        check(commandLine.options, comm);
-        break;
-      case CommandLine::Action::Run:
-        runDeck(commandLine.options, comm);
-        break;
-      case CommandLine::Action::Study:
-      case CommandLine::Action::CheckStudy:
-        performStudy(commandLine, comm);
-        break;
-      case CommandLine::Action::WriteReference:
-        if (comm.isRoot())
-          for (const std::string& page : writeReference(commandLine.referenceFolder)) print(comm, stdout, page);
-        break;
-    }
+    work();
     return 0;
   } catch (const DeckError& error) {
-    print(comm, stderr, error.what());
+    printOnce(error.what());
     return userMistake;
   } catch (const RunError& error) {
-    print(comm, stderr, std::string("the run cannot go on: ") + error.what());
+    printOnce(std::string("the run cannot go on: ") + error.what());
     return failedRun;
   } catch (const std::exception& error) {
     // Perhaps on one rank alone: each says so itself.
-    std::fprintf(stderr, "pdrun, rank %d: unexpected error, a fault of pdrun rather than of your deck: %s\n",
-                 comm.rank(), error.what());
+    std::fprintf(stderr, "pdrun, rank %d: unexpected error, a fault of pdrun rather than of your deck: %s\n", rank,
+                 error.what());
     return unexpected;
   }
+}
+
+/// The arguments after the name of the program, without --ranks.
+std::vector<std::string> argumentsOfRanks(int argc, const char* const* argv) {
+  const std::string option = "--ranks";
+  std::vector<std::string> result;
+  for (int k = 1; k < argc; ++k) {
+    const std::string argument = argv[k];
+    if (argument == option)
+      ++k;  // its value
+    else if (argument.rfind(option + "=", 0) != 0)
+      result.push_back(argument);
+  }
+  return result;
 }
 
 /// Waits for the other ranks and returns the highest code. A rank that has failed does not wait for ever: the others
@@ -175,6 +210,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
           ->type_name("[FOLDER]")
           ->expected(0, 1)
           ->needs("--explain");
+  app.add_option("--ranks", result.nRanks,
+                 "Run or check the deck on so many processes: starts itself under mpirun, also for root and on fewer "
+                 "cores.")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--quiet", options.isQuiet, "Print nothing on the terminal but errors.");
   app.set_version_flag("--version", std::string("pdrun ") + PD_VERSION);
 
@@ -193,6 +233,10 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     throw DeckError(std::string("pdrun: ") + error.what() + "\nTry pdrun --help.");
   }
   if (peridigmKeys == "lenient") options.unknownKeys = UnknownKeys::AreWarnings;
+  if (result.nRanks > 0 && isWithinJob())
+    throw DeckError("pdrun: --ranks starts mpirun itself; leave it out, or mpirun");
+  if (result.nRanks > 0 && options.deckFile.empty())
+    throw DeckError("pdrun: --ranks is for the run or the check of a deck, of which none is given");
   if (isList) return printing(listEverything());
   explained.isMarkdown = markdownOption->count() > 0;
   if (explainOption->count() > 0) return explanation(explained);
@@ -210,11 +254,27 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   return result;
 }
 
+std::optional<int> runWithoutMpi(int argc, const char* const* argv) {
+  if (isWithinJob()) return std::nullopt;
+  std::optional<int> codeOfRanks;
+  bool isDone = true;
+  const int code = exitCodeOf(0, [&] {
+    const CommandLine commandLine = parseCommandLine(argc, argv);
+    if (commandLine.nRanks > 1)
+      codeOfRanks = runOnRanks(commandLine.nRanks, argumentsOfRanks(argc, argv));
+    else
+      isDone = explains(commandLine);
+  });
+  if (codeOfRanks) return codeOfRanks;
+  return isDone ? std::optional(code) : std::nullopt;
+}
+
 int runCommandLine(int argc, const char* const* argv, const Communicator& comm) {
   // Of its own, so that these messages cannot meet those of an unfinished run.
   MPI_Comm ranks = MPI_COMM_NULL;
   MPI_Comm_dup(comm.mpi(), &ranks);
-  const int code = leaveTogether(perform(argc, argv, comm), ranks);
+  const int own = exitCodeOf(comm.rank(), [&] { perform(parseCommandLine(argc, argv), comm); });
+  const int code = leaveTogether(own, ranks);
   MPI_Comm_free(&ranks);
   return code;
 }

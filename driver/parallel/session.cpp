@@ -3,6 +3,8 @@
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
 
+#include "launch.hpp"
+
 namespace pd {
 
 namespace {
@@ -13,10 +15,17 @@ namespace {
 /// makes none unless it is asked to (and a file must have a kind). What the user has set stays.
 void leaveOutSharedFilePointers() { setenv("OMPI_MCA_sharedfp", "individual", 0); }
 
+/// A process alone would start a daemon (orted) that could start others, which nothing here asks for. What the user has
+/// set stays.
+void startNoDaemon() {
+  if (!isWithinJob()) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+}
+
 }  // namespace
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
   leaveOutSharedFilePointers();
+  startNoDaemon();
   Tpetra::initialize(&argc, &argv);
 }
 

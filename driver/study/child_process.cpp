@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "../output/atomic_file.hpp"
 
@@ -23,11 +22,6 @@ bool belongsToThisJob(const char* variable) {
 }
 
 }  // namespace
-
-std::string ownProgram() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).string();
-}
 
 int runProgram(const std::vector<std::string>& arguments) {
   std::vector<char*> argumentPointers, environment;

@@ -7,9 +7,6 @@
 
 namespace pd {
 
-/// The file of the running program; empty where the system does not tell.
-std::string ownProgram();
-
 /// Runs arguments[0] and waits for its end; returns its exit code, or 128 + the signal that ended it. Its environment
 /// holds nothing of this process's MPI, so that the child may start an MPI of its own. Throws RunError where the
 /// program cannot be started.

@@ -11,6 +11,7 @@
 #include "../deck/deck.hpp"
 #include "../output/atomic_file.hpp"
 #include "../output/output.hpp"
+#include "../parallel/launch.hpp"
 #include "child_process.hpp"
 #include "history_file.hpp"
 #include "study_table.hpp"

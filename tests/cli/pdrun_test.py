@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -63,13 +64,110 @@ class Pdrun(unittest.TestCase):
         done = self.run_pdrun("--help")
         self.assertEqual(done.returncode, 0)
         self.assertTrue(done.stdout.startswith("Peridynamic"), done.stdout[:200])
-        for text in ("Sample runs:", "mpirun -np 4 pdrun plate.yaml", "--set PATH=VALUE", "--restart FILE", "Exit codes:"):
+        for text in ("Sample runs:", "mpirun -np 4 pdrun plate.yaml", "--ranks N", "--set PATH=VALUE", "--restart FILE", "Exit codes:"):
             self.assertIn(text, done.stdout)
 
     def test_version(self):
         done = self.run_pdrun("--version")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stdout, r"^pdrun \d+\.\d+\.\d+\n$")
+
+    def start(self, *arguments, **environment):
+        return subprocess.Popen([PDRUN, *arguments], cwd=self.folder.name, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True, env={**os.environ, **environment})
+
+    def long_run(self):
+        """On two ranks, at work."""
+        run = self.start("--ranks", "2", "deck.yaml", "--quiet", "--set", "Solver/Final Time=1.0",
+                         "--set", "Output/Output Frequency=1")
+        deadline = time.monotonic() + 60
+        while not os.path.exists(self.path("results.h5")) and run.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self.assertIsNone(run.poll(), run.stderr.read() if run.poll() is not None else "")
+        return run
+
+    def ranks_in_folder(self):
+        """Processes of pdrun that work in the folder."""
+        found = []
+        for pid in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                if os.readlink(f"/proc/{pid}/cwd") == self.folder.name and os.path.basename(
+                        os.readlink(f"/proc/{pid}/exe")) == "pdrun":
+                    found.append(int(pid))
+            except OSError:
+                pass
+        return found
+
+    def assert_all_end(self):
+        deadline = time.monotonic() + 30
+        while self.ranks_in_folder() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        self.assertEqual(self.ranks_in_folder(), [])
+
+    def test_ranks_start_mpirun_with_all_options(self):
+        done = self.run_pdrun("--ranks", "3", "deck.yaml", "--set", "Output/Output Filename=three")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("ranks 3\n", done.stdout)
+        self.assertTrue(os.path.exists(self.path("three.report.json")))
+        done = self.run_pdrun("deck.yaml", "--ranks=2", "--check")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "deck.yaml: no mistakes found\n", ""))
+
+    def test_ranks_pass_exit_codes_on(self):
+        self.write("deck.yaml", DECK.replace("Horizon: 3.1e-3", "Horizn: 3.1e-3"))
+        done = self.run_pdrun("--ranks", "2", "deck.yaml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("did you mean \"Horizon\"", done.stderr)
+        self.assertNotIn("mpirun", done.stderr)
+
+    def test_ranks_without_mpirun_say_so(self):
+        run = self.start("--ranks", "2", "deck.yaml", PATH="/nowhere")
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--ranks needs mpirun", errors)
+
+    def test_ranks_where_they_make_no_sense(self):
+        for arguments, message in ((("--ranks", "0", "deck.yaml"), "--ranks"), (("--ranks", "2", "--list"), "a deck"),
+                                   (("--ranks", "2", "--study", "study.yaml"), "a deck")):
+            done = self.run_pdrun(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertIn(message, done.stderr)
+        done = self.run_pdrun("--ranks", "2", "deck.yaml", ranks=2)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count("leave it out, or mpirun"), 1, done.stderr)
+
+    def test_signals_end_all_ranks(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            run = self.long_run()
+            run.send_signal(number)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, -number)
+            self.assert_all_end()
+            os.remove(self.path("results.h5"))
+
+    def test_a_killed_launcher_takes_its_ranks_along(self):
+        run = self.long_run()
+        run.kill()
+        run.wait(timeout=60)
+        self.assert_all_end()
+
+    def test_a_killed_rank_is_told(self):
+        run = self.long_run()
+        ranks = [pid for pid in self.ranks_in_folder() if pid != run.pid]
+        self.assertEqual(len(ranks), 2)
+        os.kill(ranks[1], signal.SIGKILL)
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 128 + signal.SIGKILL)
+        self.assertIn("a rank was ended by signal 9 (Killed)", errors)
+
+    def test_one_process_starts_no_daemon_of_mpi(self):
+        # Open MPI looks for its daemon, orted, in PATH.
+        self.write("orted", "#!/bin/sh\ntouch started\n")
+        os.chmod(self.path("orted"), 0o755)
+        for arguments in (("--list",), ("--explain", "PDHE"), ("--version",), ("--check", "deck.yaml"), ("deck.yaml",)):
+            run = self.start(*arguments, PATH=self.folder.name)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 0, arguments)
+        self.assertFalse(os.path.exists(self.path("started")))
 
     def test_list_names_every_kind(self):
         done = self.run_pdrun("--list")
