@@ -14,18 +14,23 @@ namespace {
 
 constexpr std::size_t lineWidth = 100;
 
-/// `text` in lines of at most lineWidth characters, each after `indent`.
-std::string wrapped(const std::string& text, const std::string& indent) {
+const std::string furtherIn(4, ' ');
+
+/// `text` in lines of at most lineWidth characters, the first after `indent`, the others after `rest` too.
+std::string wrapped(const std::string& text, const std::string& indent, const std::string& rest = "") {
   std::istringstream words(text);
-  std::string result, line;
+  std::string result, line = indent;
+  bool isFresh = true;
   for (std::string word; words >> word;) {
-    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > lineWidth) {
-      result += indent + line + "\n";
-      line.clear();
+    if (!isFresh && line.size() + 1 + word.size() > lineWidth) {
+      result += line + "\n";
+      line = indent + rest;
+      isFresh = true;
     }
-    line += (line.empty() ? "" : " ") + word;
+    line += (isFresh ? "" : " ") + word;
+    isFresh = false;
   }
-  return line.empty() ? result : result + indent + line + "\n";
+  return isFresh ? result : result + line + "\n";
 }
 
 std::string declarationsText(const ParameterDeclarations& declarations, const std::string& indent) {
@@ -33,15 +38,16 @@ std::string declarationsText(const ParameterDeclarations& declarations, const st
   for (const Parameter& parameter : declarations.parameters()) {
     std::string use = parameter.isRequired ? "required" : "optional";
     if (const std::string value = parameter.defaultText(); !value.empty()) use = "default: " + value;
-    result += wrapped(parameter.name + ": " + parameter.expectation() + "; " + use, indent);
-    result +=
-        wrapped(parameter.meaning + (parameter.source.empty() ? "" : " [" + parameter.source + "]"), indent + "    ");
+    // The meaning stands between a key and what its line goes on with.
+    result += wrapped(parameter.name + ": " + parameter.expectation() + "; " + use, indent, furtherIn + furtherIn);
+    result += wrapped(parameter.meaning + (parameter.source.empty() ? "" : " [" + parameter.source + "]"),
+                      indent + furtherIn);
   }
-  for (const auto& rule : declarations.rules()) result += wrapped(ruleText(rule), indent);
+  for (const auto& rule : declarations.rules()) result += wrapped(ruleText(rule), indent, furtherIn);
   for (const auto& sublist : declarations.sublists()) {
     result += wrapped((sublist.name == "*" ? "(any name)" : sublist.name) + ": a section; optional", indent);
-    result += wrapped(sublist.meaning, indent + "    ");
-    result += declarationsText(sublist.declarations.front(), indent + "    ");
+    result += wrapped(sublist.meaning, indent + furtherIn);
+    result += declarationsText(sublist.declarations.front(), indent + furtherIn);
   }
   return result;
 }
@@ -70,7 +76,7 @@ std::string sectionText(const ReferenceChapter& chapter, const std::vector<Refer
 
 std::string fieldsText(const ReferenceTopic& topic) {
   std::string result;
-  for (const std::string& line : fieldLines(topic.fields())) result += wrapped(line, "    ");
+  for (const std::string& line : fieldLines(topic.fields())) result += wrapped(line, furtherIn, furtherIn);
   return result.empty() ? "" : "\n  Fields; it\n" + result;
 }
 

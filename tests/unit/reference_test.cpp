@@ -124,6 +124,23 @@ TEST(Reference, SectionsTellWhatMayStandInThem) {
   EXPECT_THAT(explain("Exodus"), HasSubstr("Input Mesh File"));
 }
 
+TEST(Reference, WhatALineGoesOnWithStandsFurtherIn) {
+  for (const char* topic : {"Corrosion Dissolution", "PDHE", "Reaction_Force"}) {
+    std::istringstream lines(explain(topic));
+    bool isAmongKeys = false;
+    int nKeys = 0;
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 100u) << line;
+      if (line.empty()) isAmongKeys = !isAmongKeys;
+      if (line.find("Fields; it") != std::string::npos) isAmongKeys = false;
+      if (!isAmongKeys || line.compare(0, 2, "  ") != 0 || line[2] == ' ') continue;
+      ++nKeys;
+      EXPECT_TRUE(line.find(": ") != std::string::npos || line.find("Give ") == 2) << line;
+    }
+    EXPECT_GT(nKeys, 0) << topic;
+  }
+}
+
 TEST(Reference, OfANameThatSeveralHaveTellsAll) {
   const std::string text = explain("Diffusion");
   EXPECT_THAT(text, HasSubstr("Diffusion (Materials: "));
