@@ -52,28 +52,28 @@ void Diffusion::declareParameters(ParameterDeclarations& declare) {
   addDeclarations(declare, marked);
 }
 
-Diffusion::Diffusion(const Teuchos::ParameterList& given) : fields_(completed<Diffusion>(given, name)) {
-  const auto parameters = completed<Diffusion>(given, name);
+Diffusion::Diffusion(const Teuchos::ParameterList& given)
+    : parameters_(completed<Diffusion>(given, name)), fields_(parameters_) {
   ParameterDeclarations declarations;
   declareParameters(declarations);
-  field_ = parameters.get<std::string>("Field");
-  nIncrements_ = parameters.get<int>("Load Steps");
+  field_ = parameters_.get<std::string>("Field");
+  nIncrements_ = parameters_.get<int>("Load Steps");
 
-  method_ = parameters.get<std::string>("Method");
+  method_ = parameters_.get<std::string>("Method");
   const ParameterDeclarations own = RateIntegratorRegistry::self().find(method_)->declare();
   std::string mistakes;
-  for (auto it = parameters.begin(); it != parameters.end(); ++it) {
-    const std::string& name = parameters.name(it);
+  for (auto it = parameters_.begin(); it != parameters_.end(); ++it) {
+    const std::string& name = parameters_.name(it);
     const bool isCommon = name == "Field" || name == "Method" || name == "Load Steps";
     if (isCommon || own.find(name) != nullptr || own.findSublist(name) != nullptr) continue;
     const Parameter* parameter = declarations.find(name);
-    if (parameter != nullptr && isDefault(*parameter, parameters)) continue;
+    if (parameter != nullptr && isDefault(*parameter, parameters_)) continue;
     mistakes += (mistakes.empty() ? "" : "\n") +
                 ("Diffusion: \"" + name + "\" has no meaning with Method: " + method_) + " (it belongs to " +
                 joined(methodsWith(name)) + ")";
   }
   if (!mistakes.empty()) throw std::invalid_argument(mistakes);
-  integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters));
+  integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters_));
 }
 
 void Diffusion::initialize(Simulation& simulation) {

@@ -31,6 +31,7 @@ class Diffusion : public Solver {
   void modelHasChanged() override { integrator_->modelHasChanged(); }
 
  private:
+  const Teuchos::ParameterList parameters_;
   Fields fields_;
   std::string field_, method_;
   int nIncrements_;

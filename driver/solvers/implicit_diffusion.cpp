@@ -27,18 +27,18 @@ void ImplicitDiffusion::declareParameters(ParameterDeclarations& declare) {
 }
 
 ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
-    : fields_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion")),
-      loadSteps_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion"), "ImplicitDiffusion"),
-      linear_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion")) {
-  const auto parameters = completed<ImplicitDiffusion>(given, "ImplicitDiffusion");
-  field_ = parameters.get<std::string>("Field");
-  fluxField_ = fluxDivergenceField(field_);
-  maximumIterations_ = parameters.get<int>("Maximum Solver Iterations");
-  if (parameters.isParameter("Absolute Tolerance")) {
-    absoluteTolerance_ = parameters.get<double>("Absolute Tolerance");
+    : parameters_(completed<ImplicitDiffusion>(given, "ImplicitDiffusion")),
+      fields_(parameters_),
+      field_(parameters_.get<std::string>("Field")),
+      fluxField_(fluxDivergenceField(field_)),
+      loadSteps_(parameters_, "ImplicitDiffusion"),
+      linear_(parameters_),
+      maximumIterations_(parameters_.get<int>("Maximum Solver Iterations")) {
+  if (parameters_.isParameter("Absolute Tolerance")) {
+    absoluteTolerance_ = parameters_.get<double>("Absolute Tolerance");
     relativeTolerance_ = 0.0;
   }
-  if (parameters.isParameter("Relative Tolerance")) relativeTolerance_ = parameters.get<double>("Relative Tolerance");
+  if (parameters_.isParameter("Relative Tolerance")) relativeTolerance_ = parameters_.get<double>("Relative Tolerance");
 }
 
 void ImplicitDiffusion::initialize(Simulation& simulation) {

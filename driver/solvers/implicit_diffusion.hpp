@@ -46,6 +46,7 @@ class ImplicitDiffusion : public Solver {
   void solveLinear(Simulation& simulation, double tolerance);
   double largestValue(Simulation& simulation) const;
 
+  const Teuchos::ParameterList parameters_;
   Fields fields_;
   std::string field_, fluxField_;
   LoadSteps loadSteps_;

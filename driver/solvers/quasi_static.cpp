@@ -74,13 +74,12 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
 }
 
 QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given)
-    : fields_(completed<QuasiStatic>(given, "QuasiStatic")),
-      loadSteps_(completed<QuasiStatic>(given, "QuasiStatic"), "QuasiStatic"),
-      newton_(newtonSettings(completed<QuasiStatic>(given, "QuasiStatic"))) {
-  const auto parameters = completed<QuasiStatic>(given, "QuasiStatic");
-  maximumBreakagePasses_ = parameters.get<int>("Maximum Breakage Passes");
-  maximumHalvings_ = parameters.get<int>("Maximum Load Step Reductions");
-}
+    : parameters_(completed<QuasiStatic>(given, "QuasiStatic")),
+      fields_(parameters_),
+      loadSteps_(parameters_, "QuasiStatic"),
+      maximumBreakagePasses_(parameters_.get<int>("Maximum Breakage Passes")),
+      maximumHalvings_(parameters_.get<int>("Maximum Load Step Reductions")),
+      newton_(newtonSettings(parameters_)) {}
 
 void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
 

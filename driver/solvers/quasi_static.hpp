@@ -54,6 +54,7 @@ class QuasiStatic : public Solver {
   void breakBonds(Simulation& simulation, double t, double dt);
   [[noreturn]] void fail(double t, const std::string& when) const;
 
+  const Teuchos::ParameterList parameters_;
   Fields fields_;
   LoadSteps loadSteps_;
   int maximumBreakagePasses_, maximumHalvings_;

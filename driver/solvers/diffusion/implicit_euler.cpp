@@ -20,10 +20,9 @@ class ImplicitEuler : public RateIntegrator {
   }
 
   explicit ImplicitEuler(const Teuchos::ParameterList& given)
-      : stage_(completed<ImplicitEuler>(given, "Implicit Euler")) {
-    const auto parameters = completed<ImplicitEuler>(given, "Implicit Euler");
-    if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
-    if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
+      : parameters_(completed<ImplicitEuler>(given, "Implicit Euler")), stage_(parameters_) {
+    if (parameters_.isParameter("Sub Steps")) nSubSteps_ = parameters_.get<int>("Sub Steps");
+    if (parameters_.isParameter("Time Step")) timeStep_ = parameters_.get<double>("Time Step");
   }
 
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override {
@@ -47,6 +46,7 @@ class ImplicitEuler : public RateIntegrator {
   void setRestartState(const RestartState& state) override { stage_.setMatrixStep(state["step of the matrix"]); }
 
  private:
+  const Teuchos::ParameterList parameters_;
   ImplicitStage stage_;
   int nSubSteps_ = 1;
   double timeStep_ = 0.0;  // 0: not given

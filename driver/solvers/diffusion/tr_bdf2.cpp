@@ -33,12 +33,13 @@ void TrBdf2::declareParameters(ParameterDeclarations& declare) {
   ImplicitStage::declareParameters(declare);
 }
 
-TrBdf2::TrBdf2(const Teuchos::ParameterList& given) : stage_(completed<TrBdf2>(given, "TR-BDF2")) {
-  const auto parameters = completed<TrBdf2>(given, "TR-BDF2");
-  if (parameters.isParameter("Sub Steps")) nSubSteps_ = parameters.get<int>("Sub Steps");
-  if (parameters.isParameter("Time Step")) timeStep_ = parameters.get<double>("Time Step");
-  if (parameters.isParameter("Relative Tolerance")) relativeTolerance_ = parameters.get<double>("Relative Tolerance");
-  if (parameters.isParameter("Absolute Tolerance")) absoluteTolerance_ = parameters.get<double>("Absolute Tolerance");
+TrBdf2::TrBdf2(const Teuchos::ParameterList& given)
+    : parameters_(completed<TrBdf2>(given, "TR-BDF2")), stage_(parameters_) {
+  if (parameters_.isParameter("Sub Steps")) nSubSteps_ = parameters_.get<int>("Sub Steps");
+  for (const auto& [key, value] :
+       {std::pair("Time Step", &timeStep_), std::pair("Relative Tolerance", &relativeTolerance_),
+        std::pair("Absolute Tolerance", &absoluteTolerance_)})
+    if (parameters_.isParameter(key)) *value = parameters_.get<double>(key);
 }
 
 RestartState TrBdf2::restartState() const {

@@ -30,6 +30,7 @@ class TrBdf2 : public RateIntegrator {
   double error(Simulation& simulation, ScalarRate& rate, const std::string& field, double step);
   void advanceControlled(Simulation& simulation, ScalarRate& rate, const std::string& field, double t, double dt);
 
+  const Teuchos::ParameterList parameters_;
   ImplicitStage stage_;
   int nSubSteps_ = 0;               // 0: not given
   double timeStep_ = 0.0;           // 0: not given
