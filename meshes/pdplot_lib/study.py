@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from .results import PlotError, read_history
-from .units import history_unit, time_unit, with_unit
+from .results import PlotError, history_units, read_history
+from .units import time_unit, with_unit
 
 _MARKERS = "os^vDP*X<>"
 # What a column of the table may tell of a history, as in "Maximum Top_ReactionY".
@@ -96,13 +96,21 @@ def draw_histories(table):
     width = 1 + len(groups)
     figure, panels = plt.subplots(len(names), width, figsize=(4.8 * width, 3.2 * len(names)), squeeze=False,
                                   constrained_layout=True)
-    runs = [(row, read_history(table.path.parent / (row["results"] + ".csv"))) for row in table.rows]
+    runs = [(row, read_history(_history_of(table, row))) for row in table.rows]
+    units = history_units(_history_of(table, table.rows[0]), names)
     for name, row in zip(names, panels):
         _draw_curves(row[0], table, runs, name, path, plt.get_cmap("viridis"))
+        row[0].set_ylabel(with_unit(name, units[name]))
         for panel, group in zip(row[1:], groups):
             _draw_values(panel, table, name, path, group)
+            what = ", ".join(kind.lower() for kind in group)
+            panel.set_ylabel(with_unit(f"{what} {name}", "s" if group == [_TIME] else units[name]))
     _legends(figure, panels)
     return figure
+
+
+def _history_of(table, row):
+    return table.path.parent / (row["results"] + ".csv")
 
 
 def _varied(table):
@@ -132,7 +140,6 @@ def _draw_curves(panel, table, runs, name, path, colours):
         panel.plot(history["time"] / seconds, history[name], color=colour, linestyle=styles[row["label"]],
                    linewidth=1.2, label=label)
     panel.set_xlabel(with_unit("time", unit))
-    panel.set_ylabel(with_unit(name, history_unit(name)))
     panel.grid(alpha=0.3)
 
 
@@ -151,8 +158,6 @@ def _draw_values(panel, table, name, path, kinds):
             if is_numeric and numbers and min(numbers) > 0.0 and max(numbers) / min(numbers) >= 30.0:
                 panel.set_xscale("log")
     panel.set_xlabel(_short(path))
-    what = ", ".join(kind.lower() for kind in kinds)
-    panel.set_ylabel(with_unit(f"{what} {name}", "s" if kinds == [_TIME] else history_unit(name)))
     panel.grid(alpha=0.3, which="both")
 
 

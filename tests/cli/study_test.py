@@ -3,8 +3,15 @@ import csv
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
+
+from pdplot_lib.study import Table, draw_histories  # noqa: E402
 
 PDRUN = os.path.abspath(os.environ["PDRUN"])
 
@@ -213,6 +220,11 @@ class StudyOfHistories(StudyTest):
         self.assertIn("picture: pair.histories.png", done.stdout)
         self.assertGreater(min(self.size_of_picture("pair.histories.png")), 1000)
         self.assertFalse(os.path.exists(self.path("pair.study.png")))
+        figure = draw_histories(Table(self.path("pair.study.csv")))
+        labels = {panel.get_ylabel() for panel in figure.axes}
+        # The unit of a place, as the run has written it: its name says none.
+        self.assertLessEqual({"CornerX (m)", "final, maximum, minimum CornerX (m)",
+                              "time of maximum CornerX (s)"}, labels)
 
     def test_errors_and_histories_go_together(self):
         self.write("study.yaml", HISTORIES_STUDY.replace("Histories: [", "Error: L2\nReference: decay\nHistories: [")
