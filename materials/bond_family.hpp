@@ -39,6 +39,10 @@ struct BondFamily {
   /// Spacing of a uniform lattice, for rescaled constants. Throws std::invalid_argument where spacings differ by more
   /// than 1 %.
   double latticeSpacing(const Call& call, const double* volume, const std::string& owner) const;
+  /// Constants of the two-parameter bond; k_t is 0 where it is next to nothing.
+  kernels::ElasticConstants elasticConstants(double youngsModulus, double poissonsRatio) const;
+  /// The same from sums over an ideal lattice of this spacing.
+  kernels::ElasticConstants latticeElasticConstants(double youngsModulus, double poissonsRatio, double spacing) const;
 
   // Neighbours mostly have one volume, and roots take time.
   mutable double lastVolume = 0.0, lastSpacing = 0.0;

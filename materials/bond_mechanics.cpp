@@ -13,9 +13,6 @@ using PeridigmNS::DataManager;
 
 namespace {
 
-/// |k_t| below this share of k_n is taken as none: nu within about 0.0005 of bond-based PD's.
-constexpr double negligibleTangentialShare = 1e-3;
-
 SurfaceCorrection correctionFrom(const Teuchos::ParameterList& params) {
   const std::string name = params.get<std::string>("Surface Correction");
   if (name == "Volume Method") return SurfaceCorrection::VolumeMethod;
@@ -65,9 +62,7 @@ BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFam
   youngsModulus_ = params.get<double>("Young's Modulus");
   poissonsRatio_ = params.get<double>("Poisson's Ratio");
   if (params.get<std::string>("Tangential Force") == "Linear") form_ = kernels::TangentialForm::Linear;
-  constants_ = kernels::elasticConstants(family_.section, youngsModulus_, poissonsRatio_, family_.horizon,
-                                         PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
-  if (std::abs(constants_.tangential) < negligibleTangentialShare * constants_.normal) constants_.tangential = 0.0;
+  constants_ = family_.elasticConstants(youngsModulus_, poissonsRatio_);
 }
 
 BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager) {
@@ -91,10 +86,7 @@ void BondMechanics::initialize(const Call& call, DataManager& dataManager) {
   caches_.clear();
   if (family_.rescalesToLattice) {
     const double spacing = family_.latticeSpacing(call, views.volume, owner_);
-    const bool isBondBased = constants_.tangential == 0.0;
-    constants_ = kernels::latticeElasticConstants(
-        family_.section, youngsModulus_, poissonsRatio_, family_.horizon, spacing, family_.volumeCorrection,
-        PeridigmNS::InfluenceFunction::self().getInfluenceFunction(), isBondBased);
+    constants_ = family_.latticeElasticConstants(youngsModulus_, poissonsRatio_, spacing);
   }
   computeSurfaceData(call, views);
   if (constants_.tangential < 0.0) checkStability(call, views);

@@ -45,6 +45,7 @@ class CombinationCheck {
       if (set->section.node["Box"]) box(set->section.node["Box"]);
       isTimeless(set->section.node["Expression"]);
     }
+    cutBondsCount();
     times();
     outputs();
   }
@@ -117,6 +118,22 @@ class CombinationCheck {
     }
   }
 
+  /// Nodal Energy needs to know how much of a neighbourhood a crack has cut.
+  void cutBondsCount() {
+    const std::vector<const CheckedSection*> models = check_.ofKind(Kind::DamageModel);
+    const auto needsThem = std::find_if(models.begin(), models.end(), [](const CheckedSection* model) {
+      return model->section.plugin.find("Nodal Energy") != std::string::npos;
+    });
+    if (needsThem == models.end()) return;
+    for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter))
+      if (filter->isGood && !filter->list.get<bool>("Count In Damage"))
+        mistakes_.add(
+            filter->section.node.keyPlace(),
+            fmt::format("{}: {} would take the faces of this crack for free surfaces, which need more energy to "
+                        "break; add \"Count In Damage: true\"",
+                        filter->section.node.path(), (*needsThem)->section.node.path()));
+  }
+
   template <class Value>
   void agree(const CheckedSection& damage, const std::string& key, const std::string& owner, const Value& mine,
              const Value& other) {
@@ -138,12 +155,14 @@ class CombinationCheck {
     if (!damage.section.node["Fracture Energy"]) return;
     const Teuchos::ParameterList &mine = damage.list, &other = material.list;
     const std::string owner = material.section.node.path();
-    for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+    for (const char* key : {"Young's Modulus", "Poisson's Ratio", "Thickness"})
       if (mine.isType<double>(key) && other.isType<double>(key))
         agree(damage, key, owner, mine.get<double>(key), other.get<double>(key));
-    for (const char* key : {"Plane Stress", "Plane Strain", "One Dimensional"})
+    for (const char* key : {"Plane Stress", "Plane Strain", "One Dimensional", "Lattice Rescaling"})
       if (mine.isType<bool>(key) && other.isType<bool>(key))
         agree(damage, key, owner, mine.get<bool>(key), other.get<bool>(key));
+    if (const char* key = "Volume Correction"; mine.isType<std::string>(key) && other.isType<std::string>(key))
+      agree(damage, key, owner, mine.get<std::string>(key), other.get<std::string>(key));
   }
 
   void isTimeless(const DeckNode& node) {

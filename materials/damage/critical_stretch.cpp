@@ -3,28 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Peridigm_InfluenceFunction.hpp"
-#include "bond_constants.hpp"
 #include "bond_family.hpp"
 #include "damage_views.hpp"
 #include "plugins.hpp"
+#include "stretch_parameters.hpp"
 
 namespace pd {
 
 using PeridigmNS::DataManager;
 
 namespace {
-
-double stretchFrom(const Teuchos::ParameterList& params) {
-  if (params.isParameter("Critical Stretch")) return params.get<double>("Critical Stretch");
-  kernels::Section section;
-  if (params.get<bool>("Plane Stress")) section.geometry = kernels::Geometry::PlaneStress;
-  if (params.get<bool>("Plane Strain")) section.geometry = kernels::Geometry::PlaneStrain;
-  if (params.get<bool>("One Dimensional")) section.geometry = kernels::Geometry::Bar;
-  return kernels::criticalStretch(section, params.get<double>("Young's Modulus"), params.get<double>("Poisson's Ratio"),
-                                  params.get<double>("Fracture Energy"), params.get<double>("Horizon"),
-                                  PeridigmNS::InfluenceFunction::self().getInfluenceFunction());
-}
 
 /// Do all points lie in one plane of constant z?
 bool isPlane(const double* coordinates, int nPoints) {
@@ -36,25 +24,11 @@ bool isPlane(const double* coordinates, int nPoints) {
 }  // namespace
 
 void CriticalStretch::declareCommonParameters(ParameterDeclarations& declare) {
-  declare.text("Damage Model", "Name of this model.");
-  declare.real("Critical Stretch", "1", "Stretch (change of length / length) at which a bond breaks.").positive();
-  declare
-      .real("Fracture Energy", "J/m2",
-            "Energy to open a unit area of crack, in place of the critical stretch; needs the constants below.")
-      .positive();
-  declare.real("Young's Modulus", "Pa", "Young's modulus, for Fracture Energy.").positive();
-  declare.real("Poisson's Ratio", "1", "Poisson's ratio, for Fracture Energy.").strictlyBetween(-1.0, 0.5);
-  declare.real("Horizon", "m", "Horizon of the block, for Fracture Energy.").positive();
-  declare.flag("Plane Stress", "As in the material, for Fracture Energy.").defaultTo(false);
-  declare.flag("Plane Strain", "As in the material, for Fracture Energy.").defaultTo(false);
-  declare.flag("One Dimensional", "As in the material, for Fracture Energy.").defaultTo(false);
+  declareCriticalStretch(declare);
   declare
       .real("Critical Compressive Stretch", "1",
             "Bonds that become shorter than (1 - this) of their length break too; without it they never do.")
       .strictlyBetween(0.0, 1.0);
-  declare.exactlyOneOf({"Critical Stretch", "Fracture Energy"});
-  declare.needs("Fracture Energy", {"Young's Modulus", "Poisson's Ratio", "Horizon"});
-  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
 }
 
 void CriticalStretch::declareParameters(ParameterDeclarations& declare) { declareCommonParameters(declare); }
@@ -64,7 +38,7 @@ CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params)
 
 CriticalStretch::CriticalStretch(const Teuchos::ParameterList& params, const Fields& fields)
     : BondDamageModel(params), fields_(fields) {
-  law_.stretch = stretchFrom(params);
+  law_.stretch = criticalStretchFrom(params);
   if (params.isParameter("Critical Compressive Stretch"))
     law_.compressiveStretch = params.get<double>("Critical Compressive Stretch");
 }

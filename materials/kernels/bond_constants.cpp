@@ -168,6 +168,14 @@ double criticalStretch(const Section& section, double youngsModulus, double nu, 
   return std::sqrt(fractureEnergy / (work * moment));
 }
 
+double criticalStretchOfPoint(const Section& section, double normal, double fractureEnergy, double moment) {
+  if (moment == 0.0) return 0.0;
+  // A bond crosses |xi.n| planes in a row of unit distance, and half of all bonds start on either side.
+  const int dimension = dimensionOf(section.geometry);
+  const double meanCosine = dimension == 1 ? 1.0 : dimension == 2 ? 2.0 / pi : 0.5;
+  return std::sqrt(fractureEnergy / (0.25 * normal * meanCosine * moment));
+}
+
 double kernelValue(DiffusionKernel kernel, double distance) {
   switch (kernel) {
     case DiffusionKernel::InverseSquare:

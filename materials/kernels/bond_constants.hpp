@@ -75,6 +75,10 @@ ElasticConstants latticeElasticConstants(const Section& section, double youngsMo
 double criticalStretch(const Section& section, double youngsModulus, double poissonsRatio, double fractureEnergy,
                        double horizon, const Influence& influence);
 
+/// The same for a point whose bonds have the constant k_n = `normal` and add up to sum g |xi|^2 V = `moment` (m5): the
+/// mean over all directions of the plane. No moment: 0.
+double criticalStretchOfPoint(const Section& section, double normal, double fractureEnergy, double moment);
+
 enum class DiffusionKernel { InverseSquare, Inverse, Constant };  ///< of |xi|
 
 /// Micro-diffusivity d of dC/dt = sum_j d kernel(|xi|) (C_j - C_i) V_j, such that linear fields' fluxes are exact:

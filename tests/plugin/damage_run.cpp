@@ -81,7 +81,12 @@ void DamageRun::initialize() {
       models_[r][b]->initialize(0.1, list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList(),
                                 *bodies_[r]->block(b).getDataManager());
     }
+  exchange(model().FieldIdsForSynchronizationAfterInitialize());
   copyToGhosts(bodies_, "Damage");
+}
+
+void DamageRun::exchange(const std::vector<int>& fieldIds) {
+  for (const int id : fieldIds) copyToGhosts(bodies_, FieldManager::self().getFieldSpec(id).label);
 }
 
 void DamageRun::evaluate(const Motion& motion, int nEvaluations) {
@@ -90,13 +95,21 @@ void DamageRun::evaluate(const Motion& motion, int nEvaluations) {
       const Point y = motion(body->globalId(i), body->point(i));
       std::copy(y.begin(), y.end(), body->field("Coordinates") + 3 * i);
     }
-  for (int evaluation = 0; evaluation < nEvaluations; ++evaluation)
+  const auto call = [&](auto member) {
     for (std::size_t r = 0; r < bodies_.size(); ++r)
       for (std::size_t b = 0; b < models_[r].size(); ++b) {
         const auto list = bodies_[r]->block(b).getNeighborhoodData();
-        models_[r][b]->computeDamage(0.1, list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList(),
-                                     *bodies_[r]->block(b).getDataManager());
+        ((*models_[r][b]).*member)(0.1, list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList(),
+                                   *bodies_[r]->block(b).getDataManager());
       }
+  };
+  for (int evaluation = 0; evaluation < nEvaluations; ++evaluation) {
+    if (callsPrecompute) {
+      call(&DamageModel::precompute);
+      exchange(model().FieldIdsForSynchronizationAfterPrecompute());
+    }
+    call(&DamageModel::computeDamage);
+  }
   copyToGhosts(bodies_, "Damage");
 }
 

@@ -40,11 +40,16 @@ class DamageRun {
   /// Gives stepped scalars that the model reads values between 0 and `largest`.
   void fillScalars(int salt, double largest);
 
+  bool callsPrecompute = true;  ///< Peridigm does not
+
   SmallBody& body(std::size_t rank = 0) { return *bodies_[rank]; }
   const Scene& scene() const { return scene_; }
   PeridigmNS::DamageModel& model() { return *models_.front().front(); }
 
  private:
+  /// Owners' values to ghosts.
+  void exchange(const std::vector<int>& fieldIds);
+
   Sample sample_;
   Scene scene_;
   std::vector<std::unique_ptr<SmallBody>> bodies_;

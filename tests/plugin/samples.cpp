@@ -153,6 +153,15 @@ std::vector<Sample> damageSamples() {
   coefficients[0] = 1.0;
   coefficients[1] = -0.5;
   polynomial.set("Polynomial", coefficients);
+  const auto nodal = [](const char* title, const char* plugin, int dimension, Teuchos::ParameterList list) {
+    list.remove("Density");
+    list.set("Fracture Energy", 0.05);
+    list.set("Horizon", 2.015 * spacing);
+    Sample sample{title, plugin, dimension, list};
+    sample.seesItsStep = true;
+    return sample;
+  };
+  const Teuchos::ParameterList coverage = with(plate(elastic(0.2), "Plane Strain"), "Saturation Concentration", 0.8);
   Sample dissolution{"Dissolution", "Dissolution", 2, Teuchos::ParameterList()};
   dissolution.breaksBonds = false;
   const auto model = [](const std::vector<PartSample>& parts) {
@@ -168,6 +177,12 @@ std::vector<Sample> damageSamples() {
       {"Hydrogen", "Hydrogen Critical Stretch", 2, hydrogen},
       {"HydrogenInASolid", "Hydrogen Critical Stretch", 3, withText(hydrogen, "Degradation Law", "Fracture Energy")},
       {"HydrogenPolynomial", "Hydrogen Critical Stretch", 2, polynomial},
+      nodal("NodalEnergy", "Nodal Energy", 2, plate(elastic(1.0 / 3.0), "Plane Stress")),
+      nodal("NodalEnergyOfTwoParameters", "Nodal Energy", 2,
+            with(plate(elastic(0.1), "Plane Stress"), "Lattice Rescaling", true)),
+      nodal("NodalEnergyOfASolid", "Nodal Energy", 3, withText(elastic(0.2), "Volume Correction", "Ramp To Horizon")),
+      nodal("NodalEnergyWithHydrogen", "Hydrogen Nodal Energy", 2, coverage),
+      {"Bilinear", "Bilinear", 2, stretch},
       dissolution,
       {"TwoLimits", "Combined", 2,
        model({{"Steel", "Critical Stretch", with(stretch, "Critical Compressive Stretch", 0.06)},

@@ -23,6 +23,9 @@ struct Sample {
   bool conservesAngularMomentum = true;
   bool breaksBonds = true;  ///< a damage model whose Damage counts them
   bool conserves = true;    ///< forces or fluxes add up to zero
+  /// A damage model to which bonds that it has broken in a step count when it is called again in that step: then calls
+  /// can be repeated at will only where N and NP1 are apart.
+  bool seesItsStep = false;
 };
 
 std::vector<Sample> materialSamples();

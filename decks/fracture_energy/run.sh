@@ -1,0 +1,33 @@
+#!/bin/bash
+# Meshes, all runs, the table and the pictures of this scene, into results/fracture_energy.
+#   run.sh [BODY ...]     strip, beam and notch without arguments
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+source "$here/../scene.sh"
+
+bodies=("$@")
+[[ $# -gt 0 ]] || bodies=(strip beam notch)
+declare -A first=([strip]=1.012 [beam]=1.014 [notch]=1.008)
+models=(Nodal Stretch)
+
+cd "$results"
+for body in "${bodies[@]}"; do
+  for lattice in square_3 square_4 square_5 turned_20 turned_45 jittered triangles; do
+    "$here/lattices.py" "$body" "$lattice" "$here/${body}_$lattice.txt"
+    run=("$pdrun" "$here/$body.yaml" --quiet --set "Discretization/Input Mesh File=${body}_$lattice.txt")
+    # Stiffness for cracks of several lengths: CUTS of growth.py.
+    cut=0
+    for horizons in -1.0 0.5 2.0 3.5 5.0; do
+      length=$(awk "BEGIN {print ${first[$body]} + $horizons * 0.0015}")
+      "${run[@]}" --set "Discretization/Bond Filters/Pre-Crack/Bottom_Length=$length" \
+        --set "Blocks/Body/Damage Model=Unbreakable" --set Solver/Initial\ Time=0 --set Solver/Final\ Time=1 \
+        --set "Solver/QuasiStatic/Load Steps=1" --set "Output/Output Frequency=1" \
+        --set "Output/Output Filename=${body}_${lattice}_cut_$cut"
+      cut=$((cut + 1))
+    done
+    for model in "${models[@]}"; do
+      "${run[@]}" --set "Blocks/Body/Damage Model=$model" --set "Output/Output Filename=${body}_${lattice}_$model"
+    done
+  done
+done
+"$here/plot.py" "$results"

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""A crack in a clamped strip grows at the fracture energy and straight on, on lattices that hold it up otherwise."""
+import os
+import sys
+import unittest
+
+import numpy as np
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(here, "../support"))
+sys.path.insert(0, os.path.join(here, "../../decks/fracture_energy"))
+from lattices import lattice_points  # noqa: E402
+from scene import SceneTest, plate_deck  # noqa: E402
+
+E, FRACTURE_ENERGY, HORIZON, THICKNESS = 70e9, 8.0, 1.5e-3, 1e-3
+LENGTH, HALF, FIRST, FAR = 15e-3, 4.5e-3, 6e-3, 12e-3  # m: of the strip and, between the grips, of its height; the crack
+# Displacement at which a long clamped strip of this height holds the fracture energy by continuum mechanics.
+UNIT = HALF * np.sqrt(FRACTURE_ENERGY / (E / (1 - 1 / 9) * HALF))
+
+
+class Strip(SceneTest):
+    def run_strip(self, damage, crack=FIRST, loads=(1.0,), poisson=1 / 3, **material):
+        """A run that comes to rest at each of the loads, multiples of UNIT in turn."""
+        hold = {"Type": "Prescribed Displacement"}
+        elastic = {"Young's Modulus": E, "Poisson's Ratio": poisson, **material}
+        table = [[0.0, 0.0], *[[step + 1.0, load * UNIT] for step, load in enumerate(loads)]]
+        deck = plate_deck(
+            HORIZON, THICKNESS, elastic, damage={**damage, **(elastic if "Fracture Energy" in damage else {})},
+            conditions={"Top Node Set": {"Expression": f"y > {HALF}"}, "Bottom Node Set": {"Expression": f"y < -{HALF}"},
+                        "Grip Node Set": {"Expression": f"abs(y) > {HALF}"}, "Far Node Set": {"Expression": f"x > {FAR}"},
+                        "Up": {**hold, "Node Set": "Top Node Set", "Coordinate": "y", "Value": {"Table": table}},
+                        "Down": {**hold, "Node Set": "Bottom Node Set", "Coordinate": "y",
+                                 "Value": {"Table": [[time, -value] for time, value in table]}},
+                        "Grips": {**hold, "Node Set": "Grip Node Set", "Coordinate": "x", "Value": 0.0},
+                        "End": {"Type": "No Failure", "Node Set": "Far Node Set"}},
+            solver={"Final Time": float(len(loads)), "QuasiStatic": {"Load Steps": len(loads)}},
+            Compute_Class_Parameters={"Pull": {"Compute Class": "Reaction_Force", "Node Set": "Top Node Set",
+                                               "Output Label": "Pull"}},
+            output={"Output Variables": ["Damage", "Pull"]})
+        deck["Discretization"]["Bond Filters"] = {
+            "Crack": {"Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
+                      "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": 0.0, "Lower_Left_Corner_Z": -1.0,
+                      "Bottom_Unit_Vector_X": 1.0, "Bottom_Unit_Vector_Y": 0.0, "Bottom_Unit_Vector_Z": 0.0,
+                      "Bottom_Length": 1.0 + crack, "Side_Length": 2.0, "Count In Damage": True}}
+        return self.solve(deck)
+
+    def critical_load(self, **options):
+        """Load at which G is the fracture energy: G = -dU/da of this strip of points, by two lengths of the crack."""
+        short, long = FIRST - HORIZON / 3, FIRST + 2 * HORIZON
+        energies = [abs(self.run_strip({"Damage Model": "Critical Stretch", "Critical Stretch": 1.0}, crack, **options)
+                        .history()["PullY"][-1]) * UNIT for crack in (short, long)]
+        return np.sqrt(FRACTURE_ENERGY * THICKNESS * (long - short) / (energies[0] - energies[1]))
+
+    def growth(self, damage, shares, **options):
+        """Advance of the crack, in horizons, and its angle to the first one, after each load (shares of G_c)."""
+        critical = self.critical_load(**options)
+        result = self.run_strip({"Fracture Energy": FRACTURE_ENERGY, "Plane Stress": True, "Horizon": HORIZON, **damage},
+                                loads=[critical * np.sqrt(share) for share in shares], **options)
+        advance, angles = [], []
+        for step in range(1, len(shares) + 1):
+            grown = (result.field("Damage", step) - result.field("Damage", 0)).ravel()
+            broken = (grown > 0.15) & (self.points[:, 0] > FIRST)
+            advance.append((self.points[broken, 0].max() - FIRST) / HORIZON if broken.any() else 0.0)
+            x, y = self.points[broken].T
+            angles.append(np.degrees(np.arctan(np.polyfit(x, y, 1, w=np.sqrt(grown[broken]))[0])) if advance[-1] > 1 else 0)
+        return advance, angles
+
+    def use(self, lattice):
+        self.points, volume = lattice_points((0.0, -HALF - HORIZON), (LENGTH, HALF + HORIZON), lattice)
+        self.write_mesh(np.column_stack([self.points, 0 * self.points[:, 0]]), volume)
+
+    def test_growth_at_the_fracture_energy(self):
+        nodal = {"Damage Model": "Nodal Energy", "Thickness": THICKNESS}
+        for lattice in ("square_3", "turned_20", "jittered", "triangles"):
+            self.use(lattice)
+            advance, angles = self.growth(nodal, (0.85, 1.15))
+            self.assertLess(advance[0], 0.8, lattice)
+            self.assertGreater(advance[1], 3.0, lattice)
+            self.assertLess(abs(angles[1]), 5.0, lattice)
+
+    def test_what_a_lattice_does_to_a_critical_stretch(self):
+        # Nothing breaks as it should: the same cracks stand still, or bend.
+        for lattice in ("square_3", "triangles"):
+            self.use(lattice)
+            advance, _ = self.growth({"Damage Model": "Critical Stretch"}, (1.15,))
+            self.assertLess(advance[0], 3.0, lattice)
+
+
+if __name__ == "__main__":
+    unittest.main()
