@@ -6,6 +6,7 @@
 
 #include "Peridigm_InfluenceFunction.hpp"
 #include "bond_mechanics_views.hpp"
+#include "surface_correction.hpp"
 
 namespace pd {
 
@@ -36,9 +37,15 @@ void BondMechanics::declareParameters(ParameterDeclarations& declare) {
       .oneOf({"Objective", "Linear"})
       .defaultTo("Objective");
   declare
-      .text("Surface Correction",
-            "Stiffness of bonds near free surfaces: None; Volume Method: 2 V0/(V_i + V_j) from family volumes; Energy "
-            "Method: from the strain energy of uniform strain along each axis.")
+      .text(
+          "Surface Correction",
+          "Stiffness of bonds near free surfaces: None; Volume Method: 2 V0/(V_i + V_j) from family volumes; Energy "
+          "Method: from the strain energy of uniform strain along each axis. A cantilever six horizons high is 6 to 8 "
+          "% too "
+          "soft by None, 8 to 11 % too stiff by the Volume Method and right within 2 % by the Energy Method, on "
+          "squares, "
+          "turned squares and triangles. The latter two cost a pass over the bonds at the start and, near surfaces, a "
+          "constant of each bond in memory.")
       .oneOf({"None", "Volume Method", "Energy Method"})
       .defaultTo("None")
       .from("Le & Bobaru, Comput. Mech. 61 (2018) 499; Madenci & Oterkus (2014)");
@@ -51,10 +58,7 @@ BondMechanics::Fields::Fields(SurfaceCorrection correction) {
     familyVolume = writes(pd::fields::pointScalar("Family_Volume", "m3", "Volume of the point's neighbourhood."),
                           Ghosts::AfterInitialize);
   if (correction == SurfaceCorrection::EnergyMethod)
-    surfaceFactor = writes(pd::fields::pointVector("Surface_Correction_Factor", "1",
-                                                   "Stiffness along each axis of the bulk over that of the point.")
-                               .reflected(Reflection::Even),
-                           Ghosts::AfterInitialize);
+    surfaceFactor = writes(surfaceCorrectionFactor(), Ghosts::AfterInitialize);
 }
 
 BondMechanics::BondMechanics(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner)

@@ -12,7 +12,7 @@ from pdplot_lib.results import Results  # noqa: E402
 HORIZON, THICKNESS, FRACTURE_ENERGY = 1.5e-3, 1e-3, 8.0  # m, m, J/m2
 # First length of the crack, and displacement of either side at the time 1, m.
 FIRST = {"strip": 12e-3, "beam": 14e-3, "notch": 8e-3}
-UNIT = {"strip": 0.7807e-6, "beam": 8.45e-6, "notch": 0.9e-6}
+UNIT = {"strip": 0.7807e-6, "beam": 5.645e-6, "notch": 1.4e-6}
 # Lengths beyond the first, in horizons, whose compliance is measured.
 CUTS = (-1.0, 0.5, 2.0, 3.5, 5.0)
 

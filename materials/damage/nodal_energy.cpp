@@ -29,7 +29,7 @@ double breakageConstant(kernels::VolumeCorrection rule, int dimension) {
   const bool isPlane = dimension == 2;
   switch (rule) {
     case kernels::VolumeCorrection::RampBeyondHorizon:
-      return isPlane ? 0.243 : 0.193;
+      return isPlane ? 0.249 : 0.193;
     case kernels::VolumeCorrection::RampToHorizon:
       return isPlane ? 0.263 : 0.207;
     default:
@@ -90,9 +90,19 @@ kernels::ElasticConstants NodalEnergy::constantsOf(double volume) const {
 struct NodalEnergy::Views {
   const double *x, *y, *volume;
   double *criticalStretch, *utilisation;
+  const double* surfaceFactor;  ///< null where the material has none
+  int dimension;
   const double* bondDamage;
   const kernels::PointArrays* coverage;
-  /// Square of the factor of the critical stretch.
+  /// Square of the critical stretch of a point's bonds, as stiff as the material makes them there.
+  double limit2(int i) const {
+    const double limit = criticalStretch[i];
+    if (surfaceFactor == nullptr) return limit * limit;
+    double factor = 0.0;
+    for (int d = 0; d < dimension; ++d) factor += surfaceFactor[3 * i + d] / dimension;
+    return limit * limit / factor;
+  }
+  /// Square of the factor of hydrogen on it.
   double degradation2(const kernels::CriticalStretchLaw& law, int i, int j) const {
     if (coverage == nullptr) return 1.0;
     const double factor = law.at(0.5 * ((*coverage)[0][i] + (*coverage)[0][j]));
@@ -131,6 +141,8 @@ NodalEnergy::Cache& NodalEnergy::cacheOf(const Call& call, DataManager& data, Vi
   views.criticalStretch = fields_.criticalStretch.of(data);
   views.utilisation = fields_.utilisation.of(data);
   views.bondDamage = fields_.bondDamage.before(data);
+  views.surfaceFactor = fields_.surfaceFactor.ifIn(data);
+  views.dimension = family_.dimension();
   Cache& cache = caches_.of(call, views.x, [&](const Call& c) {
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
@@ -219,8 +231,7 @@ double NodalEnergy::utilisationOf(const Family& family, const Views& views, cons
   // Hydrogen may leave bonds without any strength: then any stretch is enough.
   constexpr double strengthless = 1e-12;
   const double lost = 1.0 - unbroken / all;
-  const double limit = views.criticalStretch[family.point];
-  return stored / (std::max(critical, strengthless * unbroken) * limit * limit) * (1.0 - lost) /
+  return stored / (std::max(critical, strengthless * unbroken) * views.limit2(family.point)) * (1.0 - lost) /
          (std::max(wholeShare - lost, leastShare) * constant_);
 }
 
@@ -253,8 +264,8 @@ void NodalEnergy::worsen(double dt, const Call& call, DataManager& data) const {
     if (bondDamage[bond] >= 1.0 || 0.5 * (views.utilisation[i] + views.utilisation[j]) < 1.0) return;
     if (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0)) return;
     const double stretch = ReferenceBond(views.y, i, j).length / ReferenceBond(views.x, i, j).length - 1.0;
-    const double limit = 0.5 * (views.criticalStretch[i] + views.criticalStretch[j]);
-    const double least2 = wholeShare * constant_ * limit * limit * views.degradation2(degradation_, i, j);
+    const double limit2 = 0.5 * (views.limit2(i) + views.limit2(j));
+    const double least2 = wholeShare * constant_ * limit2 * views.degradation2(degradation_, i, j);
     if (stretch <= 0.0 || stretch * stretch < least2) return;
     bondDamage[bond] = 1.0;
     hasBroken = true;

@@ -10,6 +10,7 @@
 #include "bond_family.hpp"
 #include "point_arrays.hpp"
 #include "stretch_kernel.hpp"
+#include "surface_correction.hpp"
 
 namespace pd {
 
@@ -32,6 +33,7 @@ class NodalEnergy : public BondDamageModel {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle coordinates = reads(pd::fields::coordinates());
     FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle surfaceFactor = readsIfThere(surfaceCorrectionFactor());
     FieldHandle criticalStretch = writes(
         pd::fields::pointScalar("Nodal_Critical_Stretch", "1",
                                 "Stretch of a point's bonds at which planes through it take the fracture energy."),

@@ -179,6 +179,18 @@ std::vector<Broken> brokenBodies() {
         "must agree",
         "deck.yaml:32:22: Damage Models/Brittle/Young's Modulus is 210000000000, but Materials/Steel/Young's Modulus "
         "is 200000000000; they must agree"}},
+      {"NodalEnergyUnlikeItsMaterial",
+       {{"    Damage Model: Critical Stretch\n    Critical Stretch: 0.01\n",
+         "    Damage Model: Nodal Energy\n    Fracture Energy: 1.0e4\n    Young's Modulus: 2.0e11\n    Poisson's "
+         "Ratio: "
+         "0.3\n    Plane Stress: true\n    Horizon: 3.1e-3\n    Volume Correction: None\n"}},
+       {"deck.yaml:6:5: Discretization/Bond Filters/Notch: Damage Models/Brittle would take the faces of this crack "
+        "for "
+        "free surfaces, which need more energy to break; add \"Count In Damage: true\"",
+        "deck.yaml:29:3: Damage Models/Brittle/Thickness is 1, but Materials/Steel/Thickness is 0.001; they must agree",
+        "deck.yaml:36:24: Damage Models/Brittle/Volume Correction is None, but Materials/Steel/Volume Correction is "
+        "Ramp "
+        "Beyond Horizon; they must agree"}},
       {"BlockMaterialUnknown",
        {{"Material: Steel", "Material: Steal"}},
        {"deck.yaml:35:15: Blocks/Plate/Material: there is no \"Steal\" in Materials (did you mean \"Steel\"?); there "

@@ -19,8 +19,8 @@ UNIT = HALF * np.sqrt(FRACTURE_ENERGY / (E / (1 - 1 / 9) * HALF))
 
 
 class Strip(SceneTest):
-    def run_strip(self, damage, crack=FIRST, loads=(1.0,), poisson=1 / 3, **material):
-        """A run that comes to rest at each of the loads, multiples of UNIT in turn."""
+    def run_strip(self, damage, crack=FIRST, loads=(1.0,), poisson=1 / 3, coverage=None, **material):
+        """A run that comes to rest at each of the loads, multiples of UNIT in turn; `coverage` by hydrogen."""
         hold = {"Type": "Prescribed Displacement"}
         elastic = {"Young's Modulus": E, "Poisson's Ratio": poisson, **material}
         table = [[0.0, 0.0], *[[step + 1.0, load * UNIT] for step, load in enumerate(loads)]]
@@ -37,6 +37,10 @@ class Strip(SceneTest):
             Compute_Class_Parameters={"Pull": {"Compute Class": "Reaction_Force", "Node Set": "Top Node Set",
                                                "Output Label": "Pull"}},
             output={"Output Variables": ["Damage", "Pull"]})
+        if coverage is not None:
+            deck["Boundary Conditions"].update({
+                "All Node Set": {"Expression": "x > -1"},
+                "Charged": {"Type": "Initial Concentration", "Node Set": "All Node Set", "Value": coverage}})
         deck["Discretization"]["Bond Filters"] = {
             "Crack": {"Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
                       "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": 0.0, "Lower_Left_Corner_Z": -1.0,
@@ -53,7 +57,7 @@ class Strip(SceneTest):
 
     def growth(self, damage, shares, **options):
         """Advance of the crack, in horizons, and its angle to the first one, after each load (shares of G_c)."""
-        critical = self.critical_load(**options)
+        critical = self.critical_load(**{key: value for key, value in options.items() if key != "coverage"})
         result = self.run_strip({"Fracture Energy": FRACTURE_ENERGY, "Plane Stress": True, "Horizon": HORIZON, **damage},
                                 loads=[critical * np.sqrt(share) for share in shares], **options)
         advance, angles = [], []
@@ -77,6 +81,18 @@ class Strip(SceneTest):
             self.assertLess(advance[0], 0.8, lattice)
             self.assertGreater(advance[1], 3.0, lattice)
             self.assertLess(abs(angles[1]), 5.0, lattice)
+
+    def test_hydrogen_lowers_the_load_by_its_law(self):
+        # f(psi) of Serebrinsky, Carter & Ortiz, JMPS 52 (2004) 2403, as factor of the stretch or of the energy; the crack is the
+        # same at a load that is lower by f or by its root.
+        coverage = 0.5
+        law = 1 - 1.0467 * coverage + 0.1687 * coverage**2
+        self.use("square_3")
+        dry = self.growth({"Damage Model": "Nodal Energy", "Thickness": THICKNESS}, (0.9, 1.1))
+        for scaled, share in (("Critical Stretch", law**2), ("Fracture Energy", law)):
+            wet = self.growth({"Damage Model": "Hydrogen Nodal Energy", "Thickness": THICKNESS, "Degradation Law": scaled,
+                               "Saturation Concentration": 1.0}, (0.9 * share, 1.1 * share), coverage=coverage)
+            self.assertEqual(wet[0], dry[0])
 
     def test_what_a_lattice_does_to_a_critical_stretch(self):
         # Nothing breaks as it should: the same cracks stand still, or bend.

@@ -6,6 +6,8 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
+sys.path.insert(0, sys.path[0] + "/../../decks/fracture_energy")
+from lattices import lattice_points  # noqa: E402
 from scene import SceneTest, lattice, plate_deck  # noqa: E402
 
 E = 207.0e9
@@ -223,6 +225,42 @@ class Strip(SceneTest):
         errors = {c: abs(self.apparent_modulus(3, 15, "Ramp Beyond Horizon", c) - 1.0)
                   for c in ("Volume Method", "Energy Method")}
         self.assertLess(errors["Energy Method"], 0.5 * errors["Volume Method"])
+
+
+class Cantilever(SceneTest):
+    """A beam six horizons high on any lattice, both ends moved as in the exact solution for a load P at one of them
+    (Timoshenko & Goodier, Theory of Elasticity, 3rd ed. 1970, article 21; with the shift of Augarde & Deeks, Finite Elem.
+    Anal. Des. 44 (2008) 595): the force at the end against P."""
+
+    horizon, length, nu = 3.0, 72.0, 1.0 / 3.0
+
+    def stiffness(self, lattice, correction):
+        # Whole rows: 18 of squares, 20 of triangles.
+        H, L, nu = 20 * np.sqrt(np.sin(np.pi / 3)) if lattice == "triangles" else 18.0, self.length, self.nu
+        collar = 2 * self.horizon
+        points, volume = lattice_points((-collar, -H / 2), (L + collar, H / 2), lattice, self.horizon, 1.0)
+        self.write_mesh(np.column_stack([points, 0 * points[:, 0]]), volume)
+        scale = 1e-9  # P/(6 E I)
+        hold = {"Type": "Prescribed Displacement"}
+        ux = f"-{scale}*y*((6*{L} - 3*x)*x + (2 + {nu!r})*(y^2 - {H}^2/4))"
+        uy = f"{scale}*(3*{nu!r}*y^2*({L} - x) + (4 + 5*{nu!r})*{H}^2*x/4 + (3*{L} - x)*x^2)"
+        deck = plate_deck(
+            self.horizon, 1.0, {"Young's Modulus": E, "Poisson's Ratio": nu, "Surface Correction": correction},
+            conditions={"Left Node Set": {"Expression": "x < 0"}, "Right Node Set": {"Expression": f"x > {L}"},
+                        **{f"{side} {axis}": {**hold, "Node Set": f"{side} Node Set", "Coordinate": axis, "Value": value}
+                           for side in ("Left", "Right") for axis, value in (("x", ux), ("y", uy))}},
+            solver={"QuasiStatic": {"Relative Tolerance": 1e-7}},
+            Compute_Class_Parameters={"Pull": {"Compute Class": "Reaction_Force", "Node Set": "Right Node Set",
+                                               "Output Label": "Pull"}},
+            output={"Output Variables": ["Pull"]})
+        load = scale * 6 * E * H**3 / 12
+        return abs(self.solve(deck).history()["PullY"][-1]) / load
+
+    def test_energy_method_bends_as_the_material(self):
+        for lattice in ("square_3", "turned_20", "triangles"):
+            stiffness = {c: self.stiffness(lattice, c) for c in ("None", "Volume Method", "Energy Method")}
+            self.assertLess(abs(stiffness["Energy Method"] - 1), 0.02, (lattice, stiffness))
+            self.assertLess(stiffness["None"], 0.96, (lattice, stiffness))
 
 
 if __name__ == "__main__":
