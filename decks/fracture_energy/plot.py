@@ -26,6 +26,10 @@ for column, body in zip(axes.T, bodies):
     for model, (title, color) in MODELS.items():
         energies, angles = [], []
         for lattice in LATTICES:
+            if not (folder / f"{body}_{lattice}_{model}.csv").exists():
+                energies.append(np.nan)
+                angles.append(np.nan)
+                continue
             run = Growth(folder, body, lattice, model)
             energies.append(run.needed(FAR))
             angles.append(run.angle)

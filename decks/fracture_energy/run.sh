@@ -7,8 +7,12 @@ source "$here/../scene.sh"
 
 bodies=("$@")
 [[ $# -gt 0 ]] || bodies=(strip beam notch)
-declare -A first=([strip]=1.012 [beam]=1.014 [notch]=1.008)
-models=(Nodal Stretch)
+declare -A first=([strip]=1.012 [beam]=1.014 [notch]=1.008) # ends of the filter that cuts the crack
+constants="Fracture Energy: 8.0, Young's Modulus: 70.0e9, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, Horizon: 0.0015"
+declare -A models=(
+  [Nodal]="Damage Model: Nodal Energy, Thickness: 0.001, $constants"
+  [Stretch]="Damage Model: Critical Stretch, $constants"
+)
 
 cd "$results"
 for body in "${bodies[@]}"; do
@@ -20,13 +24,14 @@ for body in "${bodies[@]}"; do
     for horizons in -1.0 0.5 2.0 3.5 5.0; do
       length=$(awk "BEGIN {print ${first[$body]} + $horizons * 0.0015}")
       "${run[@]}" --set "Discretization/Bond Filters/Pre-Crack/Bottom_Length=$length" \
-        --set "Blocks/Body/Damage Model=Unbreakable" --set Solver/Initial\ Time=0 --set Solver/Final\ Time=1 \
-        --set "Solver/QuasiStatic/Load Steps=1" --set "Output/Output Frequency=1" \
-        --set "Output/Output Filename=${body}_${lattice}_cut_$cut"
+        --set "Damage Models/Breakage={Damage Model: Critical Stretch, Critical Stretch: 1.0}" \
+        --set "Solver/Initial Time=0" --set "Solver/Final Time=1" --set "Solver/QuasiStatic/Load Steps=1" \
+        --set "Output/Output Frequency=1" --set "Output/Output Filename=${body}_${lattice}_cut_$cut"
       cut=$((cut + 1))
     done
-    for model in "${models[@]}"; do
-      "${run[@]}" --set "Blocks/Body/Damage Model=$model" --set "Output/Output Filename=${body}_${lattice}_$model"
+    for model in "${!models[@]}"; do
+      "${run[@]}" --set "Damage Models/Breakage={${models[$model]}}" \
+        --set "Output/Output Filename=${body}_${lattice}_$model"
     done
   done
 done
