@@ -18,9 +18,11 @@ bool isRate(const std::string& label) {
 /// Evaluates the rate, at prescribed points too; what materials write beside it stays as it was.
 void makeRate(Model& model, const std::string& label) {
   std::map<std::string, std::vector<double>> before;
-  for (PeridigmNS::Block& block : *model.blocks())
-    for (const FieldUse& use : fieldsIn(*block.getMaterialModel()).uses())
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    const FieldTable fields = fieldsIn(*block.getMaterialModel());
+    for (const FieldUse& use : fields.uses())
       if (use.access == FieldAccess::Writes && model.hasField(use.field.label)) before[use.field.label];
+  }
   for (auto& [name, values] : before) {
     const std::size_t n = static_cast<std::size_t>(model.nPoints()) * static_cast<std::size_t>(model.fieldWidth(name));
     values.assign(model.field(name), model.field(name) + n);

@@ -69,7 +69,8 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const C
   atPlace(entry.place, [&] {
     entry.compute =
         plugin->create(parameters, Teuchos::rcp(static_cast<const Epetra_Comm*>(&comm), false), globalData_);
-    for (const FieldUse& use : fieldsIn(*entry.compute).uses())
+    const FieldTable fields = fieldsIn(*entry.compute);
+    for (const FieldUse& use : fields.uses())
       if (isMadeOfState(use.field.label)) entry.fieldsOfState.insert(use.field.label);
     for (const int id : entry.compute->FieldIds()) {
       const FieldSpec spec = FieldManager::self().getFieldSpec(id);
