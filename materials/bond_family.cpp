@@ -14,17 +14,26 @@ constexpr double negligibleTangentialShare = 1e-3;
 
 }  // namespace
 
-void BondFamily::declareGeometry(ParameterDeclarations& declare) {
-  declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+void BondFamily::declarePlane(ParameterDeclarations& declare) {
   declare.flag("Plane Stress", "Thin plate in the x-y plane, free of stress across its thickness.").defaultTo(false);
   declare.flag("Plane Strain", "Slice of a thick body, without strain along z.").defaultTo(false);
-  declare.flag("One Dimensional", "Bar along x.").defaultTo(false);
   declare.real("Thickness", "m", "Thickness of a plane problem (volumes of the mesh are area x thickness).")
       .positive()
       .defaultTo(1.0);
+}
+
+void BondFamily::declareSection(ParameterDeclarations& declare) {
+  declarePlane(declare);
+  declare.flag("One Dimensional", "Bar along x.").defaultTo(false);
   declare.real("Cross Section Area", "m2", "Cross-section of a bar (volumes of the mesh are length x area).")
       .positive()
       .defaultTo(1.0);
+  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
+}
+
+void BondFamily::declareGeometry(ParameterDeclarations& declare) {
+  declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  declareSection(declare);
   declare
       .text("Volume Correction",
             "Which share of a neighbour's cell counts near the horizon: linear between horizon -/+ half a spacing "
@@ -33,7 +42,6 @@ void BondFamily::declareGeometry(ParameterDeclarations& declare) {
       .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
       .defaultTo("Ramp Beyond Horizon")
       .from("Hu, Ha & Bobaru, CMAME 217-220 (2012) 247; Madenci & Oterkus, Peridynamic Theory (2014)");
-  declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
 }
 
 void BondFamily::declareParameters(ParameterDeclarations& declare) {
@@ -49,17 +57,18 @@ BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& 
   if (!params.isParameter("Horizon"))
     throw std::invalid_argument(owner + ": \"Horizon\" is missing (the block gives it to its material)");
   horizon = params.get<double>("Horizon");
-  if (params.get<bool>("Plane Stress"))
+  const auto is = [&](const char* flag) { return params.isParameter(flag) && params.get<bool>(flag); };
+  if (is("Plane Stress"))
     section = {kernels::Geometry::PlaneStress, params.get<double>("Thickness")};
-  else if (params.get<bool>("Plane Strain"))
+  else if (is("Plane Strain"))
     section = {kernels::Geometry::PlaneStrain, params.get<double>("Thickness")};
-  else if (params.get<bool>("One Dimensional"))
+  else if (is("One Dimensional"))
     section = {kernels::Geometry::Bar, params.get<double>("Cross Section Area")};
   const std::string rule = params.get<std::string>("Volume Correction");
   if (rule == "Every Neighbor") volumeCorrection = kernels::VolumeCorrection::EveryNeighbor;
   if (rule == "None") volumeCorrection = kernels::VolumeCorrection::None;
   if (rule == "Ramp To Horizon") volumeCorrection = kernels::VolumeCorrection::RampToHorizon;
-  rescalesToLattice = params.isParameter("Lattice Rescaling") && params.get<bool>("Lattice Rescaling");
+  rescalesToLattice = is("Lattice Rescaling");
 }
 
 double BondFamily::latticeSpacing(const Call& call, const double* volume, const std::string& owner) const {

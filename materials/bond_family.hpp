@@ -22,9 +22,14 @@ struct BondFamily {
   bool rescalesToLattice = false;
 
   static void declareParameters(ParameterDeclarations& declare);
+  /// Plane stress or strain and the thickness alone.
+  static void declarePlane(ParameterDeclarations& declare);
+  /// The same, and bars.
+  static void declareSection(ParameterDeclarations& declare);
   /// All but Lattice Rescaling, for materials that need none.
   static void declareGeometry(ParameterDeclarations& declare);
-  /// From a completed list. Throws std::invalid_argument, naming `owner`.
+  /// From a completed list; what a material does not declare of these it does not have. Throws std::invalid_argument,
+  /// naming `owner`.
   BondFamily(const Teuchos::ParameterList& params, const std::string& owner);
 
   int dimension() const { return kernels::dimensionOf(section.geometry); }

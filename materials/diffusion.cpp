@@ -8,9 +8,9 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 /// Flux_Divergence_i = sum_j Coefficient 6/(pi delta^4 |xi|) (T_j - T_i) V_j: the kernel "Inverse" of PDHE in three
-/// dimensions, without a volume correction. A bond between blocks carries to each end what the constants of its own
-/// block say, so that the flux is balanced only where blocks have the same Coefficient and Horizon; the mean of both,
-/// as PDHE has it, would not be Peridigm's model.
+/// dimensions, in a plane or a bar with the constants of these, without a volume correction. A bond between blocks
+/// carries to each end what the constants of its own block say, so that the flux is balanced only where blocks have the
+/// same Coefficient and Horizon; the mean of both, as PDHE has it, would not be Peridigm's model.
 class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
@@ -25,6 +25,7 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
         .defaultTo(false)
         .from("Trask, You, Yu & Parks, CMAME 343 (2019) 151");
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+    BondFamily::declareSection(declare);
     declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
@@ -68,11 +69,12 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     BondFamily::declareParameters(shared);
     NonlocalDiffusion::declareParameters(shared);
     Teuchos::ParameterList list;
-    if (params.isParameter("Horizon")) list.set("Horizon", params.get<double>("Horizon"));
+    for (const char* key : {"Horizon", "Plane Stress", "Plane Strain", "Thickness", "One Dimensional",
+                            "Cross Section Area", "Volume Correction"})
+      if (params.isParameter(key)) list.setEntry(key, params.getEntry(key));
     list.set("Diffusivity", params.get<double>("Coefficient"));
     list.set<std::string>("Diffusion Kernel", "Inverse");
     list.set<std::string>("Diffusing Field", "Temperature");
-    list.set("Volume Correction", params.get<std::string>("Volume Correction"));
     list = shared.complete(list, owner);
     return NonlocalDiffusion(list, BondFamily(list, owner), owner, NonlocalDiffusion::Interface::OwnConstants,
                              params.get<bool>("Use Improved Quadrature") ? NonlocalDiffusion::Quadrature::Fitted

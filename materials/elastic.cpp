@@ -1,7 +1,6 @@
 #include "elastic.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "Peridigm_InfluenceFunction.hpp"
@@ -14,6 +13,7 @@ using PeridigmNS::DataManager;
 
 namespace {
 
+constexpr const char* owner = "material Elastic";
 constexpr const char* moduli[] = {"Bulk Modulus", "Shear Modulus", "Young's Modulus", "Poisson's Ratio"};
 
 }  // namespace
@@ -26,6 +26,7 @@ void Elastic::declareParameters(ParameterDeclarations& declare) {
   declare.real("Young's Modulus", "Pa", "Young's modulus.").positive();
   declare.real("Poisson's Ratio", "1", "Poisson's ratio.").strictlyBetween(-1.0, 0.5);
   declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  BondFamily::declarePlane(declare);
   declare
       .text("Volume Correction",
             "Which share of a neighbour's cell counts near the horizon: all of it up to the horizon (None), "
@@ -37,25 +38,22 @@ void Elastic::declareParameters(ParameterDeclarations& declare) {
   declare.flag("Apply Automatic Differentiation Jacobian",
                "Accepted for decks of Peridigm, where it chooses between two ways to the same tangent.");
   declare.real("Finite Difference Probe Length", "m", "Step of the finite-difference tangent.").positive();
+  declare.atMostOneOf({"Plane Stress", "Plane Strain"});
 }
 
-Elastic::Elastic(const Teuchos::ParameterList& given) : Material(given) {
-  const Teuchos::ParameterList params = completed<Elastic>(given, "material Elastic");
+Elastic::Elastic(const Teuchos::ParameterList& given) : Elastic(given, completed<Elastic>(given, owner)) {}
+
+Elastic::Elastic(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params)
+    : Material(given), family_(params, owner) {
   const auto nModuli =
       std::count_if(std::begin(moduli), std::end(moduli), [&](const char* name) { return params.isParameter(name); });
   if (nModuli != 2)
     throw std::invalid_argument(
         "material Elastic: give two of \"Bulk Modulus\", \"Shear Modulus\", \"Young's Modulus\", \"Poisson's Ratio\"");
-  if (!params.isParameter("Horizon"))
-    throw std::invalid_argument("material Elastic: \"Horizon\" is missing (the block gives it to its material)");
   density_ = params.get<double>("Density");
   bulkModulus_ = calculateBulkModulus(params);
   shearModulus_ = calculateShearModulus(params);
-  horizon_ = params.get<double>("Horizon");
-  const std::string rule = params.get<std::string>("Volume Correction");
-  if (rule == "Ramp Beyond Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampBeyondHorizon;
-  if (rule == "Every Neighbor") volumeCorrection_ = kernels::VolumeCorrection::EveryNeighbor;
-  if (rule == "Ramp To Horizon") volumeCorrection_ = kernels::VolumeCorrection::RampToHorizon;
+  constants_ = kernels::solidConstants(family_.section.geometry, bulkModulus_, shearModulus_);
   if (params.isParameter("Finite Difference Probe Length"))
     m_finiteDifferenceProbeLength = params.get<double>("Finite Difference Probe Length");
 }
@@ -83,11 +81,8 @@ struct Elastic::Views {
 };
 
 double Elastic::influence(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  const double spacing = volumeCorrection_ == kernels::VolumeCorrection::None
-                             ? 0.0  // without a ramp it does not matter
-                             : 0.5 * (std::cbrt(volume) + std::cbrt(neighborVolume));
-  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, horizon_) *
-         kernels::volumeShare(volumeCorrection_, bond.length, horizon_, spacing);
+  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, family_.horizon) *
+         family_.share(bond.length, volume, neighborVolume);
 }
 
 void Elastic::initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
@@ -106,8 +101,7 @@ Elastic::Cache Elastic::makeCache(const Call& call, const Views& views) const {
   Cache cache;
   cache.neighborhood = kernels::ChunkedNeighborhood(call.nOwned, call.ownedIds, call.neighborhoodList);
   cache.alive = kernels::AliveBonds(cache.neighborhood);
-  cache.data.bulkModulus = bulkModulus_;
-  cache.data.shearModulus = shearModulus_;
+  cache.data.constants = constants_;
   cache.data.influence = kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
     values[0] = influence(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]);
   });
@@ -148,7 +142,7 @@ std::vector<double> Elastic::dilatations(const Call& call, const Views& views) c
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (views.weightedVolume[i] == 0.0) return;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    theta[static_cast<std::size_t>(i)] += 3.0 / views.weightedVolume[i] * views.unbroken(bond) *
+    theta[static_cast<std::size_t>(i)] += constants_.dimension / views.weightedVolume[i] * views.unbroken(bond) *
                                           influence(reference, views.volume[i], views.volume[j]) * reference.length *
                                           (current.length - reference.length) * views.volume[j];
   });
@@ -161,10 +155,9 @@ void Elastic::addForceOfDamagedBonds(const Call& call, const Views& views) const
     const double unbroken = views.unbroken(bond);
     if (unbroken == 0.0 || views.weightedVolume[i] == 0.0) return;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    const double state =
-        unbroken * influence(reference, views.volume[i], views.volume[j]) / views.weightedVolume[i] *
-        ((3.0 * bulkModulus_ - 5.0 * shearModulus_) * theta[static_cast<std::size_t>(i)] * reference.length +
-         unbroken * 15.0 * shearModulus_ * (current.length - reference.length));
+    const double state = unbroken * influence(reference, views.volume[i], views.volume[j]) / views.weightedVolume[i] *
+                         (constants_.volumetric * theta[static_cast<std::size_t>(i)] * reference.length +
+                          unbroken * constants_.deviatoric * (current.length - reference.length));
     for (std::size_t d = 0; d < 3; ++d) {
       const double force = state * current.xi[d] / current.length;
       views.force[3 * static_cast<std::size_t>(i) + d] += force * views.volume[j];
@@ -183,18 +176,18 @@ void Elastic::computeStoredElasticEnergyDensity(const double, const int numOwned
   const std::vector<double> theta = dilatations(call, views);
   for (int p = 0; p < numOwnedPoints; ++p) {
     const double own = theta[static_cast<std::size_t>(ownedIDs[p])];
-    energy[ownedIDs[p]] = 0.5 * bulkModulus_ * own * own;
+    energy[ownedIDs[p]] = 0.5 * constants_.bulk * own * own;
   }
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (views.weightedVolume[i] == 0.0) return;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    const double deviation =
-        current.length - reference.length - theta[static_cast<std::size_t>(i)] * reference.length / 3.0;
-    energy[i] += 7.5 * shearModulus_ / views.weightedVolume[i] * views.unbroken(bond) *
+    const double deviation = current.length - reference.length -
+                             theta[static_cast<std::size_t>(i)] * reference.length / constants_.dimension;
+    energy[i] += 0.5 * constants_.deviatoric / views.weightedVolume[i] * views.unbroken(bond) *
                  influence(reference, views.volume[i], views.volume[j]) * deviation * deviation * views.volume[j];
   });
 }
 
-PD_REGISTER_MATERIAL(Elastic, "Elastic", "Linear peridynamic solid: ordinary state-based elasticity in 3D.")
+PD_REGISTER_MATERIAL(Elastic, "Elastic", "Linear peridynamic solid: ordinary state-based elasticity.")
 
 }  // namespace pd

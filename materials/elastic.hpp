@@ -14,7 +14,8 @@
 
 namespace pd {
 
-/// Ordinary state-based elasticity in 3D, for any Poisson's ratio (formulas: kernels/linear_peridynamic_solid.hpp).
+/// Ordinary state-based elasticity, in plane stress, plane strain or 3D, for any Poisson's ratio (formulas:
+/// kernels/linear_peridynamic_solid.hpp).
 class Elastic : public PeridigmNS::Material, public FieldUser, public StepListener {
  public:
   struct Fields : FieldTable {
@@ -31,7 +32,7 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   };
 
   static void declareParameters(ParameterDeclarations& declare);
-  explicit Elastic(const Teuchos::ParameterList& params);
+  explicit Elastic(const Teuchos::ParameterList& given);
 
   std::string Name() const override { return "Elastic"; }
   double Density() const override { return density_; }
@@ -46,7 +47,7 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   /// Force_Density and Dilatation.
   void computeForce(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                     PeridigmNS::DataManager& dataManager) const override;
-  /// W = K/2 theta^2 + 15 G/(2 m) sum w (e - theta |xi|/3)^2 V.
+  /// W of kernels::SolidConstants.
   void computeStoredElasticEnergyDensity(const double, const int numOwnedPoints, const int* ownedIDs,
                                          const int* neighborhoodList,
                                          PeridigmNS::DataManager& dataManager) const override;
@@ -63,6 +64,8 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   };
   struct Views;
 
+  /// `params`: completed.
+  Elastic(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params);
   Cache makeCache(const Call& call, const Views& views) const;
   /// Influence function x share of the neighbour's volume.
   double influence(const ReferenceBond& bond, double volume, double neighborVolume) const;
@@ -71,8 +74,9 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   /// theta of owned points, in their order. Bonds that are damaged by d count 1 - d.
   std::vector<double> dilatations(const Call& call, const Views& views) const;
 
-  double density_ = 0.0, bulkModulus_ = 0.0, shearModulus_ = 0.0, horizon_ = 0.0;
-  kernels::VolumeCorrection volumeCorrection_ = kernels::VolumeCorrection::None;
+  BondFamily family_;
+  double density_ = 0.0, bulkModulus_ = 0.0, shearModulus_ = 0.0;
+  kernels::SolidConstants constants_;
   Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;
 };

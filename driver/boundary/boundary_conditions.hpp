@@ -21,8 +21,10 @@ class BoundaryConditions {
  public:
   using FarField = pd::FarField;
 
-  /// Allocates the fields that the conditions need in `model`. Throws DeckError as checkConditions(), and where a
-  /// condition acts on a field that nothing in the run uses. Collective.
+  /// Allocates the fields that the conditions need in `model`. Throws DeckError with all that is wrong with them: sets
+  /// without points of this name, loads along axes on which nothing moves, fields that nothing in the run uses, and two
+  /// conditions that prescribe, or start from, different values of one field at a point (in Peridigm's decks the later
+  /// one holds, as there). Collective.
   BoundaryConditions(const Deck& deck, Model& model);
   ~BoundaryConditions();
 
@@ -73,12 +75,6 @@ class BoundaryConditions {
   std::vector<char> nowhere_;                              ///< [nPoints] of a field without conditions
   FarField farField_;
 };
-
-/// Looks for what is wrong with the conditions of a checked deck now that there is a mesh: sets without points of this
-/// name, loads along axes on which nothing moves, and two conditions that prescribe, or start from, different values of
-/// one field at a point (in Peridigm's decks the later one holds, as there). Throws DeckError with all of it.
-/// Collective.
-void checkConditions(const Deck& deck, const Discretization& mesh, const Communicator& comm);
 
 }  // namespace pd
 

@@ -114,8 +114,4 @@ ConditionSet readConditions(const Deck& deck, const Discretization& mesh, const 
   return conditions;
 }
 
-void checkConditions(const Deck& deck, const Discretization& mesh, const Communicator& comm) {
-  readConditions(deck, mesh, comm, [](const Condition&) {});
-}
-
 }  // namespace pd

@@ -11,7 +11,7 @@ namespace pd {
 using ConditionSet = std::vector<Teuchos::RCP<Condition>>;
 
 /// The conditions of the deck in its order, with their points found and measured. `use`, which must not communicate,
-/// may throw DeckError for each. Throws DeckError with all mistakes; those of checkConditions() among them. Collective.
+/// may throw DeckError for each. Throws DeckError with all mistakes. Collective.
 ConditionSet readConditions(const Deck& deck, const Discretization& mesh, const Communicator& comm,
                             const std::function<void(const Condition&)>& use);
 

@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <thread>
 
-#include "../boundary/boundary_conditions.hpp"
 #include "../deck/sections.hpp"
+#include "../model/collective.hpp"
+#include "../model/run_setup.hpp"
 #include "../parallel/launch.hpp"
 #include "../study/check_study.hpp"
 #include "../study/run_study.hpp"
@@ -49,13 +50,19 @@ std::string withPrefix(const std::string& prefix, const Mistakes& lines) {
   return result;
 }
 
-/// Everything that a run checks before it allocates anything.
+/// Everything that a run may refuse before its first step.
 void check(const RunOptions& options, const Communicator& comm) {
   const Deck deck = Deck::read(options.deckFile, options.overrides, options.unknownKeys);
   checkDeck(deck);
-  print(comm, stderr, withPrefix("warning: ", deck.warnings()));
-  deck.mistakes().report();
-  checkConditions(deck, readDiscretization(deck, comm), comm);
+  const auto warn = [&] { print(comm, stderr, withPrefix("warning: ", deck.warnings())); };
+  try {
+    deck.mistakes().report();
+    rehearse(deck, comm);
+  } catch (...) {
+    warn();
+    throw;
+  }
+  warn();
   print(comm, stdout, options.deckFile + ": no mistakes found");
 }
 
@@ -113,6 +120,10 @@ int exitCodeOf(int rank, const Work& work) {
     return userMistake;
   } catch (const RunError& error) {
     printOnce(std::string("the run cannot go on: ") + error.what());
+    return failedRun;
+  } catch (const std::bad_alloc& error) {
+    // Perhaps on one rank alone: each says so itself.
+    std::fprintf(stderr, "pdrun, rank %d: the run cannot go on: %s\n", rank, whatOf(error).c_str());
     return failedRun;
   } catch (const std::exception& error) {
     // Perhaps on one rank alone: each says so itself.

@@ -1,9 +1,12 @@
 // Values of a deck that are good alone and must fit each other.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "block_plugins.hpp"
@@ -19,9 +22,24 @@ namespace {
 
 using Kind = DeckSection::Kind;
 
-template <class Value>
-Value valueOr(const Teuchos::ParameterList& list, const std::string& name, Value fallback) {
-  return list.isParameter(name) ? list.get<Value>(name) : fallback;
+/// Why no file can have this name; empty where one can.
+std::string fileNameTrouble(const std::string& name) {
+  constexpr std::size_t longestName = 255, longestEnding = 30;  // of POSIX file systems; ".checkpoint.h5.unfinished"
+  const std::filesystem::path path(name);
+  std::error_code error;
+  if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
+    return "it holds a control character";
+  if (!path.has_filename() || path.filename() == "." || path.filename() == "..")
+    return "it names a folder; add the name of the files in it";
+  for (const std::filesystem::path& part : path)
+    if (part.string().size() + longestEnding > longestName) return "it is too long for a file";
+  std::filesystem::path folder = path.parent_path();
+  while (!folder.empty() && !std::filesystem::exists(folder, error) && folder != folder.parent_path())
+    folder = folder.parent_path();
+  const std::string shown = "\"" + (folder.empty() ? "." : folder.string()) + "\"";
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) return shown + " is a file, not a folder";
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) return "you may not write into " + shown;
+  return "";
 }
 
 class CombinationCheck {
@@ -253,6 +271,9 @@ class CombinationCheck {
           mistakes_.add(step.place(), step.path() + " must be an integer, not \"" + step.text() + "\"");
       if (!output->isGood) continue;
       const std::string file = output->list.get<std::string>("Output Filename");
+      if (const std::string trouble = fileNameTrouble(file); !trouble.empty())
+        mistakes_.add(node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace(),
+                      node.path() + ": \"" + file + "\" cannot be the Output Filename: " + trouble);
       const auto [it, isNew] = files.emplace(file, node.path());
       // Peridigm writes values for the whole body and fields into files of one name with different endings, as we do.
       if (!isNew && !deck_.isPeridigmDeck())

@@ -25,6 +25,11 @@ struct DeckUnderCheck {
   bool hasDamageModel() const;  ///< whether any block has one
 };
 
+template <class Value>
+Value valueOr(const Teuchos::ParameterList& list, const std::string& name, Value fallback) {
+  return list.isParameter(name) ? list.get<Value>(name) : fallback;
+}
+
 /// Whether an entry of Blocks has no damage model.
 bool hasNone(const DeckNode& block);
 

@@ -1,5 +1,8 @@
 // Plug-ins refuse some values only when they are made, and only they know the fields of a run: make them all.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -12,6 +15,7 @@
 #include "check_deck.hpp"
 #include "function.hpp"
 #include "peridigm_deck.hpp"
+#include "run_parts.hpp"
 #include "sections.hpp"
 
 namespace pd {
@@ -41,30 +45,39 @@ class OneRank : public PeridigmNS::Communicator {
   }
 };
 
+constexpr double manySteps = 1e8;
+
+/// The place of the first value of a section whose key the message quotes; empty where it quotes none.
+std::string placeOfQuoted(const DeckNode& section, const std::string& message) {
+  for (const auto& [key, value] : section.entries()) {
+    const bool isMeant = message.find("\"" + key + "\"") != std::string::npos ||
+                         (value.isScalar() && message.find("\"" + value.text() + "\"") != std::string::npos);
+    if (isMeant) return value.isMap() ? value.keyPlace() : value.place();
+    if (const std::string inside = placeOfQuoted(value, message); !inside.empty()) return inside;
+  }
+  return "";
+}
+
 class PluginCheck {
  public:
   explicit PluginCheck(const DeckUnderCheck& check) : check_(check), deck_(check.deck), mistakes_(deck_.mistakes()) {
     labels_ = {"Displacement"};
     labels_.insert(driverLabels_.begin(), driverLabels_.end());
+    parts_.ofHost = labels_;
     run_.hasDamageModel = check.hasDamageModel();
   }
 
   void run() {
     isComplete_ = !check_.ofKind(Kind::Block).empty();
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) blockPlugins(*block);
-    loadedBlocksFollowPhases();
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver))
-      makePart(*solver, [&] {
-        const auto made = SolverRegistry::self().create(solver->section.plugin, solver->list);
-        for (const std::string& label : made->fieldsWithFarField()) run_.fieldsWithFarField.insert(label);
-        for (const FieldUse& use : made->fields().uses()) run_.solverFields.insert(use.field.label);
-        return made->fields().ids();
-      });
+      makePart(*solver, [&] { return solverPlugin(*solver); });
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver)) watchedFields(*solver);
     bool hasAllConditions = true;
     for (const CheckedSection* checked : check_.ofKind(Kind::Condition)) hasAllConditions &= condition(*checked);
     computes();
     isComplete_ = isComplete_ && hasAllConditions;
+    if (isComplete_) checkNeeds(deck_, parts_);
     for (const CheckedSection* output : check_.ofKind(Kind::Output)) outputVariables(output->section.node);
     for (const CheckedSection* entry : check_.ofKind(Kind::ExactSolution)) isKnown(entry->section.node["Field"]);
   }
@@ -73,10 +86,11 @@ class PluginCheck {
   /// Calls `create`, which makes the plug-in of the section and returns its fields. False where it cannot be made.
   template <class Create>
   bool make(const CheckedSection& checked, const Create& create) {
-    return checked.isGood && make(checked.section.node.keyPlace(), checked.section.node.path(), create);
+    return checked.isGood && make(checked.section.node, checked.section.node.keyPlace(), create);
   }
+  /// `place`: of mistakes that speak of nothing in the section.
   template <class Create>
-  bool make(const std::string& place, const std::string& path, const Create& create) {
+  bool make(const DeckNode& section, const std::string& place, const Create& create) {
     try {
       for (const int id : create()) {
         const PeridigmNS::FieldSpec spec = FieldManager::self().getFieldSpec(id);
@@ -87,7 +101,10 @@ class PluginCheck {
       addAll(mistakes_, error);
     } catch (const std::exception& error) {
       std::istringstream lines(error.what());
-      for (std::string line; std::getline(lines, line);) mistakes_.add(place, path + ": " + line);
+      for (std::string line; std::getline(lines, line);) {
+        const std::string named = placeOfQuoted(section, line);
+        mistakes_.add(named.empty() ? place : named, section.path() + ": " + line);
+      }
     }
     return false;
   }
@@ -104,83 +121,113 @@ class PluginCheck {
     return nullptr;
   }
 
-  /// What block plug-ins mean for the rest of the deck.
-  struct BlockFields {
-    DeckNode block;
-    std::vector<NamedTable> plugins;  ///< the material, and the damage model where it has one
-    bool changes(const FieldDescription& field, FieldAccess access) const {
-      return std::any_of(plugins.begin(), plugins.end(), [&](const NamedTable& plugin) {
-        const FieldUse* use = plugin.table.find(field.id());
-        return use != nullptr && use->access == access;
-      });
-    }
-  };
-
   void blockPlugins(const CheckedSection& block) {
     const DeckNode& node = block.section.node;
-    blocks_.push_back({node, {}});
+    parts_.blocks.push_back({node, {}, {}});
     if (!block.isGood) {
       isComplete_ = false;
       return;
     }
     const Function horizon = Function::fromDeck(node["Horizon"]);
+    std::vector<NamedTable> wholes;
+    const auto add = [&](const NamedPlugin& named, const auto& made) {
+      addOrigins(*made);
+      wholes.push_back({named.name, fieldsIn(*made)});
+      return made->FieldIds();
+    };
+    const auto material = [&](NamedPlugin named) {
+      if (MaterialRegistry::self().find(named.plugin)->declare().find("Horizon") != nullptr) {
+        if (!horizon.isConstant())
+          throw DeckError(node["Horizon"].place() + ": " + node["Horizon"].path() + " depends on the place, but \"" +
+                          named.plugin + "\" takes one horizon for all points of a block; give a number");
+        named.parameters.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
+      }
+      return MaterialRegistry::self().create(named.plugin, named.parameters);
+    };
+    const auto damageModel = [](const NamedPlugin& named) {
+      return DamageModelRegistry::self().create(named.plugin, named.parameters);
+    };
+    BlockParts& parts = parts_.blocks.back();
     if (!horizon.dependsOnTime())
-      makeOfBlock(MaterialRegistry::self(), Kind::Material, node["Material"], [&](Teuchos::ParameterList& list) {
-        if (horizon.isConstant()) list.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
-      });
+      makeOfBlock(MaterialRegistry::self(), Kind::Material, node["Material"], parts.materials, material, add);
     if (!hasNone(node))
-      makeOfBlock(DamageModelRegistry::self(), Kind::DamageModel, node["Damage Model"], [](Teuchos::ParameterList&) {});
-    for (const std::string& message : contestedFields(blocks_.back().plugins))
+      makeOfBlock(DamageModelRegistry::self(), Kind::DamageModel, node["Damage Model"], parts.damageModels, damageModel,
+                  add);
+    for (const std::string& message : contestedFields(wholes))
       mistakes_.add(node.keyPlace(), node.path() + ": " + message);
   }
 
-  /// The plug-in that the block names, or several as one, which `adjust` gives what the block has for it.
-  template <class Registry, class Adjust>
-  void makeOfBlock(const Registry& registry, Kind kind, const DeckNode& names, const Adjust& adjust) {
+  /// The plug-in that the block names, or several as one: `create` makes it, `add` takes it up and returns its fields.
+  /// `made`: gets each of them alone.
+  template <class Registry, class Create, class Add>
+  void makeOfBlock(const Registry& registry, Kind kind, const DeckNode& names, std::vector<RunPart>& made,
+                   const Create& create, const Add& add) {
     std::vector<NamedPlugin> parts;
-    const CheckedSection* only = nullptr;
+    std::vector<const CheckedSection*> sections;
     for (const DeckNode& name : names.each()) {
-      only = named(kind, name);
+      const CheckedSection* section = named(kind, name);
       const bool isNew =
           std::none_of(parts.begin(), parts.end(), [&](const NamedPlugin& part) { return part.name == name.text(); });
-      if (only != nullptr && only->isGood && isNew) parts.push_back({name.text(), only->section.plugin, only->list});
+      if (section == nullptr || !section->isGood || !isNew) continue;
+      parts.push_back({name.text(), section->section.plugin, section->list});
+      sections.push_back(section);
     }
     if (parts.empty() || parts.size() != names.each().size()) {
       isComplete_ = false;
       return;
     }
-    NamedPlugin whole = asOne(registry, parts);
-    const auto create = [&] {
-      if (registry.find(whole.plugin)->declare().find("Horizon") != nullptr) adjust(whole.parameters);
-      const auto made = registry.create(whole.plugin, whole.parameters);
-      addOrigins(*made);
-      blocks_.back().plugins.push_back({whole.name, fieldsIn(*made)});
-      return made->FieldIds();
+    const NamedPlugin whole = asOne(registry, parts);
+    const auto makeWhole = [&] {
+      const auto ids = add(whole, create(whole));
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        const auto part = create(parts[k]);
+        // The table of a plug-in that combines others does not say which of them needs what.
+        const bool saysWhatItNeeds = fieldTableOf(*part) != nullptr && registry.find(parts[k].plugin)->partsKey.empty();
+        made.push_back({sections[k]->section.node, parts[k].plugin, fieldsIn(*part), saysWhatItNeeds});
+        if constexpr (std::is_same_v<Registry, MaterialRegistry>) made.back().densityTrouble = densityTrouble(*part);
+      }
+      return ids;
     };
-    const bool isMade = parts.size() == 1 ? make(*only, create) : make(names.place(), names.path(), create);
+    const bool isMade = parts.size() == 1 ? make(*sections.front(), makeWhole) : make(names, names.place(), makeWhole);
     if (!isMade) isComplete_ = false;
   }
 
-  /// Of a bond between blocks both see to their own side.
-  void loadedBlocksFollowPhases() {
-    const auto isLoaded = [](const BlockFields& fields) {
-      return fields.changes(fields::forceDensity(), FieldAccess::Adds);
-    };
-    const auto dissolves = [&](const BlockFields& fields) {
-      return isLoaded(fields) && fields.changes(fields::saturationConcentration(), FieldAccess::Writes);
-    };
-    const DeckNode omitted = deck_["Discretization"]["Omit Bonds Between Blocks"];
-    const bool areJoined = !(omitted.isScalar() && omitted.text() == "All");
-    const auto dissolving = std::find_if(blocks_.begin(), blocks_.end(), dissolves);
-    if (dissolving == blocks_.end()) return;
-    for (const BlockFields& block : blocks_) {
-      if (!isLoaded(block) || !(areJoined || dissolves(block))) continue;
-      if (block.changes(fields::saturationConcentration(), FieldAccess::Reads)) continue;
-      mistakes_.add(block.block.keyPlace(),
-                    block.block.path() + ": its bonds to points that dissolve in " + dissolving->block.path() +
-                        " would go on carrying load; add the damage model by which points dissolve to its list, as in "
-                        "\"Damage Model: [Breakage, Dissolving]\"");
+  /// Why the material has no mass density; empty where it has one.
+  static std::string densityTrouble(const PeridigmNS::Material& material) {
+    try {
+      return material.Density() > 0.0 ? "" : "its mass density is not positive";
+    } catch (const std::exception& error) {
+      return error.what();
     }
+  }
+
+  void countSteps(const CheckedSection& checked, const Solver& solver) {
+    const std::string path = checked.section.node.path();
+    for (const CheckedSection* times : check_.ofKind(Kind::SolverTimes)) {
+      if (!times->isGood || path.rfind(times->section.node.path() + "/", 0) != 0) continue;
+      const double start = valueOr(times->list, "Initial Time", 0.0), end = valueOr(times->list, "Final Time", 1.0);
+      if (!(end > start)) continue;
+      const double n = solver.leastSteps(start, end);
+      nSteps_ += n;
+      const std::string message = fmt::format("{}: {:.3g} steps at least from {:g} to {:g} s", path, n, start, end);
+      if (nSteps_ > std::numeric_limits<int>::max())
+        mistakes_.add(checked.section.node.keyPlace(),
+                      message + (n < nSteps_ ? fmt::format(", {:.3g} with those of the solvers before", nSteps_) : "") +
+                          ": more than the 2.1e9 that can be counted; take longer steps, or shorten the run");
+      else if (n >= manySteps)
+        deck_.warnings().add(checked.section.node.keyPlace(),
+                             message + ": days of work even for a small body; are the times in seconds?");
+    }
+  }
+
+  std::vector<int> solverPlugin(const CheckedSection& checked) {
+    const auto made = SolverRegistry::self().create(checked.section.plugin, checked.list);
+    const FieldTable& table = made->fields();
+    for (const std::string& label : made->fieldsWithFarField()) run_.fieldsWithFarField.insert(label);
+    for (const FieldUse& use : table.uses()) run_.solverFields.insert(use.field.label);
+    countSteps(checked, *made);
+    parts_.solvers.push_back({{checked.section.node, checked.section.plugin, table, true, ""}, made->needsDensity()});
+    return table.ids();
   }
 
   /// Where the values of the fields come from that a plug-in sets.
@@ -207,6 +254,7 @@ class PluginCheck {
       const DeckSection& section = checked.section;
       const auto made = ConditionRegistry::self().create(section.plugin, {section.name, section.node, checked.list});
       const std::vector<int> ids = made->fieldIds();
+      parts_.ofConditions.insert(made->field());
       const std::string obstacle = isComplete_ ? made->obstacle(run_) : "";
       if (!obstacle.empty())
         mistakes_.add(section.node.keyPlace(),
@@ -315,8 +363,13 @@ class PluginCheck {
         mistakes_.add(place, path + ": unknown field or compute \"" + label + "\"" + didYouMean(label, all));
       return false;
     }
-    mistakes_.add(place, path + ": nothing in this deck provides \"" + label + "\"" + didYouMean(label, known) +
-                             "; there are: " + quotedList(known));
+    // All of them once, and only to whom no slip of the pen is to be shown.
+    std::string help = didYouMean(label, known);
+    if (help.empty())
+      help =
+          hasListedLabels_ ? "; another of these messages names all that it does" : "; there are: " + quotedList(known);
+    hasListedLabels_ = hasListedLabels_ || help.find("there are") != std::string::npos;
+    mistakes_.add(place, path + ": nothing in this deck provides \"" + label + "\"" + help);
     return false;
   }
 
@@ -326,10 +379,12 @@ class PluginCheck {
   /// The driver fills or makes these itself.
   const std::set<std::string> driverLabels_{"Model_Coordinates", "Coordinates", "Volume",  "Block_Id",
                                             "Element_Id",        "Proc_Num",    "Horizon", "External_Force_Density"};
-  std::vector<BlockFields> blocks_;
+  RunParts parts_;
   std::set<std::string> labels_;                ///< all that is known
   std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
   RunContents run_;
+  bool hasListedLabels_ = false;
+  double nSteps_ = 0.0;     ///< of all solvers, at least
   bool isComplete_ = true;  ///< all plug-ins could be made
 };
 

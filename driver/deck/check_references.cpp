@@ -7,6 +7,7 @@
 
 #include "check_deck.hpp"
 #include "deck_data.hpp"
+#include "sections.hpp"
 
 namespace pd {
 
@@ -24,14 +25,18 @@ class ReferenceCheck {
     warnOfUnused("Materials", "Material");
     warnOfUnused("Damage Models", "Damage Model");
     nodeSets();
-    for (const CheckedSection& checked : check_.sections) namesOfSets(checked);
+    const DeckNode meshType = deck_["Discretization"]["Type"];
+    // The mesh has node sets and names of blocks of its own, which are known once it is read.
+    const bool meshHasNames = meshType.isScalar() && meshType.text() == "Exodus";
+    if (!meshHasNames) nodeSetNames();
+    if (!meshHasNames && owners_.count("default") == 0) blockNames();
+    blocksOfMaterials();
     fileExists(deck_["Discretization"]["Input Mesh File"]);
     for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) fileExists(filter->section.node["File Name"]);
   }
 
  private:
   void blocks() {
-    std::map<std::string, std::string> owners;
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
       const DeckNode& node = block->section.node;
       refersTo(node["Material"], "Materials");
@@ -39,11 +44,10 @@ class ReferenceCheck {
       if (!node["Block Names"].isScalar()) continue;
       std::istringstream names(node["Block Names"].text());
       for (std::string name; names >> name;) {
-        const auto [it, isNew] = owners.emplace(name, node.path());
+        const auto [it, isNew] = owners_.emplace(name, node);
         if (!isNew)
           mistakes_.add(node["Block Names"].place(),
-                        name + " is named in " + it->second + " already; a block of the mesh has one entry");
-        blockNames_.push_back(name);
+                        name + " is named in " + it->second.path() + " already; a block of the mesh has one entry");
       }
     }
   }
@@ -108,28 +112,39 @@ class ReferenceCheck {
     }
   }
 
-  void namesOfSets(const CheckedSection& checked) {
-    const DeckNode& node = checked.section.node;
-    const DeckNode meshType = deck_["Discretization"]["Type"];
-    // The mesh has node sets of its own, which are known once it is read.
-    const bool meshHasSets = meshType.isScalar() && meshType.text() == "Exodus";
-    for (const char* key : {"Node Set", "First Node Set", "Second Node Set"}) {
-      const DeckNode value = node[key];
-      if (meshHasSets || checked.section.declarations.find(key) == nullptr || !value.isScalar()) continue;
-      const std::string plain = plainName(value.text());
-      if (std::find(plainSetNames_.begin(), plainSetNames_.end(), plain) != plainSetNames_.end()) continue;
+  void nodeSetNames() {
+    for (const DeckNode& value : namesOf(deck_, "Node Set")) {
+      if (std::find(plainSetNames_.begin(), plainSetNames_.end(), plainName(value.text())) != plainSetNames_.end())
+        continue;
       mistakes_.add(value.place(),
                     value.path() + ": there is no node set \"" + value.text() + "\" in Boundary Conditions" +
                         didYouMean(value.text(), setNames_) +
                         (setNames_.empty() ? "; there are none" : "; there are: " + quotedList(setNames_)));
     }
-    const DeckNode block = node["Block"];
-    const bool hasDefault = std::find(blockNames_.begin(), blockNames_.end(), "default") != blockNames_.end();
-    if (checked.section.declarations.find("Block") == nullptr || !block.isScalar() || hasDefault) return;
-    if (std::find(blockNames_.begin(), blockNames_.end(), block.text()) == blockNames_.end())
-      mistakes_.add(block.place(), block.path() + ": there is no block \"" + block.text() + "\"" +
-                                       didYouMean(block.text(), blockNames_) +
-                                       "; there are: " + quotedList(blockNames_));
+  }
+
+  void blockNames() {
+    std::vector<std::string> known;
+    for (const auto& owner : owners_) known.push_back(owner.first);
+    for (const DeckNode& value : namesOf(deck_, "Block"))
+      if (owners_.count(value.text()) == 0)
+        mistakes_.add(value.place(), value.path() + ": there is no block \"" + value.text() + "\"" +
+                                         didYouMean(value.text(), known) + "; there are: " + quotedList(known));
+  }
+
+  /// A material that names a block has it.
+  void blocksOfMaterials() {
+    for (const DeckNode& value : namesOf(deck_, "Block")) {
+      const auto owner = owners_.find(value.text());
+      if (owner == owners_.end() || value.path().rfind("Materials/", 0) != 0) continue;
+      const std::vector<DeckNode> materials = owner->second["Material"].each();
+      const bool isOwn = std::any_of(materials.begin(), materials.end(), [&](const DeckNode& material) {
+        return value.path().rfind("Materials/" + material.text() + "/", 0) == 0;
+      });
+      if (!isOwn)
+        mistakes_.add(value.place(), value.path() + ": \"" + value.text() + "\" is a block of " + owner->second.path() +
+                                         ", which has another material");
+    }
   }
 
   void fileExists(const DeckNode& value) {
@@ -147,7 +162,8 @@ class ReferenceCheck {
   const DeckUnderCheck& check_;
   const Deck& deck_;
   Mistakes& mistakes_;
-  std::vector<std::string> blockNames_, setNames_, plainSetNames_;
+  std::map<std::string, DeckNode> owners_;  ///< entries of Blocks by names of blocks
+  std::vector<std::string> setNames_, plainSetNames_;
 };
 
 }  // namespace

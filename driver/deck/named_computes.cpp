@@ -32,7 +32,7 @@ std::vector<std::string> computesWithoutSection(const Deck& deck) {
     if (entry["Variable"].isScalar()) labels.push_back(entry["Variable"].text());
   }
   for (const auto& [key, output] : deck.root().entries()) {
-    if (key.find("Output") == std::string::npos) continue;
+    if (!isSectionOf(deck, key, "Output")) continue;
     for (const auto& [label, isWanted] : output["Output Variables"].entries()) labels.push_back(label);
     for (const DeckNode& item : output["Output Variables"].items())
       if (item.isScalar()) labels.push_back(item.text());

@@ -33,14 +33,14 @@ class SectionFinder {
   static std::string solverNames() { return quotedList(SolverRegistry::self().names()); }
 
   void root(const std::string& key, const DeckNode& node) {
-    const bool isSolver = key.find("Solver") != std::string::npos, isOutput = key.find("Output") != std::string::npos;
+    const bool isSolver = isSectionOf(deck_, key, "Solver"), isOutput = isSectionOf(deck_, key, "Output");
     static const std::vector<std::string> known{
         "Discretization",           "Materials", "Damage Models", "Blocks", "Boundary Conditions", "Solver",
         "Compute Class Parameters", "Output",    "Exact Solution"};
     const bool isKnown = isSolver || isOutput || std::find(known.begin(), known.end(), key) != known.end();
     if (!isKnown) {
       unknownKey(node, "unknown key \"" + key + "\" at the top level" + didYouMean(key, known) +
-                           "; known here: " + quotedList(known));
+                           "; known here: " + quotedList(known) + ", and Solver2, Output2 ...");
     } else if (key == "Exact Solution") {
       exactSolution(node);
     } else if (!node.isMap()) {
@@ -257,6 +257,43 @@ std::string plainName(const std::string& name) {
   std::string result;
   for (const char c : name) result += c == ' ' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return result;
+}
+
+bool isSectionOf(const Deck& deck, const std::string& key, const std::string& word) {
+  if (deck.isPeridigmDeck()) return key.find(word) != std::string::npos;
+  if (key.compare(0, word.size(), word) != 0) return false;
+  const std::size_t number = key.size() > word.size() && key[word.size()] == ' ' ? word.size() + 1 : word.size();
+  return key.size() == word.size() || (number < key.size() && key.find_first_not_of("0123456789", number) == key.npos);
+}
+
+namespace {
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void addNames(const DeckNode& section, const std::string& what, std::vector<DeckNode>& names) {
+  for (const auto& [key, value] : section.entries()) {
+    if (endsWith(key, what) || endsWith(key, what + "s"))
+      for (const DeckNode& name : value.each()) names.push_back(name);
+    else
+      addNames(value, what, names);
+  }
+}
+
+}  // namespace
+
+std::vector<DeckNode> namesOf(const Deck& deck, const std::string& what) {
+  std::vector<DeckNode> names;
+  const auto addOfEntries = [&](const DeckNode& list) {
+    for (const auto& entry : list.entries()) addNames(entry.second, what, names);
+    for (const DeckNode& item : list.items()) addNames(item, what, names);
+  };
+  for (const char* list :
+       {"Materials", "Damage Models", "Boundary Conditions", "Compute Class Parameters", "Exact Solution"})
+    addOfEntries(deck[list]);
+  addOfEntries(deck["Discretization"]["Bond Filters"]);
+  return names;
 }
 
 bool isNodeSetName(const std::string& name) { return plainName(name).find("NODE_SET") != std::string::npos; }

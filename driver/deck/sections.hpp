@@ -21,6 +21,15 @@ const ParameterDeclarations& outputDeclarations();
 const ParameterDeclarations& exactSolutionDeclarations();  ///< an entry of "Exact Solution"
 const ParameterDeclarations& solverDeclarations();         ///< what all solvers share: times, verbosity
 
+/// Whether the key of the top level is a section "Solver" or "Output" (`word`), one of several with a number behind it
+/// ("Solver2"). In decks of Peridigm, as there, all keys count that contain the word.
+bool isSectionOf(const Deck& deck, const std::string& key, const std::string& word);
+
+/// Where entries of Materials, Damage Models, Boundary Conditions, Compute Class Parameters, Exact Solution and Bond
+/// Filters name node sets or blocks: the values, each name by itself, of keys that are `what` ("Node Set", "Block") or
+/// end with it, as "First Node Set" and "Phase Blocks" do.
+std::vector<DeckNode> namesOf(const Deck& deck, const std::string& what);
+
 /// Computes may be named with blanks in place of underscores.
 std::string withUnderscores(std::string name);
 

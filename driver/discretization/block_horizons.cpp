@@ -10,12 +10,15 @@
 #include "../deck/block_plugins.hpp"
 #include "../deck/deck_data.hpp"
 #include "../deck/function.hpp"
+#include "mesh_geometry.hpp"
 
 namespace pd {
 
 namespace {
 
 constexpr double largestHorizon = 1e100;  ///< m; squares of distances stay far from overflow
+/// A horizon that is longer than so many bodies is in another unit, or mistyped.
+constexpr double mostBodies = 1000.0;
 
 /// The block of `blockNumbers` that has this name; 0 where none has.
 int blockNumber(const std::string& name, const std::vector<int>& blockNumbers, const MeshPoints& points) {
@@ -123,6 +126,8 @@ std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, 
     functions.emplace(number, horizonOf(entry, mistakes));
     if (mistakes.lines().size() > before) refused.insert(number);
   }
+  const BoundingBox box = boundingBox(points);
+  const double longest = box.diagonal() > 0.0 ? mostBodies * box.diagonal() : largestHorizon;
   for (int i = 0; i < points.size(); ++i) {
     const int block = points.blockId[i];
     const auto function = functions.find(block);
@@ -130,10 +135,16 @@ std::vector<double> pointHorizons(const MeshPoints& points, const std::map<int, 
     const double* x = points.at(i);
     const double value = function->second(x[0], x[1], x[2], 0.0);
     horizon[i] = value;
-    if ((value > 0.0 && value < largestHorizon) || !refused.insert(block).second) continue;
-    mistakes.add(entries.at(block)["Horizon"].place(),
-                 fmt::format("the horizon must be greater than 0 and finite; it is {:g} m at the point of {}", value,
-                             points.place(i)));
+    if ((value > 0.0 && value < std::min(longest, largestHorizon)) || !refused.insert(block).second) continue;
+    const std::string place = entries.at(block)["Horizon"].place();
+    if (value > longest)
+      mistakes.add(place,
+                   fmt::format("the horizon of {:g} m at the point of {} reaches far beyond the mesh, which spans "
+                               "{} m; horizons are usually 3 to 6 spacings of points",
+                               value, points.place(i), box.text()));
+    else
+      mistakes.add(place, fmt::format("the horizon must be greater than 0 and finite; it is {:g} m at the point of {}",
+                                      value, points.place(i)));
   }
   return horizon;
 }

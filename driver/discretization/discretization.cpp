@@ -9,8 +9,10 @@
 #include <numeric>
 #include <optional>
 
+#include "../model/collective.hpp"
 #include "block_horizons.hpp"
 #include "bond_filters.hpp"
+#include "dimension_check.hpp"
 #include "mesh_geometry.hpp"
 #include "mesh_reader.hpp"
 #include "neighbor_search.hpp"
@@ -155,7 +157,8 @@ void checkNeighborhoods(const MeshPoints& body, const BondFilters& filters, cons
 
 Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   Mistakes& mistakes = deck.mistakes();
-  const MeshPoints points = readMesh(deck, comm);
+  MeshPoints points;
+  withMemoryFor(comm, "the points of the mesh", [&] { points = readMesh(deck, comm); });
   const DeckNode section = deck["Discretization"];
   const NodeSets nodeSets = allNodeSets(deck, comm, points);
 
@@ -173,6 +176,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const double area = positiveLength(section, "Cross Section Area", mistakes);
   const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
   const std::vector<double> horizon = pointHorizons(points, entries, mistakes);
+  checkDimensions(deck, entries, d.dimension);
   mistakes.report();
   const kernels::HorizonShape shape = horizonShape(deck, entries);
   const auto box = neighborBox(deck, horizon);
@@ -192,8 +196,10 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   mistakes.report();
 
   const double meanSpacing = std::accumulate(spacing.begin(), spacing.end(), 0.0) / static_cast<double>(body.size());
-  buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing, body.x),
-                     partitionPoints(searched.x, points.size(), comm.mpi()), comm.rank(), d);
+  withMemoryFor(comm, fmt::format("the neighbourhoods of the {} points of the mesh", points.size()), [&] {
+    buildNeighborhoods(searched, rule, filters, lineOrder(searched.x, meanSpacing, body.x),
+                       partitionPoints(searched.x, points.size(), comm.mpi()), comm.rank(), d);
+  });
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(body, horizon, d);
   d.nodeSets = localNodeSets(nodeSets, d);

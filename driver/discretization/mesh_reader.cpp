@@ -1,8 +1,11 @@
 #include "mesh_reader.hpp"
 
 #include <optional>
+#include <set>
 
 #include "../deck/deck_parameters.hpp"
+#include "../deck/sections.hpp"
+#include "block_horizons.hpp"
 #include "exodus_mesh.hpp"
 #include "quick_grid.hpp"
 #include "text_file.hpp"
@@ -12,23 +15,25 @@ namespace pd {
 
 namespace {
 
-void checkName(const DeckNode& value, const NodeSets& nodeSets, Mistakes& mistakes) {
-  if (!value || !value.isScalar() || findNodeSet(nodeSets, value.text()) != nullptr) return;
-  std::vector<std::string> known;
-  for (const auto& entry : nodeSets) known.push_back(entry.first);
-  mistakes.add(value.place(), value.path() + ": neither Boundary Conditions nor the mesh has a node set \"" +
-                                  value.text() + "\"" + didYouMean(value.text(), known) +
-                                  "; there are: " + quotedList(known));
-}
-
-void checkNames(const Deck& deck, const NodeSets& nodeSets) {
-  for (const char* section : {"Boundary Conditions", "Compute Class Parameters", "Exact Solution"}) {
-    for (const auto& item : deck[section].entries()) checkName(item.second["Node Set"], nodeSets, deck.mistakes());
-    for (const DeckNode& item : deck[section].items()) checkName(item["Node Set"], nodeSets, deck.mistakes());
+/// Those of the mesh are known now.
+void checkNames(const Deck& deck, const MeshPoints& points, const NodeSets& nodeSets) {
+  std::vector<std::string> sets, blocks;
+  for (const auto& entry : nodeSets) sets.push_back(entry.first);
+  for (const DeckNode& value : namesOf(deck, "Node Set"))
+    if (findNodeSet(nodeSets, value.text()) == nullptr)
+      deck.mistakes().add(value.place(), value.path() + ": neither Boundary Conditions nor the mesh has a node set \"" +
+                                             value.text() + "\"" + didYouMean(value.text(), sets) +
+                                             "; there are: " + quotedList(sets));
+  std::set<std::string> known;  // by their numbers, too
+  for (const int number : blockNumbersOf(points)) {
+    blocks.push_back(nameOfBlock(points.blockNames, number));
+    known.insert({blocks.back(), nameOfBlock({}, number)});
   }
-  for (const auto& item : deck["Discretization"]["Bond Filters"].entries())
-    for (const char* key : {"First Node Set", "Second Node Set"})
-      checkName(item.second[key], nodeSets, deck.mistakes());
+  for (const DeckNode& value : namesOf(deck, "Block"))
+    if (known.count(value.text()) == 0)
+      deck.mistakes().add(value.place(), value.path() + ": the mesh " + points.fileName + " has no block \"" +
+                                             value.text() + "\"" + didYouMean(value.text(), blocks) +
+                                             "; it has: " + quotedList(blocks));
 }
 
 }  // namespace
@@ -63,7 +68,7 @@ NodeSets allNodeSets(const Deck& deck, const Communicator& comm, const MeshPoint
                                                                    "\"; rename the one of the deck");
     nodeSets.emplace(name, ids);
   }
-  if (!points.nodeSets.empty()) checkNames(deck, nodeSets);
+  checkNames(deck, points, nodeSets);
   return nodeSets;
 }
 

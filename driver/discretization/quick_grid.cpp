@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
+
+#include "../model/collective.hpp"
 
 namespace pd {
 
@@ -56,8 +59,15 @@ MeshPoints emptyMesh(const Deck& deck, const DeckNode& generator, double nPoints
   points.fileName = deck.fileName();
   points.rowName = "point";
   const auto n = static_cast<std::size_t>(nPoints);
-  points.x.reserve(3 * n);
-  points.volume.reserve(n);
+  try {
+    points.x.reserve(3 * n);
+    points.volume.reserve(n);
+    points.blockId.reserve(n);
+    points.line.reserve(n);
+  } catch (const std::bad_alloc&) {
+    throw DeckError(generator.place() + ": " +
+                    outOfMemory(fmt::format("the {} points that {} asks for", n, generator.path())));
+  }
   return points;
 }
 

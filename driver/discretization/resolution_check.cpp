@@ -48,6 +48,8 @@ std::vector<Surroundings> sample(const MeshPoints& points, const NeighborRule& r
 constexpr double usualFactor = 3.0;
 /// For the single point of largest volume: beyond it, every search would have to reach as far as that point does.
 constexpr double extremeFactor = 30.0;
+/// For that of the smallest: slivers of a mesh of tetrahedra are rarely thinner.
+constexpr double sliverFactor = 1000.0;
 
 void addSpacingMistake(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
                        const Surroundings& s) {
@@ -71,12 +73,15 @@ void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<
   std::sort(sampled.begin(), sampled.end(),
             [&](const Surroundings& a, const Surroundings& b) { return ratio(a) < ratio(b); });
   const Surroundings median = sampled[sampled.size() / 2];
-  const auto largest = static_cast<int>(std::max_element(spacing.begin(), spacing.end()) - spacing.begin());
-  const Surroundings extreme = surroundingsOf(largest, points, rule);
+  const auto [smallest, largest] = std::minmax_element(spacing.begin(), spacing.end());
+  const Surroundings extreme = surroundingsOf(static_cast<int>(largest - spacing.begin()), points, rule);
+  const Surroundings least = surroundingsOf(static_cast<int>(smallest - spacing.begin()), points, rule);
   if (ratio(median) > usualFactor || ratio(median) < 1.0 / usualFactor)
     addSpacingMistake(deck, points, spacing, dimension, median);
   else if (ratio(extreme) > extremeFactor)
     addSpacingMistake(deck, points, spacing, dimension, extreme);
+  else if (ratio(least) < 1.0 / sliverFactor)
+    addSpacingMistake(deck, points, spacing, dimension, least);
 }
 
 void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Surroundings>& sampled, int nRanks,

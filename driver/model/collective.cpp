@@ -1,5 +1,10 @@
 #include "collective.hpp"
 
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <sstream>
@@ -33,7 +38,7 @@ void collectively(const Communicator& comm, const std::function<void()>& work) {
     message = error.what();
     hasFailed = isUsersMistake = true;
   } catch (const std::exception& error) {
-    message = error.what();
+    message = whatOf(error);
     hasFailed = true;
   }
   if (!comm.any(hasFailed)) return;
@@ -41,6 +46,21 @@ void collectively(const Communicator& comm, const std::function<void()>& work) {
   const std::string all = linesOnce(comm.gather(message.empty() ? "" : message + "\n"));
   if (onlyUsersMistakes) throw DeckError(all);
   throw RunError(all);
+}
+
+std::string outOfMemory(const std::string& what) {
+  rlimit limit{};
+  double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+  return fmt::format(
+      "memory does not suffice for {} (a process may use {:.1f} GB here); take fewer points or a smaller Horizon, or "
+      "more memory",
+      what, bytes / 1e9);
+}
+
+std::string whatOf(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) == nullptr ? error.what() : outOfMemory("this run");
 }
 
 void abortRun(const Communicator& comm, const std::string& message) {

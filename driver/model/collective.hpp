@@ -2,7 +2,10 @@
 #ifndef PD_COLLECTIVE_HPP
 #define PD_COLLECTIVE_HPP
 
+#include <exception>
 #include <functional>
+#include <new>
+#include <stdexcept>
 #include <string>
 
 #include "../parallel/communicator.hpp"
@@ -22,12 +25,30 @@ void orAbort(const Communicator& comm, const Work& work);
 /// Prints and aborts, or throws RunError on one rank.
 [[noreturn]] void abortRun(const Communicator& comm, const std::string& message);
 
+/// error.what(), or where memory has run out, a sentence that says so.
+std::string whatOf(const std::exception& error);
+
+/// That memory does not suffice for `what` ("the fields of 1000 points"), how much there is, and what to do.
+std::string outOfMemory(const std::string& what);
+
 template <class Work>
 void orAbort(const Communicator& comm, const Work& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    abortRun(comm, error.what());
+    abortRun(comm, whatOf(error));
+  }
+}
+
+/// Runs `work`, which may communicate. Where memory does not suffice for `what`, as abortRun().
+template <class Work>
+void withMemoryFor(const Communicator& comm, const std::string& what, const Work& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    abortRun(comm, outOfMemory(what));
+  } catch (const std::length_error&) {
+    abortRun(comm, outOfMemory(what));
   }
 }
 

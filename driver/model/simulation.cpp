@@ -2,20 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <optional>
-#include <set>
 
 #include "../deck/sections.hpp"
 #include "../output/output_section.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
-#include "error_norms.hpp"
-#include "rates.hpp"
 #include "restart.hpp"
-#include "stage.hpp"
+#include "run_setup.hpp"
 
 namespace pd {
 
@@ -29,14 +24,6 @@ Deck readCheckedDeck(const RunOptions& options, const Communicator& comm) {
     deck->mistakes().report();
   });
   return *deck;
-}
-
-/// Fields that a solver may advance: those that must stay finite.
-std::vector<std::string> advancedFields(const Model& model) {
-  std::vector<std::string> labels = fieldsWithRates(*model.blocks());
-  for (const char* label : {"Displacement", "Velocity", "Damage"})
-    if (model.hasField(label)) labels.emplace_back(label);
-  return labels;
 }
 
 void logModel(Model& model, Output& output, const Deck& deck) {
@@ -63,29 +50,20 @@ void writeResolvedDeck(const Deck& deck, const std::string& resolved, const Comm
   });
 }
 
-/// For output and computes that ask for the fields; solvers keep times and forces of their own.
-void fillHostFields(Model& model, const BoundaryConditions& conditions, double t) {
-  if (model.hasField("Time")) *model.field("Time") = t;
-  const char* const label = "External_Force_Density";
-  if (!model.hasField(label)) return;
-  double* force = model.field(label);
-  std::fill(force, force + 3 * static_cast<std::size_t>(model.nOwned()), 0.0);
-  conditions.addExternalForce(t, force);
-}
-
 /// The loop over all stages and their increments.
 class Run {
  public:
   /// `deck`: text of the resolved deck, for checkpoints.
-  Run(Simulation simulation, std::vector<Stage>& stages, const Communicator& comm, std::string deck)
-      : simulation_(simulation),
-        stages_(stages),
+  Run(RunSetup& setup, const Communicator& comm, std::string deck)
+      : simulation_(setup.simulation()),
+        stages_(setup.stages),
+        labels_(setup.advancedFields),
         comm_(comm),
-        deck_(std::move(deck)),
-        labels_(advancedFields(simulation.model)) {}
+        deck_(std::move(deck)) {}
 
-  /// From the initial state, or from `restart` (fields already filled) in the stage `first`.
-  void execute(const Restart* restart, std::size_t first) {
+  /// From the initial state, or from `restart` (fields already filled) in the stage `first`. Returns the time at the
+  /// end of the last increment: increments need not meet the Final Time.
+  double execute(const Restart* restart, std::size_t first) {
     for (std::size_t s = 0; s < stages_.size(); ++s) {
       if (s > 0) simulation_.output.startSolver();
       if (s < first) continue;
@@ -104,14 +82,15 @@ class Run {
           start = restart->startTime(stage);
         }
       });
-      advance(s, start, done, nSteps);
+      time_ = advance(s, start, done, nSteps);
       firstStep_ += nSteps;
     }
+    return time_;
   }
 
  private:
-  /// The increments of a stage after the first `done`, from time `start`.
-  void advance(std::size_t stageNumber, double start, int done, int nSteps) {
+  /// The increments of a stage after the first `done`, from time `start`. Returns the time at their end.
+  double advance(std::size_t stageNumber, double start, int done, int nSteps) {
     Model& model = simulation_.model;
     Stage& stage = stages_[stageNumber];
     for (int increment = done + 1; increment <= nSteps; ++increment) {
@@ -134,6 +113,7 @@ class Run {
       simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
       start = end;
     }
+    return start;
   }
 
   void requireFinite(int step) const {
@@ -150,73 +130,54 @@ class Run {
     } catch (const RunError&) {
       throw;
     } catch (const std::exception& error) {
-      abortRun(comm_, error.what());
+      abortRun(comm_, whatOf(error));
     }
   }
 
   Simulation simulation_;
   std::vector<Stage>& stages_;
+  const std::vector<std::string>& labels_;  ///< of fields that must stay finite
   const Communicator& comm_;
   std::string deck_;
-  std::vector<std::string> labels_;
   int firstStep_ = 0;  ///< increments of the stages before
+  double time_ = 0.0;
 };
 
 }  // namespace
 
 void runDeck(const RunOptions& options, const Communicator& comm) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
   const Deck deck = readCheckedDeck(options, comm);
-  Discretization discretization = readDiscretization(deck, comm);
-  const double readingTime = std::chrono::duration<double>(Clock::now() - start).count();
-
-  Model model(deck, comm, std::move(discretization), {});
-  model.timers().add("mesh and neighborhoods", readingTime);
-  std::vector<Stage> stages = createStages(deck);
-  const std::set<std::string> ofPlugins = fieldLabels(model);
-  for (const Stage& stage : stages) model.allocateFields(stage.solver->fields().ids());
-  const std::set<std::string> ofSolvers = fieldLabels(model);
-  BoundaryConditions conditions(deck, model);
-  std::set<std::string> ofConditions;
-  for (const std::string& label : fieldLabels(model))
-    if (ofSolvers.count(label) == 0) ofConditions.insert(label);
-  Output output(deck, comm, options.isQuiet, !options.restartFile.empty());
-  model.allocateFields(output.fieldIds());
-  output.initialize(model);
-  const ErrorNorms errorNorms(deck, model);
+  RunSetup setup(deck, comm,
+                 [&] { return std::make_unique<Output>(deck, comm, options.isQuiet, !options.restartFile.empty()); });
+  Model& model = *setup.model;
+  Output& output = *setup.output;
   const std::string resolved = resolvedDeck(deck);
   writeResolvedDeck(deck, resolved, comm);
   logModel(model, output, deck);
-  for (const std::string& note : conditions.notes()) output.log(note);
+  for (const std::string& note : setup.conditions->notes()) output.log(note);
 
-  conditions.applyInitial();
-  model.initialize();
+  setup.initialize();
   const std::vector<std::string> notes = model.notes();
   for (const std::string& note : notes) output.log(note);
   std::optional<Restart> restart;
   std::size_t firstStage = 0;
   if (options.restartFile.empty()) {
-    conditions.applyPrescribed(stages.front().startTime);
-    for (const std::string& label : advancedFields(model)) model.requireFinite(label, 0);
-    if (model.hasMechanics()) model.updateCoordinates();
-    fillHostFields(model, conditions, stages.front().startTime);
-    model.adoptState();
-    output.write(model, 0, 0, stages.front().startTime, false);
+    setup.start();
+    output.write(model, 0, 0, setup.stages.front().startTime, false);
   } else {
     restart.emplace(model, options.restartFile, resolved);
-    firstStage = restart->findStage(stages, ofPlugins, ofConditions);
-    conditions.resume(restart->time());
+    firstStage = restart->findStage(setup.stages, setup.ofPlugins, setup.ofConditions);
+    setup.conditions->resume(restart->time());
     model.adoptState();
     for (const std::string& note : restart->notes()) output.log(note);
   }
 
-  Run(Simulation{model, conditions, output}, stages, comm, resolved).execute(restart ? &*restart : nullptr, firstStage);
+  const double end = Run(setup, comm, resolved).execute(restart ? &*restart : nullptr, firstStage);
 
   std::vector<std::string> summary = notes;
-  for (const Stage& stage : stages)
+  for (const Stage& stage : setup.stages)
     for (const std::string& line : stage.solver->summary()) summary.push_back(line);
-  output.report(model, summary, errorNorms.evaluate(stages.back().endTime));
+  output.report(model, summary, setup.errorNorms->evaluate(end));
 }
 
 }  // namespace pd

@@ -1,11 +1,13 @@
 #include "solver_sections.hpp"
 
+#include "../deck/sections.hpp"
+
 namespace pd {
 
 std::vector<DeckNode> solverSections(const Deck& deck) {
   std::vector<DeckNode> sections;
   for (const auto& [name, node] : deck.root().entries())
-    if (name.find("Solver") != std::string::npos && node.isMap()) sections.push_back(node);
+    if (isSectionOf(deck, name, "Solver") && node.isMap()) sections.push_back(node);
   return sections;
 }
 

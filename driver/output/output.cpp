@@ -72,6 +72,8 @@ struct Output::Implementation {
   OutputLabels sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes);
   void refuse(Model& model, const OutputVariable& variable, Mistakes& mistakes);
   const GlobalOrder& orderOf(Model& model);
+  /// Evaluates the computes that are due; whether fields are, and whether anything is.
+  std::pair<bool, bool> evaluateDue(Model& model, int step, bool isLast);
   void line(const std::string& text) {
     if (log) log->line(text);
   }
@@ -126,8 +128,22 @@ const GlobalOrder& Output::Implementation::orderOf(Model& model) {
   return *order;
 }
 
-Output::Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart)
-    : implementation_(new Implementation(deck, comm)) {
+std::pair<bool, bool> Output::Implementation::evaluateDue(Model& model, int step, bool isLast) {
+  const auto isAnyDue = [&](auto isDue) {
+    return std::any_of(files.begin(), files.end(), [&](OutputFiles& each) { return (each.*isDue)(step, isLast); });
+  };
+  const bool areFieldsDue = isAnyDue(&OutputFiles::areFieldsDue), isHistoryDue = isAnyDue(&OutputFiles::isHistoryDue);
+  if (!areFieldsDue && !isHistoryDue) return {false, false};
+  std::set<std::string> ofState = computes->fieldsOfState(!areFieldsDue);
+  if (areFieldsDue) ofState.insert(fieldsOfState.begin(), fieldsOfState.end());
+  makeOfState(model, ofState);
+  computes->evaluate(model, !areFieldsDue);
+  return {areFieldsDue, true};
+}
+
+Output::Output(const Deck& deck, const Communicator& comm) : implementation_(new Implementation(deck, comm)) {}
+
+Output::Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart) : Output(deck, comm) {
   Implementation& self = *implementation_;
   collectively(comm, [&] {
     if (!comm.isRoot()) return;
@@ -171,16 +187,8 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
     for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), step);
     self.isOpen = true;
   }
-  const auto isAnyDue = [&](auto isDue) {
-    return std::any_of(self.files.begin(), self.files.end(),
-                       [&](OutputFiles& files) { return (files.*isDue)(step, isLast); });
-  };
-  const bool areFieldsDue = isAnyDue(&OutputFiles::areFieldsDue), isHistoryDue = isAnyDue(&OutputFiles::isHistoryDue);
-  if (!areFieldsDue && !isHistoryDue) return;
-  std::set<std::string> ofState = self.computes->fieldsOfState(!areFieldsDue);
-  if (areFieldsDue) ofState.insert(self.fieldsOfState.begin(), self.fieldsOfState.end());
-  makeOfState(model, ofState);
-  self.computes->evaluate(model, !areFieldsDue);
+  const auto [areFieldsDue, isAnyDue] = self.evaluateDue(model, step, isLast);
+  if (!isAnyDue) return;
   const Timers::Scope timer(model.timers(), "output");
   for (OutputFiles& files : self.files) files.write(model, step, time, isLast);
   if (areFieldsDue)
@@ -188,6 +196,8 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
       if (self.log) self.log->requireWritten();
     });
 }
+
+void Output::evaluate(Model& model, int step) { implementation_->evaluateDue(model, step, false); }
 
 bool Output::isCheckpointDue(int step, bool isLast) const {
   const auto& files = implementation_->files;

@@ -18,6 +18,8 @@ class Output {
  public:
   /// `isRestart`: the log goes on where the restarted run stopped.
   Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart = false);
+  /// For a check: no file, no log, nothing on the terminal.
+  Output(const Deck& deck, const Communicator& comm);
   ~Output();
 
   /// Fields that outputs and computes ask for. Creates the computes. Call after the Model is made, so that the fields
@@ -31,6 +33,9 @@ class Output {
   /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything. Where the
   /// first call is not for step 0, the files of the restarted run are continued from that step on.
   void write(Model& model, int step, int nSteps, double time, bool isLast);
+
+  /// Evaluates the computes that write() would, and writes nothing.
+  void evaluate(Model& model, int step);
 
   bool isCheckpointDue(int step, bool isLast) const;
   /// Writes the checkpoint of the files that are due (Output key "Checkpoint Frequency").

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "../deck/sections.hpp"
+
 namespace pd {
 
 namespace {
@@ -66,7 +68,7 @@ bool OutputSection::isCheckpointDue(int step, bool isLast) const {
 std::vector<OutputSection> readOutputSections(const Deck& deck) {
   std::vector<OutputSection> sections;
   for (const auto& [key, node] : deck.root().entries())
-    if (key.find("Output") != std::string::npos) sections.push_back(readSection(node, deck.isPeridigmDeck()));
+    if (isSectionOf(deck, key, "Output")) sections.push_back(readSection(node, deck.isPeridigmDeck()));
   return sections;
 }
 

@@ -8,6 +8,7 @@
 
 #include "absolute_row_sums.hpp"
 #include "damage_watch.hpp"
+#include "loose_parts.hpp"
 
 namespace pd {
 
@@ -40,6 +41,11 @@ AdaptiveDynamicRelaxation::AdaptiveDynamicRelaxation(const Teuchos::ParameterLis
 
 void AdaptiveDynamicRelaxation::initialize(Simulation& simulation) {
   requireMechanics(simulation.model, "Adaptive Dynamic Relaxation");
+}
+
+void AdaptiveDynamicRelaxation::rehearse(Simulation& simulation, double t, double dt) {
+  externalForce(simulation, t + dt, externalForce_);
+  requireHeldLoads(simulation, t + dt);
 }
 
 RestartState AdaptiveDynamicRelaxation::restartState() const {
@@ -192,12 +198,25 @@ void AdaptiveDynamicRelaxation::iterateToTolerance(Simulation& simulation, doubl
   nIterations_ += nIterations;
 }
 
+/// Statics has no solution where a load acts on what nothing holds. Looked for once, before bonds break.
+void AdaptiveDynamicRelaxation::requireHeldLoads(Simulation& simulation, double t) const {
+  if (!simulation.conditions.hasExternalForce()) return;
+  const std::vector<char> isHeld = heldDisplacements(simulation);
+  const std::string trouble = loadsThatNothingHolds(simulation.model, findLooseParts(simulation.model, isHeld), isHeld,
+                                                    externalForce_, largestScale_);
+  if (!trouble.empty())
+    throw RunError(fmt::format("Adaptive Dynamic Relaxation: load step {} (t = {:.6g} s): {}", loadStep_, t, trouble));
+}
+
 void AdaptiveDynamicRelaxation::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
   simulation.conditions.applyPrescribed(t + dt);
   simulation.model.updateCoordinates();
   externalForce(simulation, t + dt, externalForce_);
-  if (inverseMass_.empty()) prepareMasses(simulation);
+  if (inverseMass_.empty()) {
+    requireHeldLoads(simulation, t + dt);
+    prepareMasses(simulation);
+  }
   if (iterationsPerLoadStep_ > 0)
     iterateFixed(simulation, dt);
   else

@@ -2,6 +2,7 @@
 #ifndef PD_ADAPTIVE_DYNAMIC_RELAXATION_HPP
 #define PD_ADAPTIVE_DYNAMIC_RELAXATION_HPP
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,11 @@ class AdaptiveDynamicRelaxation : public Solver {
         writes(pd::fields::pointScalar("Relaxation_Mass", "N/m4", "Fictitious mass of the relaxation, per volume."));
   };
   const Fields& fields() const override { return fields_; }
+  double leastSteps(double, double) const override {
+    return static_cast<double>(nIncrements_) * std::max(1, iterationsPerLoadStep_);
+  }
   void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
@@ -52,6 +57,7 @@ class AdaptiveDynamicRelaxation : public Solver {
     double damping = 0.0;
   };
   void prepareMasses(Simulation& simulation);
+  void requireHeldLoads(Simulation& simulation, double t) const;
   void evaluateForce(Simulation& simulation, double dt, bool breakBonds);
   Norms measure(Simulation& simulation) const;
   void move(Simulation& simulation, double damping);

@@ -58,6 +58,8 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given)
   declareParameters(declarations);
   field_ = parameters_.get<std::string>("Field");
   nIncrements_ = parameters_.get<int>("Load Steps");
+  if (parameters_.isParameter("Sub Steps")) nSubSteps_ = parameters_.get<int>("Sub Steps");
+  if (parameters_.isParameter("Time Step")) timeStep_ = parameters_.get<double>("Time Step");
 
   method_ = parameters_.get<std::string>("Method");
   const ParameterDeclarations own = RateIntegratorRegistry::self().find(method_)->declare();
@@ -74,6 +76,10 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given)
   }
   if (!mistakes.empty()) throw std::invalid_argument(mistakes);
   integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters_));
+}
+
+double Diffusion::leastSteps(double t0, double t1) const {
+  return timeStep_ > 0.0 ? (t1 - t0) / timeStep_ : nIncrements_ * nSubSteps_;
 }
 
 void Diffusion::initialize(Simulation& simulation) {

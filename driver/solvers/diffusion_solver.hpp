@@ -21,8 +21,12 @@ class Diffusion : public Solver {
 
   using Fields = ScalarFields;
   const Fields& fields() const override { return fields_; }
+  double leastSteps(double t0, double t1) const override;
   /// Throws RunError where no material of the run gives a flux divergence of the field.
   void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override {
+    integrator_->rehearse(simulation, field_, t, dt);
+  }
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
@@ -35,6 +39,7 @@ class Diffusion : public Solver {
   Fields fields_;
   std::string field_, method_;
   int nIncrements_;
+  double nSubSteps_ = 1.0, timeStep_ = 0.0;  ///< as far as they are given; 0 s: not
   Teuchos::RCP<RateIntegrator> integrator_;
 };
 

@@ -96,6 +96,40 @@ void ImplicitDiffusion::findHeldPoints(Simulation& simulation) {
         nOutOfReach_, field_));
 }
 
+/// Points that nothing prescribed reaches may keep their values where nothing flows among them. The first evaluation
+/// of a load step has been made.
+void ImplicitDiffusion::requireNoFluxOutOfReach(Simulation& simulation, double t) const {
+  Model& model = simulation.model;
+  if (nOutOfReach_ == 0) return;
+  const double *values = model.field(field_), *rate = model.field(fluxField_);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  long long nFlowing = 0;
+  for (int i = 0; i < model.nOwned(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!isHeld_[k] || isPrescribed_[k] || rate[i] == 0.0) continue;
+    ++nFlowing;
+    low = std::min(low, values[i]);
+    high = std::max(high, values[i]);
+  }
+  nFlowing = model.comm().sum(nFlowing);
+  low = -model.comm().max(-low);
+  high = model.comm().max(high);
+  // Rounding of values that are meant to be equal is no flux.
+  if (nFlowing == 0 || high - low <= 1e-9 * std::max(std::abs(low), std::abs(high))) return;
+  throw RunError(fmt::format(
+      "ImplicitDiffusion: load step {} (t = {:.6g} s): between {} points flows {}, whose values lie between {:.6g} and "
+      "{:.6g}, but none of them exchanges anything with a point where it is prescribed, which leaves their steady "
+      "state "
+      "open; prescribe it on their part of the body, start from one value there, or use the solver Diffusion",
+      nLoadSteps_, t, nFlowing, field_, low, high));
+}
+
+void ImplicitDiffusion::rehearse(Simulation& simulation, double t, double dt) {
+  findHeldPoints(simulation);
+  simulation.model.evaluateFluxDivergence(dt, fluxField_);
+  requireNoFluxOutOfReach(simulation, t + dt);
+}
+
 ImplicitDiffusion::Balance ImplicitDiffusion::evaluate(Simulation& simulation, double dt) {
   Model& model = simulation.model;
   model.evaluateFluxDivergence(dt, fluxField_);
@@ -151,6 +185,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {
     const Balance balance = evaluate(simulation, dt);
+    if (iteration == 0) requireNoFluxOutOfReach(simulation, t + dt);
     if (!hasMatrix_) {
       assemble(simulation, dt);
       matrixIsNew = true;

@@ -28,7 +28,9 @@ class ImplicitDiffusion : public Solver {
   using Fields = ScalarFields;
   const Fields& fields() const override { return fields_; }
   /// Throws RunError where no material of the run gives a flux divergence of the field.
+  double leastSteps(double t0, double t1) const override { return loadSteps_.count(t0, t1); }
   void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
   int numberOfIncrements(Simulation&, double t0, double t1) override { return loadSteps_.count(t0, t1); }
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override {
     return loadSteps_.end(increment, nIncrements, t0, t1);
@@ -41,6 +43,7 @@ class ImplicitDiffusion : public Solver {
     double free = 0.0, held = 0.0;  ///< norms of what flows into free and into prescribed points, per second
   };
   void findHeldPoints(Simulation& simulation);
+  void requireNoFluxOutOfReach(Simulation& simulation, double t) const;
   Balance evaluate(Simulation& simulation, double dt);
   void assemble(Simulation& simulation, double dt);
   void solveLinear(Simulation& simulation, double tolerance);

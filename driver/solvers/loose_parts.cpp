@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "connected_parts.hpp"
 #include "symmetric_eigen.hpp"
@@ -12,71 +13,41 @@ namespace pd {
 
 namespace {
 
-using Point = std::array<double, 3>;
-using Mode = std::array<double, 6>;  ///< coefficients of the rigid-body motions; unused ones are zero
-
-int numberOfModes(int dimension) { return dimension == 1 ? 1 : (dimension == 2 ? 3 : 6); }
-
-/// Displacement component `axis` at `place` of each rigid-body motion: translations, then rotations about `centre`
-/// scaled by `radius`, so that all are of one size.
-Mode motionsOf(const Point& place, int axis, const Point& centre, double radius, int dimension) {
-  Mode row{};
-  row[static_cast<std::size_t>(axis)] = 1.0;
-  std::size_t mode = static_cast<std::size_t>(dimension);
-  for (int a = 0; a < dimension; ++a)
-    for (int b = a + 1; b < dimension; ++b, ++mode) {
-      if (axis == a) row[mode] = -(place[static_cast<std::size_t>(b)] - centre[static_cast<std::size_t>(b)]) / radius;
-      if (axis == b) row[mode] = (place[static_cast<std::size_t>(a)] - centre[static_cast<std::size_t>(a)]) / radius;
-    }
-  return row;
-}
-
-/// The same of a point whose image in `copy` is at `place` and moves as the rigid body does.
-Mode motionsAt(const Point& place, int axis, const Symmetry::Matrix& copy, const Point& centre, double radius,
-               int dimension) {
-  Mode row{};
-  for (int d = 0; d < dimension; ++d) {
-    const double share = copy[static_cast<std::size_t>(3 * axis + d)];
-    if (share == 0.0) continue;
-    const Mode along = motionsOf(place, d, centre, radius, dimension);
-    for (std::size_t mode = 0; mode < row.size(); ++mode) row[mode] += share * along[mode];
-  }
-  return row;
-}
+using Point = RigidMotions::Point;
+using Mode = RigidMotions::Mode;
 
 /// One connected part of two points or more, in which images count.
 struct Part {
-  Point centre{}, first{};                                  ///< first: its point of smallest global id
-  double radius = 0.0;                                      ///< root mean square distance from the centre
+  RigidMotions motions;                                     ///< radius: root mean square distance from the centre
+  Point first{};                                            ///< its point of smallest global id
   std::vector<double> held = std::vector<double>(36, 0.0);  ///< sum of the outer products of held degrees' motions
 };
 
-/// Square of the part of `row` that the motions already held do not contain.
-double freeShare(const Part& part, const Mode& row, int nModes) {
+/// The motions that nothing holds yet: orthonormal.
+std::vector<Mode> freeMotions(const Part& part, int nModes) {
   const auto n = static_cast<std::size_t>(nModes);
   std::vector<double> matrix;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) matrix.push_back(part.held[6 * i + j]);
   const SymmetricEigen eigen = symmetricEigen(matrix, nModes);
+  std::vector<Mode> motions;
   // 1e-8: two supports nearer than 1e-4 of the part's size do not stop it from turning.
-  double share = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
     if (eigen.values[k] > 1e-8) continue;
-    double product = 0.0;
-    for (std::size_t i = 0; i < n; ++i) product += eigen.vectors[k * n + i] * row[i];
+    motions.emplace_back();
+    std::copy_n(eigen.vectors.begin() + static_cast<std::ptrdiff_t>(k * n), n, motions.back().begin());
+  }
+  return motions;
+}
+
+/// Square of the part of `row` that the motions already held do not contain.
+double freeShare(const Part& part, const Mode& row, int nModes) {
+  double share = 0.0;
+  for (const Mode& motion : freeMotions(part, nModes)) {
+    const double product = std::inner_product(row.begin(), row.end(), motion.begin(), 0.0);
     share += product * product;
   }
   return share;
-}
-
-bool canMove(const Part& part, int nModes) {
-  const auto n = static_cast<std::size_t>(nModes);
-  for (std::size_t mode = 0; mode < n; ++mode) {
-    Mode row{};
-    row[mode] = 1.0;
-    if (freeShare(part, row, nModes) > 1e-12) return true;
-  }
-  return false;
 }
 
 void hold(Part& part, const Mode& row) {
@@ -92,12 +63,13 @@ class Holder {
         mesh_(model.discretization()),
         connected_(connected),
         isHeld_(isHeld),
-        nModes_(numberOfModes(mesh_.dimension)),
+        nModes_(RigidMotions::count(mesh_.dimension)),
         partOfName_(connected.names.size(), -1) {
     for (std::size_t k = 0; k < connected.names.size(); ++k)
       if (!connected.isSingle(k)) {
         partOfName_[k] = static_cast<int>(parts_.size());
         parts_.emplace_back();
+        parts_.back().motions.dimension = mesh_.dimension;
         nameOfPart_.push_back(k);
       }
     measure();
@@ -107,10 +79,19 @@ class Holder {
 
   void holdLooseParts(HeldInPlace& result) {
     std::vector<std::size_t> loose;
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-      if (canMove(parts_[k], nModes_)) loose.push_back(k);
-    result.nLooseParts = static_cast<long long>(loose.size());
-    for (const std::size_t k : loose) result.nPointsOfLooseParts += connected_.sizes[nameOfPart_[k]];
+    std::vector<int> looseOfPart(parts_.size(), HeldInPlace::isSupported);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const std::vector<Mode> motions = freeMotions(parts_[k], nModes_);
+      if (motions.empty()) continue;
+      looseOfPart[k] = static_cast<int>(loose.size());
+      loose.push_back(k);
+      result.parts.push_back({parts_[k].motions, connected_.sizes[nameOfPart_[k]], motions});
+    }
+    for (int point = 0; point < mesh_.nOwned; ++point) {
+      const int k = partOf(point);
+      result.partOfPoint.push_back(k < 0 ? HeldInPlace::isAlone : looseOfPart[static_cast<std::size_t>(k)]);
+      result.copyOfPoint.push_back(copyOf(point));
+    }
     if (loose.empty()) return;
 
     // Three points span the part: its first one, the farthest from it, and the farthest from the line of these two.
@@ -185,21 +166,21 @@ class Holder {
     };
     for (std::size_t k = 0; k < parts_.size(); ++k)
       for (std::size_t c = 0; c < 3; ++c) {
-        parts_[k].centre[c] = sums[6 * k + c] / nPoints(k);
+        parts_[k].motions.centre[c] = sums[6 * k + c] / nPoints(k);
         parts_[k].first[c] = sums[6 * k + 3 + c];
       }
     for (int point = 0; point < mesh_.nOwned; ++point)
       if (const int k = partOf(point); k >= 0)
         for (const int copy : copies[static_cast<std::size_t>(k)])
           squares[static_cast<std::size_t>(k)] +=
-              std::pow(distance(place(point, copy), parts_[static_cast<std::size_t>(k)].centre), 2);
+              std::pow(distance(place(point, copy), parts_[static_cast<std::size_t>(k)].motions.centre), 2);
     sumOverRanks(squares);
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].radius = std::sqrt(squares[k] / nPoints(k));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].motions.radius = std::sqrt(squares[k] / nPoints(k));
   }
 
   /// Of a point of the mesh that belongs to the part in `copy`, where it is at x.
   Mode motions(const Part& part, const Point& x, int copy, int axis) const {
-    return motionsAt(x, axis, mesh_.symmetry.matrix(copy), part.centre, part.radius, mesh_.dimension);
+    return part.motions.at(x, axis, mesh_.symmetry.matrix(copy));
   }
 
   void addPrescribed() {
@@ -225,8 +206,8 @@ class Holder {
     for (int copy = 1; copy < mesh_.symmetry.nCopies(); ++copy) {
       if ((mirrors >> copy & 1u) == 0) continue;
       for (int corner = 0; corner <= mesh_.dimension; ++corner) {
-        Point x = part.centre;
-        if (corner > 0) x[static_cast<std::size_t>(corner - 1)] += part.radius;
+        Point x = part.motions.centre;
+        if (corner > 0) x[static_cast<std::size_t>(corner - 1)] += part.motions.radius;
         const Point image = mesh_.symmetry.place(copy, x.data());
         for (int axis = 0; axis < mesh_.dimension; ++axis) {
           Mode row = motions(part, x, 0, axis);

@@ -2,9 +2,12 @@
 #ifndef PD_LOOSE_PARTS_HPP
 #define PD_LOOSE_PARTS_HPP
 
+#include <numeric>
+#include <string>
 #include <vector>
 
 #include "../model/model.hpp"
+#include "rigid_motions.hpp"
 
 namespace pd {
 
@@ -12,12 +15,26 @@ namespace pd {
 struct HeldInPlace {
   std::vector<char> isHeld;           ///< [3 nOwned] prescribed, outside the dimension, or held by what follows
   long long nPointsWithoutBonds = 0;  ///< and not fully prescribed: held where they are (all ranks)
-  long long nLooseParts = 0;          ///< parts of two points or more that could move as a rigid body (all ranks)
-  long long nPointsOfLooseParts = 0;
 
+  /// A part of two points or more that could move as a rigid body.
+  struct Part {
+    RigidMotions motions;
+    long long nPoints = 0;
+    std::vector<RigidMotions::Mode> free;  ///< which of them nothing but what follows holds: orthonormal
+  };
+  std::vector<Part> parts;  ///< of all ranks
+  static constexpr int isSupported = -1, isAlone = -2;
+  std::vector<int> partOfPoint;  ///< [nOwned] index into parts; isSupported; isAlone: without bonds
+  std::vector<int> copyOfPoint;  ///< [nOwned] copy of the body in which the point belongs to its part
+
+  bool hasAny() const { return nPointsWithoutBonds > 0 || !parts.empty(); }
+  long long nPointsOfParts() const {
+    return std::accumulate(parts.begin(), parts.end(), 0LL,
+                           [](long long sum, const Part& part) { return sum + part.nPoints; });
+  }
   bool sameCounts(const HeldInPlace& other) const {
-    return nPointsWithoutBonds == other.nPointsWithoutBonds && nLooseParts == other.nLooseParts &&
-           nPointsOfLooseParts == other.nPointsOfLooseParts;
+    return nPointsWithoutBonds == other.nPointsWithoutBonds && parts.size() == other.parts.size() &&
+           nPointsOfParts() == other.nPointsOfParts();
   }
 };
 
@@ -27,6 +44,13 @@ struct HeldInPlace {
 /// `isPrescribed` [3 nOwned], with the components outside the dimension of the mesh set. Reads Bond_Damage: a bond
 /// below 1 carries force. Collective.
 HeldInPlace findLooseParts(Model& model, const std::vector<char>& isPrescribed);
+
+/// Loads that push parts along motions which nothing but findLooseParts() holds, as what a run must not do: the force
+/// and the moment on the part that carries most, where all such loads together are more than 1e-3 of all loads, or of
+/// `scale` (N, of the run so far) where that is more. Empty where they are not. `isPrescribed` as there, `forceDensity`
+/// [3 nOwned], N/m3. Collective.
+std::string loadsThatNothingHolds(Model& model, const HeldInPlace& held, const std::vector<char>& isPrescribed,
+                                  const std::vector<double>& forceDensity, double scale);
 
 }  // namespace pd
 

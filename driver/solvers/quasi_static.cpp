@@ -83,6 +83,12 @@ QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given)
 
 void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
 
+void QuasiStatic::rehearse(Simulation& simulation, double t, double dt) {
+  findLooseParts(simulation);
+  externalForce(simulation, t + dt, externalForce_);
+  requireHeldLoads(simulation, t + dt);
+}
+
 int QuasiStatic::numberOfIncrements(Simulation&, double t0, double t1) { return loadSteps_.count(t0, t1); }
 
 double QuasiStatic::incrementEnd(int increment, int nIncrements, double t0, double t1) const {
@@ -98,7 +104,15 @@ void QuasiStatic::findLooseParts(Simulation& simulation) {
   simulation.output.log(fmt::format(
       "QuasiStatic: load step {}: {} part(s) of {} points in all that no prescribed displacement keeps from moving as "
       "rigid bodies, and {} point(s) without bonds: held in place",
-      loadStep_, held_.nLooseParts, held_.nPointsOfLooseParts, held_.nPointsWithoutBonds));
+      loadStep_, held_.parts.size(), held_.nPointsOfParts(), held_.nPointsWithoutBonds));
+}
+
+void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
+  if (!simulation.conditions.hasExternalForce()) return;
+  const std::string trouble =
+      loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
+  if (!trouble.empty())
+    throw RunError(fmt::format("QuasiStatic: load step {} (t = {:.6g} s): {}", loadStep_, t, trouble));
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
@@ -146,6 +160,7 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
     lastLength_ = 0.0;
     ++nPasses_;
     findLooseParts(simulation);
+    requireHeldLoads(simulation, t + dt);
     newton_.dropTangent();
     if (!reachEquilibrium(simulation, dt)) fail(t + dt, " after bonds broke");
   }
@@ -157,6 +172,7 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
   const auto load = [&] {
     simulation.conditions.applyPrescribed(t + dt);
     externalForce(simulation, t + dt, externalForce_);
+    requireHeldLoads(simulation, t + dt);
   };
   const auto goBack = [&] {
     model.takeBackStep();

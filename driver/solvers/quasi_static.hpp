@@ -17,7 +17,7 @@ namespace pd {
 /// again, until no bond breaks any more. A load step without equilibrium is halved.
 ///
 /// Points without bonds and parts that nothing holds (loose fragments, supports that are too few) stay where they are
-/// as far as they could move as rigid bodies; the log says which.
+/// as far as they could move as rigid bodies; the log says which. A load that only this would carry ends the run.
 class QuasiStatic : public Solver {
  public:
   static void declareParameters(ParameterDeclarations& declare);
@@ -32,7 +32,9 @@ class QuasiStatic : public Solver {
     }
   };
   const Fields& fields() const override { return fields_; }
+  double leastSteps(double t0, double t1) const override { return loadSteps_.count(t0, t1); }
   void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   void advance(Simulation& simulation, double t, double dt) override;
@@ -46,6 +48,8 @@ class QuasiStatic : public Solver {
   void findLooseParts(Simulation& simulation);
   /// Finds loose parts, anew where other solvers have broken bonds since the last load step.
   void takeUpBreakage(Simulation& simulation);
+  /// Throws RunError where a load acts on parts that nothing but held_ holds.
+  void requireHeldLoads(Simulation& simulation, double t) const;
   /// Adds the increment of the load step before, in proportion to the length.
   void extrapolate(Simulation& simulation, double dt);
   /// Equilibrium at constant damage, from the present displacements. False where there is none.

@@ -19,8 +19,16 @@ class Solver : public FieldUser {
   const FieldTable& fields() const override = 0;
   /// Fields whose far field (BoundaryConditions::farField) this solver takes into account.
   virtual std::vector<std::string> fieldsWithFarField() const { return {}; }
+  /// Whether it asks materials for their mass density.
+  virtual bool needsDensity() const { return false; }
+  /// How many steps it takes from t0 to t1 at least, as far as its parameters alone tell. Throws RunError where they
+  /// cannot divide that time.
+  virtual double leastSteps(double /*t0*/, double /*t1*/) const { return 1.0; }
   /// Called once when the model is initialised.
   virtual void initialize(Simulation&) {}
+  /// For a check, after initialize(): throws RunError where advance() could not take the first increment, as far as
+  /// that is quick to see. The state stays as it is.
+  virtual void rehearse(Simulation&, double /*t*/, double /*dt*/) {}
   /// Number of increments from t0 to t1 (a load step, a time step: what output frequencies count).
   virtual int numberOfIncrements(Simulation&, double t0, double t1) = 0;
   /// End of increment 1 ... nIncrements between t0 and t1; of increment 0, the start. Equal lengths unless a solver

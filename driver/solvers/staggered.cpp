@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "declarations.hpp"
@@ -88,8 +89,23 @@ std::vector<std::string> Staggered::fieldsWithFarField() const {
   return labels;
 }
 
+bool Staggered::needsDensity() const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [](const StaggeredPart& part) { return part.solver().needsDensity(); });
+}
+
+double Staggered::leastSteps(double t0, double t1) const {
+  double n = nLoadSteps_;
+  for (const StaggeredPart& part : parts_) n += part.leastSteps(nLoadSteps_, t0, t1);
+  return n;
+}
+
 void Staggered::initialize(Simulation& simulation) {
   for (const StaggeredPart& part : parts_) part.solver().initialize(simulation);
+}
+
+void Staggered::rehearse(Simulation& simulation, double t, double dt) {
+  for (StaggeredPart& part : parts_) part.rehearse(simulation, t, dt);
 }
 
 int Staggered::numberOfIncrements(Simulation&, double, double t1) {

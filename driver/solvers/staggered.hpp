@@ -24,7 +24,10 @@ class Staggered : public Solver {
   static FieldTable describeFields();
   const FieldTable& fields() const override;
   std::vector<std::string> fieldsWithFarField() const override;
+  bool needsDensity() const override;
+  double leastSteps(double t0, double t1) const override;
   void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;

@@ -124,6 +124,13 @@ FieldTable StaggeredPart::fields() const {
   return std::move(fields);
 }
 
+double StaggeredPart::leastSteps(int nLoadSteps, double t0, double t1) const {
+  const double nRuns = watchedField_.empty() ? std::ceil(static_cast<double>(nLoadSteps) / every_) : 1.0;
+  const double share = watchedField_.empty() ? (t1 - t0) / nRuns : t1 - t0;
+  const double start = timeScale_ * t0;
+  return nRuns * std::max<double>(nSubSteps_, solver_->leastSteps(start, start + timeScale_ * share));
+}
+
 bool StaggeredPart::changesDamage() const {
   const std::vector<FieldUse>& uses = solver_->fields().uses();
   return std::any_of(uses.begin(), uses.end(), [](const FieldUse& use) {
@@ -133,6 +140,13 @@ bool StaggeredPart::changesDamage() const {
 
 bool StaggeredPart::isLike(const StaggeredPart& other) const {
   return solverName_ == other.solverName_ && solver_->fields().ids() == other.solver_->fields().ids();
+}
+
+void StaggeredPart::rehearse(Simulation& simulation, double t, double dt) {
+  const TimeScale scale(simulation.conditions, timeScale_);
+  t *= timeScale_;
+  dt *= timeScale_ * every_;
+  solver_->rehearse(simulation, t, dt / numberOfIncrements(simulation, t, t + dt));
 }
 
 void StaggeredPart::remember(Model& model) {

@@ -29,11 +29,15 @@ class StaggeredPart {
   Solver& solver() const { return *solver_; }
   /// Its solver's, and what remembers the field of `When` (which the check of a deck has looked for).
   FieldTable fields() const;
+  /// How many steps it takes at least in that many load steps from t0 to t1.
+  double leastSteps(int nLoadSteps, double t0, double t1) const;
   /// Whether its solver moves or damages the body.
   bool changesDamage() const;
   /// Whether another does the same on the same fields, so that the two would share what they keep there.
   bool isLike(const StaggeredPart& other) const;
 
+  /// As Solver::rehearse(), for the first load step in which it runs.
+  void rehearse(Simulation& simulation, double t, double dt);
   /// Once, before the first load step of the run.
   void remember(Model& model);
   /// Load step `number` (from 1) from t to t + dt. Returns whether it ran.

@@ -102,14 +102,21 @@ void Verlet::initialize(Simulation& simulation) {
                   step, criticalStep_));
 }
 
-int Verlet::numberOfIncrements(Simulation&, double t0, double t1) {
+int Verlet::numberOfIncrements(Simulation& simulation, double t0, double t1) {
   // Round-off in a step that divides the time neither adds nor takes one.
   const double n = (t1 - t0) / stepToUse();
   const double whole = usesBulkModulus_ ? std::floor(n * (1.0 + 1.0e-10)) : std::ceil(n * (1.0 - 1.0e-10));
   if (whole > std::numeric_limits<int>::max())
     throw RunError(fmt::format("Verlet: {:.3g} time steps of {:.6g} s lie between {:g} and {:g} s; shorten the run",
                                whole, stepToUse(), t0, t1));
-  return std::max(1, static_cast<int>(whole));
+  if (usesBulkModulus_ && whole < 1.0)
+    simulation.output.log(fmt::format(
+        "Verlet: warning: the time step {:.6g} s is longer than the time from {:g} to {:g} s: as in Peridigm no step "
+        "is "
+        "made; lower \"Safety Factor\", or leave out \"Critical Step: Bulk Modulus\", by which steps need not meet the "
+        "final time",
+        stepToUse(), t0, t1));
+  return std::max(usesBulkModulus_ ? 0 : 1, static_cast<int>(whole));
 }
 
 double Verlet::incrementEnd(int increment, int nIncrements, double t0, double t1) const {

@@ -20,6 +20,8 @@ class Verlet : public Solver {
     FieldHandle velocity = writes(pd::fields::velocity());
   };
   const Fields& fields() const override { return fields_; }
+  bool needsDensity() const override { return true; }
+  double leastSteps(double t0, double t1) const override { return fixedStep_ > 0.0 ? (t1 - t0) / stepToUse() : 1.0; }
   /// Estimates the critical time step. Throws RunError where "Fixed dt" is above it.
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;

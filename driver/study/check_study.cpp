@@ -4,10 +4,9 @@
 #include <set>
 #include <sstream>
 
-#include "../boundary/boundary_conditions.hpp"
 #include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
-#include "../discretization/discretization.hpp"
+#include "../model/run_setup.hpp"
 #include "../output/compute_set.hpp"
 #include "../output/history.hpp"
 #include "../output/output_section.hpp"
@@ -99,13 +98,12 @@ class StudyCheck {
     deck.mistakes().report();
     if (!study_.histories.empty()) histories(deck);
     deck.mistakes().report();
-    if (withMeshes_ && readMeshes_.insert(textOfMesh(deck)).second)
-      checkConditions(deck, readDiscretization(deck, comm_), comm_);
+    if (withMeshes_ && readMeshes_.insert(textOfMesh(deck)).second) rehearse(deck, comm_);
   }
 
   static std::string firstOutput(const Deck& deck) {
     for (const auto& entry : deck.root().entries())
-      if (entry.first.find("Output") != std::string::npos) return entry.first;
+      if (isSectionOf(deck, entry.first, "Output")) return entry.first;
     return "";
   }
 
@@ -167,7 +165,7 @@ class StudyCheck {
   static std::string textOfMesh(const Deck& deck) {
     std::string text;
     for (const auto& [key, node] : deck.root().entries())
-      if (key.find("Solver") == std::string::npos && key.find("Output") == std::string::npos) text += textOf(key, node);
+      if (!isSectionOf(deck, key, "Solver") && !isSectionOf(deck, key, "Output")) text += textOf(key, node);
     return text;
   }
 

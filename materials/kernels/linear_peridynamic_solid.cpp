@@ -52,10 +52,10 @@ PD_EACH_BOND CurrentBond currentBond(const BondsOf& bondsOf, const Bond& bond, i
   return current;
 }
 
-/// theta of every lane; 0 where m is (no bonds).
+/// theta of every lane in `dimension` dimensions; 0 where m is (no bonds).
 template <bool isWhole, class BondsOf>
 PD_EACH_BOND Vector dilatationOf(const Chunk& chunk, const unsigned char* bits, const BondsOf& bondsOf,
-                                 const Vector& weightedVolume) {
+                                 const Vector& weightedVolume, double dimension) {
   Vector sum = 0.0;
   const int nNeighbors = chunk.nNeighbors;
   for (int k = 0; k < nNeighbors; ++k) {
@@ -63,7 +63,7 @@ PD_EACH_BOND Vector dilatationOf(const Chunk& chunk, const unsigned char* bits, 
     const Vector weight = Vector(bond.influence() * bond.length() * bond.volume());
     sum += keepUnbroken<isWhole>(weight * currentBond(bondsOf, bond, k).elongation, bits[k]);
   }
-  Vector theta = 3.0 * sum / weightedVolume;
+  Vector theta = dimension * sum / weightedVolume;
   stdx::where(!(weightedVolume > Vector(0.0)), theta) = Vector(0.0);
   return theta;
 }
@@ -74,11 +74,11 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
                      double* dilatation, PointArrays& force) {
   const int* ids = neighborhood.pointIds(chunk);
   const Vector m = gather(weightedVolume, ids);
-  const Vector theta = dilatationOf<isWhole>(chunk, bits, bondsOf, m);
+  const Vector theta = dilatationOf<isWhole>(chunk, bits, bondsOf, m, data.constants.dimension);
   Vector perM = 1.0 / m;
   stdx::where(!(m > Vector(0.0)), perM) = Vector(0.0);
-  const Vector volumetric = (3.0 * data.bulkModulus - 5.0 * data.shearModulus) * theta * perM;
-  const Vector deviatoric = 15.0 * data.shearModulus * perM;
+  const Vector volumetric = data.constants.volumetric * theta * perM;
+  const Vector deviatoric = data.constants.deviatoric * perM;
 
   Vector sum[3];
   unrolled<3>([&](auto d) PD_INLINED { sum[d] = 0.0; });
@@ -105,6 +105,13 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
 }
 
 }  // namespace
+
+SolidConstants solidConstants(Geometry geometry, double bulkModulus, double shearModulus) {
+  const double K = bulkModulus, G = shearModulus;
+  if (geometry == Geometry::Solid) return {3.0, K, 3.0 * K - 5.0 * G, 15.0 * G};
+  const double bulk = geometry == Geometry::PlaneStrain ? K + G / 3.0 : 9.0 * K * G / (3.0 * K + 4.0 * G);
+  return {2.0, bulk, 2.0 * bulk - 4.0 * G, 8.0 * G};
+}
 
 BondConstants solidCoefficients(const ChunkedNeighborhood& neighborhood,
                                 const std::function<void(int, int, std::size_t, double*)>& geometry) {

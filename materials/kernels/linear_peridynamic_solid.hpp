@@ -6,21 +6,38 @@
 // and its bonds have the force state t_ij = w [ (3 K - 5 G) theta_i |xi| + 15 G e ] / m_i along Y: the force density at
 // i is
 //   sum_j (t_ij + t_ji) Y/|Y| V_j.
+// In a plane, where neighbourhoods are discs, the same strain energy asks for other constants (SolidConstants).
 // Each point's call adds t_ij at i and -t_ij at j.
 #ifndef PD_LINEAR_PERIDYNAMIC_SOLID_HPP
 #define PD_LINEAR_PERIDYNAMIC_SOLID_HPP
 
 #include <functional>
 
+#include "bond_constants.hpp"
 #include "chunk_bonds.hpp"
 
 namespace pd::kernels {
 
+/// In D dimensions theta_i = D/m_i sum_j w |xi| e V_j is the dilatation, in a plane the relative change of area, and
+///   W = bulk/2 theta^2 + deviatoric/(2 m) sum_j w (e - theta |xi|/D)^2 V_j,
+/// hence t = w (volumetric theta |xi| + deviatoric e)/m with volumetric = D bulk - deviatoric/D. W is that of the
+/// elastic solid for
+///   solid         bulk = K,                   deviatoric = 15 G
+///   plane strain  bulk = K + G/3,             deviatoric = 8 G
+///   plane stress  bulk = 9 K G/(3 K + 4 G),   deviatoric = 8 G
+/// where bulk is the stiffness against a change of area, and 8 G follows from the mean of (n D n)^2 over the directions
+/// n of a plane, |D|^2/4 of a deviatoric strain D (2/15 |D|^2 in space). The plane solids are those of Le, Chan &
+/// Schwartz, Int. J. Numer. Meth. Engng 98 (2014) 547.
+struct SolidConstants {
+  double dimension = 3.0, bulk = 0.0, volumetric = 0.0, deviatoric = 0.0;
+};
+SolidConstants solidConstants(Geometry geometry, double bulkModulus, double shearModulus);
+
 /// What the force loop needs that does not change while the neighbourhood stays.
 struct SolidBondData {
-  double bulkModulus = 0.0, shearModulus = 0.0;  ///< K, G
-  BondConstants influence;                       ///< width 1: w
-  BondConstants coefficients;                    ///< what solidCoefficients() makes; only in chunks where it is uniform
+  SolidConstants constants;
+  BondConstants influence;     ///< width 1: w
+  BondConstants coefficients;  ///< what solidCoefficients() makes; only in chunks where it is uniform
 };
 
 /// All constants of bonds of uniform chunks, from `geometry(point, neighbor, bond, values)`, which writes xi (3

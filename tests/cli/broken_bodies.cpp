@@ -3,6 +3,16 @@
 
 namespace pd_test {
 
+namespace {
+
+/// A metal that dissolves, as the last material of the good deck.
+const std::string acid =
+    "  Acid:\n    Material Model: Corrosion Dissolution\n    Plane Stress: true\n    Thickness: 1.0e-3\n"
+    "    Diffusivity: 1.0e-9\n    Charge Number: 2.0\n    Solid Concentration: 1.0e5\n"
+    "    Saturation Concentration: 5.0e3\n    Current Density: \"1.0\"";
+
+}  // namespace
+
 std::vector<Broken> brokenBodies() {
   return {
       {"UnknownRootKey",
@@ -13,6 +23,12 @@ std::vector<Broken> brokenBodies() {
        {"deck.yaml:19:1: unknown key \"Material Kinds\" at the top level",
         "deck.yaml:35:15: Blocks/Plate/Material: there is no \"Steel\" in Materials; it is empty",
         "deck.yaml: the deck has no section \"Materials\""}},
+      {"MisspeltOutput",
+       {{"Output:\n", "Outputt:\n"}},
+       {"deck.yaml:76:1: unknown key \"Outputt\" at the top level (did you mean \"Output\"?)"}},
+      {"SolverPutAside",
+       {{"Output:\n", "Old Solver Disabled: {Final Time: 1.0, Verlet: {}}\nOutput:\n"}},
+       {"deck.yaml:76:1: unknown key \"Old Solver Disabled\" at the top level"}},
       {"NoSolver",
        {{"Solver:\n", "Solvr:\n"}},
        {"deck.yaml:60:1: unknown key \"Solvr\" at the top level (did you mean \"Solver\"?)",
@@ -115,6 +131,28 @@ std::vector<Broken> brokenBodies() {
        {{"      Side_Length: 2.0\n", ""}},
        {"deck.yaml:6:5: Discretization/Bond Filters/Notch lacks \"Side_Length\" (a number > 0 m): Length of the other "
         "side."}},
+      {"SolidInAPlane",
+       {{"    Plane Stress: true\n    Thickness: 1.0e-3\n", ""}},
+       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but the points of the "
+        "mesh "
+        "fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\""}},
+      {"LinearSolidInAPlane",
+       {{"    Material Model: PDHE\n", "    Material Model: Elastic\n"},
+        {"    Plane Stress: true\n    Thickness: 1.0e-3\n    Diffusivity: 1.0e-9\n", ""},
+        {"Damage, Concentration,", "Damage,"},
+        {"  Charge:\n    Type: Prescribed Concentration\n    Node Set: Top Node Set\n    Value: \"1.0e-5*min(t/10, "
+         "1)\"\n",
+         ""},
+        {"  Staggered:\n    Load Steps: 2\n    Diffusion:\n      Method: Euler\n      Sub Steps: 2\n    Mechanics:\n"
+         "      Adaptive Dynamic Relaxation:\n        Iterations Per Load Step: 3\n",
+         "  QuasiStatic: {}\n"}},
+       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but the points of the "
+        "mesh "
+        "fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\""}},
+      {"BarInAPlane",
+       {{"    Plane Stress: true\n    Thickness: 1.0e-3\n", "    One Dimensional: true\n"}},
+       {"deck.yaml:25:22: Materials/Steel: its constants are those of points that fill a line, but the points of the "
+        "mesh fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\" in place of \"One Dimensional\""}},
       {"UnknownMaterialModel",
        {{"Material Model: PDHE", "Material Model: PDEH"}},
        {"deck.yaml:21:21: unknown Material Model \"PDEH\" in Materials/Steel (did you mean \"PDHE\"?)"}},
@@ -258,6 +296,29 @@ std::vector<Broken> brokenBodies() {
       {"BlockHorizonZero",
        {{"    Horizon: 3.1e-3", "    Horizon: 0.0"}},
        {"deck.yaml:37:14: Blocks/Plate/Horizon is 0, must be > 0 m"}},
+      {"BlockHorizonPlace",
+       {{"    Horizon: 3.1e-3", "    Horizon: \"3.1e-3 + 0.01*x\""}},
+       {"deck.yaml:37:14: Blocks/Plate/Horizon depends on the place, but \"PDHE\" takes one horizon for all points of "
+        "a "
+        "block; give a number"}},
+      {"BlockHorizonHuge",
+       {{"    Horizon: 3.1e-3", "    Horizon: 1.0e99"}},
+       {"deck.yaml:37:14: the horizon of 1e+99 m at the point of mesh.txt:2 reaches far beyond the mesh, which spans "
+        "[0, "
+        "0.01] x [-0.002, 0.002] x [0, 0] m; horizons are usually 3 to 6 spacings of points"}},
+      {"PhaseBlock",
+       {{"Damage Models:\n", acid + "\n    Phase Blocks: [block_1, block_7]\n    Phase Current Densities: [\"1.0\", "
+                                    "\"2.0\"]\nDamage Models:\n"}},
+       {"deck.yaml:37:20: Materials/Acid/Phase Blocks[1]: \"block_1\" is a block of Blocks/Plate, which has another "
+        "material",
+        "deck.yaml:37:29: Materials/Acid/Phase Blocks[2]: there is no block \"block_7\" (did you mean \"block_1\"?); "
+        "there are: \"block_1\""}},
+      {"PhaseBlockOfTheMesh",
+       {{"Damage Models:\n", acid + "\n    Phase Blocks: [block_7]\n    Phase Current Densities: [\"1.0\"]\nDamage "
+                                    "Models:\n"},
+        {"Block Names: block_1", "Block Names: default"}},
+       {"deck.yaml:37:20: Materials/Acid/Phase Blocks[1]: the mesh mesh.txt has no block \"block_7\" (did you mean "
+        "\"block_1\"?); it has: \"block_1\""}},
       {"BlockHorizonTime",
        {{"    Horizon: 3.1e-3", "    Horizon: \"3.1e-3*(1 + t)\""}},
        {"deck.yaml:37:14: Blocks/Plate/Horizon depends on the time, but it is evaluated once; use x, y, z alone"}},

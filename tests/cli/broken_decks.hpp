@@ -21,10 +21,15 @@ std::vector<Broken> brokenBodies();
 /// In node sets, conditions, solvers, computes, outputs and files.
 std::vector<Broken> brokenRuns();
 
+/// Of solvers, materials, damage models and times.
+std::vector<Broken> brokenPairings();
+/// What a run finds out only as its solver starts.
+std::vector<Broken> refusedStarts();
+
 inline std::vector<Broken> brokenDecks() {
   std::vector<Broken> all = brokenBodies();
-  const std::vector<Broken> more = brokenRuns();
-  all.insert(all.end(), more.begin(), more.end());
+  for (const std::vector<Broken>& more : {brokenRuns(), brokenPairings()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

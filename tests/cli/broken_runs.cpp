@@ -219,12 +219,12 @@ std::vector<Broken> brokenRuns() {
         "\"QuasiStatic\"?)"}},
       {"StaggeredMethodKey",
        {{staggeredPair, "    Solvers:\n      Hydrogen: {Diffusion: {Method: RKL, Allow Unstable Step: true}}\n"}},
-       {"deck.yaml:63:3: Solver/Staggered: Solvers/Hydrogen: Diffusion: \"Allow Unstable Step\" has no meaning with "
+       {"deck.yaml:66:64: Solver/Staggered: Solvers/Hydrogen: Diffusion: \"Allow Unstable Step\" has no meaning with "
         "Method: RKL"}},
       {"StaggeredTwice",
        {{staggeredPair,
          "    Solvers:\n      One: {QuasiStatic: {}}\n      Two: {QuasiStatic: {Absolute Tolerance: 1.0}}\n"}},
-       {"deck.yaml:63:3: Solver/Staggered: Solvers: \"One\" and \"Two\" are the same solver of the same fields"}},
+       {"deck.yaml:66:7: Solver/Staggered: Solvers: \"One\" and \"Two\" are the same solver of the same fields"}},
       {"StaggeredEmpty",
        {{staggeredPair, "    Solvers: {}\n"}},
        {"deck.yaml:63:3: Solver/Staggered: Solvers is empty; it holds solvers by names of your choice"}},
@@ -250,7 +250,7 @@ std::vector<Broken> brokenRuns() {
        {{"    Compute Class: Reaction_Force\n    Node Set: Right Node Set\n",
          "    Compute Class: Node_Set_Data\n    Node Set: Right Node Set\n    Variable: Displacment\n    Calculation "
          "Type: Sum\n"}},
-       {"deck.yaml:72:3: Compute Class Parameters/Pulling Force: no field \"Displacment\" in this run"}},
+       {"deck.yaml:75:15: Compute Class Parameters/Pulling Force: no field \"Displacment\" in this run"}},
       {"ComputeBlock",
        {{"    Compute Class: Reaction_Force\n    Node Set: Right Node Set\n",
          "    Compute Class: Block_Data\n    Block: block_7\n    Variable: Displacement\n    Calculation Type: Sum\n"}},
@@ -300,6 +300,13 @@ std::vector<Broken> brokenRuns() {
        {},
        {"mesh.txt:4: the volume (fifth column) must be greater than 0; the columns are x y z block_id volume"},
        "0.002 -0.002 0.0 1 0.0",
+       ""},
+      {"MeshTinyVolume",
+       {},
+       {"deck.yaml:1:1: volumes and coordinates do not fit: the volume 1e-300 m3 of the point mesh.txt:4 means a "
+        "spacing "
+        "of 3.162e-149 m (square root of volume / thickness), but the next point is 0.001 m away"},
+       "0.002 -0.002 0.0 1 1.0e-300",
        ""},
       {"MeshDuplicate",
        {},

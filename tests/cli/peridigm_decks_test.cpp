@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -110,6 +111,24 @@ TEST(PeridigmDecks, RunAlikeInXmlAndYaml) {
   // Both points move: 1/2 rho V (1 + 4) at the start.
   EXPECT_NE(history.find("\n0,0,5500"), std::string::npos) << history;
   EXPECT_EQ(history, contentOf(yaml.path("result.csv")));
+}
+
+TEST(PeridigmDecks, AStepBeyondTheFinalTimeIsNotMade) {
+  const SceneFiles theirs("peridigm_long_step"), ours("own_long_step");
+  const Outcome outcome = run(theirs, "deck.xml", replaced(goodXml, "value=\"1.0e-6\"", "value=\"1.9e-4\""));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_NE(contentOf(theirs.path("result.log")).find("as in Peridigm no step is made"), std::string::npos);
+  const std::string history = contentOf(theirs.path("result.csv"));
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 2) << "the header and the initial state:\n" << history;
+  // In decks of our own a step meets the Final Time.
+  const std::string deck =
+      "Discretization: {Type: Text File, Input Mesh File: mesh.txt}\n"
+      "Materials: {Rock: {Material Model: Elastic, Density: 2200.0, Bulk Modulus: 14.9e9, Shear Modulus: 8.94e9}}\n"
+      "Blocks: {All: {Block Names: block_1, Material: Rock, Horizon: 1.5}}\n"
+      "Solver: {Final Time: 1.0e-5, Verlet: {Fixed dt: 1.9e-4}}\n"
+      "Output: {Output Filename: NAME, Output Variables: [Global_Kinetic_Energy]}\n";
+  EXPECT_EQ(run(ours, "deck.yaml", deck).exitCode, 0);
+  EXPECT_NE(contentOf(ours.path("result.csv")).find("\n1,1e-05,"), std::string::npos);
 }
 
 TEST(PeridigmDecks, XmlMistakesNameTheirLine) {

@@ -100,6 +100,9 @@ std::vector<Sample> materialSamples() {
   both.set("Diffusion Stops At Broken Bonds", true);
   samples.push_back({"MechanicsAndDiffusion", "PDHE", 2, both});
   samples.push_back({"LinearPeridynamicSolid", "Elastic", 3, elastic(0.35)});
+  samples.push_back({"LinearSolidInPlaneStress", "Elastic", 2, plate(elastic(0.35), "Plane Stress")});
+  samples.push_back({"LinearSolidInPlaneStrain", "Elastic", 2,
+                     withText(plate(elastic(0.1), "Plane Strain"), "Volume Correction", "Ramp Beyond Horizon")});
   samples.push_back(
       {"LinearPeridynamicSolidRamp", "Elastic", 3, withText(elastic(0.1), "Volume Correction", "Ramp Beyond Horizon")});
   Teuchos::ParameterList bondBased = elastic(0.25);

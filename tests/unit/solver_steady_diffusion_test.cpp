@@ -63,14 +63,9 @@ TEST_F(SteadyDiffusion, AFieldWithoutDifferencesConvergesAtRoundOff) {
   EXPECT_LT(scene.error("Concentration", [](double) { return 2.0; }), 1e-14);
 }
 
-TEST_F(SteadyDiffusion, PointsBeyondABreakKeepTheirValues) {
-  SolverScene scene(comm, chain, "  Left: {Type: Prescribed Concentration, Node Set: Left Node Set, Value: 7.0}\n",
-                    "{Damage Model: Test Length, Greatest Length: 1000.0}");
-  const auto solver = scene.make("ImplicitDiffusion", "{Field: Concentration}");
-  scene.start("Concentration", [](double x, double) { return x; });
-  // The bond from 4 to 5 is broken.
-  Model& model = scene.model();
-  for (PeridigmNS::Block& block : *model.blocks()) {
+/// Breaks the bond from 4 to 5.
+void breakInTheMiddle(SolverScene& scene) {
+  for (PeridigmNS::Block& block : *scene.model().blocks()) {
     double* damage = nullptr;
     const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
     block.getData(id, STEP_NP1)->ExtractView(&damage);
@@ -80,8 +75,29 @@ TEST_F(SteadyDiffusion, PointsBeyondABreakKeepTheirValues) {
       for (int count = *list++; count > 0; --count, ++damage)
         if (scene.x(points->OwnedIDs()[p]) + scene.x(*list++) == 9.0) *damage = 1.0;
   }
+}
+
+TEST_F(SteadyDiffusion, PointsBeyondABreakKeepTheOneValueTheyHave) {
+  const std::string left = "  Left: {Type: Prescribed Concentration, Node Set: Left Node Set, Value: 7.0}\n",
+                    breakable = "{Damage Model: Test Length, Greatest Length: 1000.0}";
+  SolverScene scene(comm, chain, left, breakable);
+  const auto solver = scene.make("ImplicitDiffusion", "{Field: Concentration}");
+  scene.start("Concentration", [](double x, double) { return x < 4.5 ? x : 3.0; });
+  breakInTheMiddle(scene);
   scene.run(*solver, 0.0, 1.0);
-  EXPECT_LT(scene.error("Concentration", [](double x) { return x < 4.5 ? 7.0 : x; }), 1e-11);
+  EXPECT_LT(scene.error("Concentration", [](double x) { return x < 4.5 ? 7.0 : 3.0; }), 1e-11);
+
+  // Where something would flow there, nothing says to what steady state.
+  SolverScene open(comm, chain, left, breakable);
+  const auto another = open.make("ImplicitDiffusion", "{Field: Concentration}");
+  open.start("Concentration", [](double x, double) { return x; });
+  breakInTheMiddle(open);
+  try {
+    open.run(*another, 0.0, 1.0);
+    FAIL() << "solved without a prescribed value beyond the break";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("leaves their steady state open"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(SteadyDiffusion, AnOpenProblemIsRefused) {

@@ -142,6 +142,7 @@ TEST_F(VerletTest, PeridigmsCriticalStepComesFromTheBulkModulus) {
                    10.0 * expected)
       << "the step is kept";
   EXPECT_EQ(solver->numberOfIncrements(scene.simulation(), 0.0, 10.5 * expected), 10);
+  EXPECT_EQ(solver->numberOfIncrements(scene.simulation(), 0.0, 0.5 * expected), 0) << "as there, no step is made";
 }
 
 TEST_F(VerletTest, GoesOnBitIdenticallyFromItsRestartState) {

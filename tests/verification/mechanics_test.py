@@ -68,23 +68,29 @@ class Patch(SceneTest):
 
 
 class LinearPeridynamicSolid(SceneTest):
-    """Material Elastic on a cube that is deformed as a whole. Silling et al., J. Elasticity 88 (2007) 151: the dilatation
-    under a uniform expansion and its energy are exact in any neighbourhood, cut off or not."""
+    """Material Elastic on a cube or a plate that is deformed as a whole. Silling et al., J. Elasticity 88 (2007) 151: the
+    dilatation under a uniform expansion and its energy are exact in any neighbourhood, cut off or not."""
 
-    bulk, shear, spacing = 130e9, 60e9, 1e-3
+    bulk, shear, spacing, thickness = 130e9, 60e9, 1e-3, 4e-3
 
-    def fields(self, *functions):
-        self.write_mesh(lattice([10e-3] * 3, self.spacing), self.spacing**3)
+    def fields(self, *functions, **plane):
+        """`plane`: flags of a plate."""
+        dimension = len(functions)
+        self.write_mesh(lattice([10e-3] * dimension, self.spacing),
+                        self.spacing**dimension * (self.thickness if plane else 1.0))
         conditions = {"Whole Node Set": {"Expression": "x > -1"}}
         for axis, function in zip("xyz", functions):
             conditions[axis] = {"Type": "Prescribed Displacement", "Node Set": "Whole Node Set", "Coordinate": axis,
                                 "Value": function}
-        deck = plate_deck(3.015 * self.spacing, 1.0, conditions=conditions,
+        deck = plate_deck(3.015 * self.spacing, self.thickness, conditions=conditions,
                           solver={"Final Time": 1e-9, "Verlet": {"Fixed dt": 1e-9}},
                           output={"Output Variables": ["Dilatation", "Stored_Elastic_Energy_Density"]})
-        del deck["Discretization"]["Thickness"]
         deck["Materials"]["Steel"] = {"Material Model": "Elastic", "Density": 7850.0, "Bulk Modulus": self.bulk,
-                                      "Shear Modulus": self.shear}
+                                      "Shear Modulus": self.shear, **plane}
+        if plane:
+            deck["Materials"]["Steel"]["Thickness"] = self.thickness
+        else:
+            del deck["Discretization"]["Thickness"]
         result = self.solve(deck)
         return result.field("Dilatation").ravel(), result.field("Stored_Elastic_Energy_Density").ravel()
 
@@ -104,6 +110,29 @@ class LinearPeridynamicSolid(SceneTest):
         centre = 5 * 100 + 5 * 10 + 5
         self.assertLess(abs(dilatation[centre]), 1e-7)
         self.assertLess(abs(energy[centre] / expected - 1.0), 1e-3)
+
+
+    def test_plane_strain_and_stress(self):
+        # Hooke's law with E and nu: (lambda + G)/2 (2 s)^2 in plane strain, E/(1 - nu) s^2 in plane stress.
+        strain = 1e-4
+        E = 9.0 * self.bulk * self.shear / (3.0 * self.bulk + self.shear)
+        nu = E / (2.0 * self.shear) - 1.0
+        lame = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+        for flag, expected in (("Plane Strain", 2.0 * (lame + self.shear) * strain**2),
+                               ("Plane Stress", E / (1.0 - nu) * strain**2)):
+            dilatation, energy = self.fields(f"{strain}*x", f"{strain}*y", **{flag: True})
+            self.assertLess(np.max(np.abs(dilatation / (2 * strain) - 1.0)), 1e-9)
+            self.assertLess(np.max(np.abs(energy / expected - 1.0)), 1e-9, flag)
+            # Shear by gamma/2 = 1e-4, G gamma^2/2 of a disc; of this lattice the sum over it, with theta = 0.
+            dilatation, energy = self.fields("1e-4*y", "1e-4*x", **{flag: True})
+            x, y = (axis.ravel() for axis in np.meshgrid(np.arange(-3, 4), np.arange(-3, 4)))
+            r2 = x**2 + y**2
+            x, y, r2 = x[(r2 > 0) & (r2 < 9.1)], y[(r2 > 0) & (r2 < 9.1)], r2[(r2 > 0) & (r2 < 9.1)]
+            of_lattice = 4.0 * self.shear / np.sum(r2) * np.sum((2e-4 * x * y) ** 2 / r2)
+            self.assertLess(abs(of_lattice / (0.5 * self.shear * 2e-4**2) - 1.0), 0.1)
+            centre = 5 * 10 + 5
+            self.assertLess(abs(dilatation[centre]), 1e-7)
+            self.assertLess(abs(energy[centre] / of_lattice - 1.0), 1e-3, flag)
 
 
 class BodyForce(SceneTest):

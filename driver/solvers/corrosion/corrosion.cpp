@@ -103,6 +103,11 @@ Corrosion::Corrosion(const Teuchos::ParameterList& given) {
                                                       : std::numeric_limits<double>::infinity();
 }
 
+double Corrosion::leastSteps(double t0, double t1) const {
+  const double longest = fixedStep_ > 0.0 ? std::min(fixedStep_, largestStep_) : largestStep_;
+  return std::max(static_cast<double>(nIncrements_), (t1 - t0) / longest);
+}
+
 void Corrosion::initialize(Simulation& simulation) {
   Model& model = simulation.model;
   requireDissolution(model, field_);

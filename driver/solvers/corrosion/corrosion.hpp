@@ -38,6 +38,7 @@ class Corrosion : public Solver {
   };
   const Fields& fields() const override { return fields_; }
   std::vector<std::string> fieldsWithFarField() const override { return {field_}; }
+  double leastSteps(double t0, double t1) const override;
   void initialize(Simulation& simulation) override;
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;

@@ -34,6 +34,10 @@ class Euler : public RateIntegrator {
     allowUnstableStep_ = parameters.get<bool>("Allow Unstable Step");
   }
 
+  void rehearse(Simulation& simulation, const std::string& field, double t, double dt) override {
+    ScalarRate rate(simulation, field, t);
+    stableSteps(rate, field, dt);
+  }
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
   RestartState restartState() const override { return {{"largest eigenvalue", largestEigenvalue_}}; }
@@ -42,6 +46,8 @@ class Euler : public RateIntegrator {
 
  private:
   int numberOfSteps(double dt) const;
+  /// The same. Throws RunError where the steps are too long to be stable.
+  int stableSteps(ScalarRate& rate, const std::string& field, double dt);
   double limit() const {
     return largestEigenvalue_ > 0.0 ? 2.0 / largestEigenvalue_ : std::numeric_limits<double>::infinity();
   }
@@ -58,16 +64,14 @@ class Euler : public RateIntegrator {
 int Euler::numberOfSteps(double dt) const {
   if (nSubSteps_ > 0) return nSubSteps_;
   const double step = timeStep_ > 0.0 ? timeStep_ : safetyFactor_ * limit();
-  return std::max(1, static_cast<int>(std::ceil(dt / step * (1.0 - 1.0e-12))));
+  return equalSteps(dt, step);
 }
 
-void Euler::advance(Simulation& simulation, const std::string& field, double t, double dt) {
-  ScalarRate rate(simulation, field, t);
+int Euler::stableSteps(ScalarRate& rate, const std::string& field, double dt) {
   // Holding further points or cutting bonds only lowers the eigenvalue: one estimate serves the whole run.
   if (largestEigenvalue_ < 0.0) largestEigenvalue_ = rate.largestEigenvalueBound(dt, 1.0e-3, 200);
   const int n = numberOfSteps(dt);
   const double step = dt / n;
-  longestStep_ = std::max(longestStep_, step);
   if (step > limit() && !allowUnstableStep_)
     throw RunError(fmt::format(
         "Diffusion: the time step {:.6g} s of \"{}\" is above the stability limit {:.6g} s of forward Euler "
@@ -75,6 +79,14 @@ void Euler::advance(Simulation& simulation, const std::string& field, double t, 
         "or set \"Allow Unstable Step: true\"",
         step, field, limit(), largestEigenvalue_, static_cast<long long>(std::ceil(dt / limit()))));
 
+  return n;
+}
+
+void Euler::advance(Simulation& simulation, const std::string& field, double t, double dt) {
+  ScalarRate rate(simulation, field, t);
+  const int n = stableSteps(rate, field, dt);
+  const double step = dt / n;
+  longestStep_ = std::max(longestStep_, step);
   double* values = rate.values();
   for (int k = 1; k <= n; ++k) {
     rate.evaluate(step);

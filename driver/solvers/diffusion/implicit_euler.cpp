@@ -28,8 +28,7 @@ class ImplicitEuler : public RateIntegrator {
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override {
     ScalarRate rate(simulation, field, t);
     stage_.begin(simulation, field);
-    const int n =
-        timeStep_ > 0.0 ? std::max(1, static_cast<int>(std::ceil(dt / timeStep_ * (1.0 - 1.0e-12)))) : nSubSteps_;
+    const int n = timeStep_ > 0.0 ? equalSteps(dt, timeStep_) : nSubSteps_;
     for (int k = 1; k <= n; ++k) {
       const double end = k == n ? t + dt : t + k * (dt / n);
       const std::vector<double> before(rate.values(), rate.values() + rate.nOwned());

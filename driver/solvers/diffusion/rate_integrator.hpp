@@ -22,6 +22,8 @@ class RateIntegrator {
 
   /// Called once when the model is initialised. `field` exists, and so does fluxDivergenceField(field).
   virtual void initialize(Simulation&, const std::string& /*field*/) {}
+  /// As Solver::rehearse().
+  virtual void rehearse(Simulation&, const std::string& /*field*/, double /*t*/, double /*dt*/) {}
   /// Advances `field` at STEP_NP1, which holds the values at t, to t + dt, ghosts included. Prescribed points hold
   /// their values of the time of each evaluation. Throws RunError where the step is unstable or does not converge.
   virtual void advance(Simulation&, const std::string& field, double t, double dt) = 0;
@@ -35,6 +37,10 @@ class RateIntegrator {
   /// After setRestartState(), as Solver::modelHasChanged().
   virtual void modelHasChanged() {}
 };
+
+/// How many equal steps of this length or less an increment takes. Round-off in a step that divides it adds none.
+/// Throws RunError where there are more than can be counted.
+int equalSteps(double increment, double longestStep);
 
 using RateIntegratorRegistry = PluginRegistry<RateIntegrator, const Teuchos::ParameterList&>;
 

@@ -161,8 +161,7 @@ void StabilizedRungeKutta::advance(Simulation& simulation, const std::string& fi
 
 void StabilizedRungeKutta::advanceEqualSteps(Simulation& simulation, ScalarRate& rate, double t, double dt,
                                              const std::function<void()>& keep) {
-  const int n =
-      nSubSteps_ > 0 ? nSubSteps_ : std::max(1, static_cast<int>(std::ceil(dt / timeStep_ * (1.0 - 1.0e-12))));
+  const int n = nSubSteps_ > 0 ? nSubSteps_ : equalSteps(dt, timeStep_);
   const double step = dt / n;
   if (step > longestStableStep())
     throw RunError(

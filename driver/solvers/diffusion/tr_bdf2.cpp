@@ -128,8 +128,7 @@ void TrBdf2::advance(Simulation& simulation, const std::string& field, double t,
     advanceControlled(simulation, rate, field, t, dt);
     return;
   }
-  const int n =
-      timeStep_ > 0.0 ? std::max(1, static_cast<int>(std::ceil(dt / timeStep_ * (1.0 - 1.0e-12)))) : nSubSteps_;
+  const int n = timeStep_ > 0.0 ? equalSteps(dt, timeStep_) : nSubSteps_;
   for (int k = 0; k < n; ++k)
     takeStep(simulation, rate, t + k * (dt / n), k + 1 == n ? t + dt : t + (k + 1) * (dt / n), dt / n);
   nSteps_ += n;

@@ -1,0 +1,96 @@
+#include "run_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "../discretization/discretization.hpp"
+#include "collective.hpp"
+#include "rates.hpp"
+#include "restart.hpp"
+
+namespace pd {
+
+namespace {
+
+std::vector<std::string> fieldsThatAdvance(const Model& model) {
+  std::vector<std::string> labels = fieldsWithRates(*model.blocks());
+  for (const char* label : {"Displacement", "Velocity", "Damage"})
+    if (model.hasField(label)) labels.emplace_back(label);
+  return labels;
+}
+
+}  // namespace
+
+RunSetup::RunSetup(const Deck& deck, const Communicator& comm, const MakeOutput& makeOutput) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Discretization discretization;
+  withMemoryFor(comm, "the mesh and its neighbourhoods", [&] { discretization = readDiscretization(deck, comm); });
+  const double readingTime = std::chrono::duration<double>(Clock::now() - start).count();
+  withMemoryFor(comm,
+                fmt::format("the fields of {} points and {} bonds of rank {}", discretization.nPoints,
+                            discretization.nBonds(), comm.rank()),
+                [&] { model = std::make_unique<Model>(deck, comm, std::move(discretization), std::vector<int>()); });
+  model->timers().add("mesh and neighborhoods", readingTime);
+  stages = createStages(deck);
+  ofPlugins = fieldLabels(*model);
+  for (const Stage& stage : stages) model->allocateFields(stage.solver->fields().ids());
+  const std::set<std::string> ofSolvers = fieldLabels(*model);
+  conditions = std::make_unique<BoundaryConditions>(deck, *model);
+  for (const std::string& label : fieldLabels(*model))
+    if (ofSolvers.count(label) == 0) ofConditions.insert(label);
+  output = makeOutput();
+  model->allocateFields(output->fieldIds());
+  output->initialize(*model);
+  errorNorms = std::make_unique<ErrorNorms>(deck, *model);
+  advancedFields = fieldsThatAdvance(*model);
+}
+
+void RunSetup::initialize() {
+  conditions->applyInitial();
+  model->initialize();
+}
+
+void RunSetup::start() {
+  const double t = stages.front().startTime;
+  conditions->applyPrescribed(t);
+  for (const std::string& label : advancedFields) model->requireFinite(label, 0);
+  if (model->hasMechanics()) model->updateCoordinates();
+  fillHostFields(*model, *conditions, t);
+  model->adoptState();
+}
+
+void fillHostFields(Model& model, const BoundaryConditions& conditions, double t) {
+  if (model.hasField("Time")) *model.field("Time") = t;
+  const char* const label = "External_Force_Density";
+  if (!model.hasField(label)) return;
+  double* force = model.field(label);
+  std::fill(force, force + 3 * static_cast<std::size_t>(model.nOwned()), 0.0);
+  conditions.addExternalForce(t, force);
+}
+
+void rehearse(const Deck& deck, const Communicator& comm) {
+  RunSetup setup(deck, comm, [&] { return std::make_unique<Output>(deck, comm); });
+  std::string what = deck.fileName() + ": the start of the run: ";
+  try {
+    setup.initialize();
+    setup.start();
+    setup.output->evaluate(*setup.model, 0);
+    // Later solvers start from what the first one makes.
+    const Stage& first = setup.stages.front();
+    const DeckNode section = deck[first.section][first.name];
+    what = section.keyPlace() + ": " + section.path() + ": ";
+    Simulation simulation = setup.simulation();
+    first.solver->initialize(simulation);
+    const int n = first.solver->numberOfIncrements(simulation, first.startTime, first.endTime);
+    if (n == 0) return;
+    const double end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
+    first.solver->rehearse(simulation, first.startTime, end - first.startTime);
+  } catch (const RunError& error) {
+    throw DeckError(what + error.what());
+  }
+}
+
+}  // namespace pd
