@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../model/collective.hpp"
 #include "../model/solver_sections.hpp"
 #include "Peridigm_Field.hpp"
 #include "condition_set.hpp"
@@ -60,30 +61,39 @@ void BoundaryConditions::setTimeScale(double scale) {
   for (const auto& condition : conditions_) condition->setTimeScale(scale);
 }
 
+/// A value that is not finite may be met on one rank alone.
+template <class Hook>
+void BoundaryConditions::callEach(const Hook& hook) const {
+  orAbort(model_.comm(), [&] {
+    for (const auto& condition : conditions_) hook(*condition);
+  });
+}
+
 void BoundaryConditions::applyInitial() {
-  for (const auto& condition : conditions_) condition->applyInitial(model_, initialTime_);
+  callEach([&](Condition& condition) { condition.applyInitial(model_, initialTime_); });
 }
 
 void BoundaryConditions::applyPrescribed(double ownTime) {
   const double t = runTime(ownTime);
-  for (const auto& condition : conditions_) condition->applyPrescribed(model_, t);
+  callEach([&](Condition& condition) { condition.applyPrescribed(model_, t); });
   appliedAt_ = t;
 }
 
 void BoundaryConditions::applyPrescribedValue(const std::string& field, double t) {
-  for (const auto& condition : conditions_)
-    if (condition->field() == field) condition->applyPrescribed(model_, runTime(t));
+  callEach([&](Condition& condition) {
+    if (condition.field() == field) condition.applyPrescribed(model_, runTime(t));
+  });
 }
 
 const FarField& BoundaryConditions::farField(const std::string& field, double t) {
   farField_.coefficient.clear();
   farField_.value.clear();
-  for (const auto& condition : conditions_) {
-    if (!condition->reachesBeyond() || condition->field() != field) continue;
+  callEach([&](const Condition& condition) {
+    if (!condition.reachesBeyond() || condition.field() != field) return;
     farField_.coefficient.resize(static_cast<std::size_t>(model_.nOwned()), 0.0);
     farField_.value.resize(farField_.coefficient.size(), 0.0);
-    condition->addFarField(model_.discretization(), runTime(t), farField_);
-  }
+    condition.addFarField(model_.discretization(), runTime(t), farField_);
+  });
   return farField_;
 }
 
@@ -94,8 +104,9 @@ bool BoundaryConditions::prescribedValueDependsOnTime(const std::string& field) 
 }
 
 void BoundaryConditions::addExternalForce(double t, double* forceDensity) const {
-  for (const auto& condition : conditions_)
-    condition->addForceDensity(model_.discretization(), runTime(t), forceDensity);
+  callEach([&](const Condition& condition) {
+    condition.addForceDensity(model_.discretization(), runTime(t), forceDensity);
+  });
 }
 
 bool BoundaryConditions::hasExternalForce() const {
@@ -105,11 +116,11 @@ bool BoundaryConditions::hasExternalForce() const {
 long long BoundaryConditions::updateDamageSources() {
   long long nNew = 0;
   bool hasAny = false;
-  for (const auto& condition : conditions_) {
-    if (!condition->followsDamage()) continue;
+  callEach([&](Condition& condition) {
+    if (!condition.followsDamage()) return;
     hasAny = true;
-    nNew += condition->damageHasChanged(model_, appliedAt_, isPrescribed_[condition->field()]);
-  }
+    nNew += condition.damageHasChanged(model_, appliedAt_, isPrescribed_[condition.field()]);
+  });
   return hasAny ? model_.comm().sum(nNew) : 0;
 }
 
@@ -118,13 +129,14 @@ void BoundaryConditions::markNoFailure() {
   const char* const label = "No_Failure";
   if (!model_.hasField(label)) return;
   std::fill_n(model_.field(label), model_.nPoints(), 0.0);
-  for (const auto& condition : conditions_)
-    if (condition->field() == label) condition->applyInitial(model_, initialTime_);
+  callEach([&](Condition& condition) {
+    if (condition.field() == label) condition.applyInitial(model_, initialTime_);
+  });
 }
 
 void BoundaryConditions::resume(double t) {
   markNoFailure();
-  for (const auto& condition : conditions_) condition->resume(model_, t, isPrescribed_[condition->field()]);
+  callEach([&](Condition& condition) { condition.resume(model_, t, isPrescribed_[condition.field()]); });
   appliedAt_ = t;
 }
 

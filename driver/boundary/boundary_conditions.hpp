@@ -65,6 +65,8 @@ class BoundaryConditions {
  private:
   double runTime(double ownTime) const { return timeScale_ == 1.0 ? ownTime : ownTime / timeScale_; }
   void markNoFailure();
+  template <class Hook>
+  void callEach(const Hook& hook) const;
 
   Model& model_;
   double initialTime_ = 0.0;

@@ -34,8 +34,8 @@ const std::vector<double>& Condition::evaluate(const Discretization& mesh, doubl
   if (!values_.empty() && (!value_.dependsOnTime() || t == evaluatedAt_)) return values_;
   values_.resize(points_.size());
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const double* place = mesh.x.data() + 3 * static_cast<std::size_t>(points_[k]);
-    values_[k] = value_(place[0], place[1], place[2], t);
+    const auto point = static_cast<std::size_t>(points_[k]);
+    values_[k] = value_.at(mesh.x.data() + 3 * point, t, mesh.globalIds[point]);
   }
   evaluatedAt_ = t;
   return values_;

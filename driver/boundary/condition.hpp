@@ -51,7 +51,8 @@ class Condition {
   const std::vector<int>& points() const { return points_; }  ///< local ids, owned and ghosts
   /// `condition "Pull"`.
   std::string title() const { return "condition \"" + name_ + "\""; }
-  /// value(x, t) at each of points(); kept, and evaluated anew only where t matters.
+  /// value(x, t) at each of points(); kept, and evaluated anew only where t matters. Throws DeckError, on this rank
+  /// alone, where one is not finite.
   const std::vector<double>& evaluate(const Discretization& mesh, double t) const;
 
   // What it is, before anything runs.

@@ -29,6 +29,30 @@ bool haveSameValue(const Condition& a, const Condition& b) {
   return first.isScalar() && second.isScalar() && first.text() == second.text();
 }
 
+/// Times at which a condition is tried before the run.
+std::vector<double> trialTimes(const Condition& condition, const Deck& deck) {
+  const double start = initialTime(deck), length = finalTime(deck) - start;
+  if (!condition.dependsOnTime()) return {start};
+  constexpr int nParts = 8;
+  std::vector<double> times;
+  // What acts by its rate, or as a load, is not asked for at the start.
+  for (int k = condition.isPrescription() ? 0 : 1; k <= nParts; ++k) times.push_back(start + length * k / nParts);
+  return times;
+}
+
+/// Those of the conditions whose values are finite; mistakes of the others are added.
+ConditionSet withFiniteValues(const ConditionSet& conditions, const Deck& deck, const Discretization& mesh,
+                              Mistakes& mistakes) {
+  ConditionSet good;
+  for (const auto& condition : conditions) try {
+      for (const double t : trialTimes(*condition, deck)) condition->evaluate(mesh, t);
+      good.push_back(condition);
+    } catch (const DeckError& error) {
+      mistakes.add("", error.what());
+    }
+  return good;
+}
+
 /// Two conditions that want different things of one point.
 class ConflictFinder {
  public:
@@ -108,7 +132,8 @@ ConditionSet readConditions(const Deck& deck, const Discretization& mesh, const 
     }
   }
   collectively(comm, [&] {
-    if (!deck.isPeridigmDeck()) ConflictFinder(conditions, mesh, initialTime(deck)).find(mistakes);
+    const ConditionSet good = withFiniteValues(conditions, deck, mesh, mistakes);
+    if (!deck.isPeridigmDeck()) ConflictFinder(good, mesh, initialTime(deck)).find(mistakes);
     mistakes.report();
   });
   return conditions;

@@ -86,9 +86,21 @@ std::string topicText(const ReferenceChapter& chapter, const ReferenceTopic& top
          (keys.empty() ? "  It takes no parameters.\n" : keys) + fieldsText(topic);
 }
 
+/// Whether a key takes a number.
+bool hasNumbers(const ParameterDeclarations& declarations) {
+  return std::any_of(declarations.parameters().begin(), declarations.parameters().end(),
+                     [](const Parameter& parameter) { return !parameter.unit.empty(); }) ||
+         std::any_of(declarations.sublists().begin(), declarations.sublists().end(),
+                     [](const auto& sublist) { return hasNumbers(sublist.declarations.front()); });
+}
+
 void append(std::string& all, const std::string& text) { all += (all.empty() ? "" : "\n") + text; }
 
 }  // namespace
+
+const char* const numbersOfDecks =
+    "A number may be a product, as in 2*3600, and where its key has a unit may have another one of that kind, as in 3 "
+    "GPa, 0.1 mm, 50 kJ/m^2 or 1 h.";
 
 std::string listEverything() {
   std::string result;
@@ -125,11 +137,17 @@ std::vector<ReferenceChapter> chaptersAbout(const std::string& name) {
 
 std::string explain(const std::string& name) {
   std::string result;
+  bool asksForNumbers = false;
   for (const ReferenceChapter& chapter : chaptersAbout(name)) {
     if (chapter.section == name) append(result, sectionText(chapter, chapter.topics));
-    for (const ReferenceTopic& topic : chapter.topics)
-      if (topic.name == name) append(result, topicText(chapter, topic));
+    asksForNumbers = asksForNumbers || hasNumbers(chapter.declarations);
+    for (const ReferenceTopic& topic : chapter.topics) {
+      if (topic.name != name) continue;
+      append(result, topicText(chapter, topic));
+      asksForNumbers = asksForNumbers || hasNumbers(topic.declarations);
+    }
   }
+  if (asksForNumbers) append(result, wrapped(numbersOfDecks, ""));
   return result;
 }
 
@@ -139,6 +157,7 @@ std::string explainEverything() {
     if (!chapter.section.empty()) append(result, sectionText(chapter, {}));
     for (const ReferenceTopic& topic : chapter.topics) append(result, topicText(chapter, topic));
   }
+  append(result, wrapped(numbersOfDecks, ""));
   return result;
 }
 

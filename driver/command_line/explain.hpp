@@ -12,6 +12,9 @@ namespace pd {
 /// All plug-ins by kind, each with its one sentence, and the sections of a deck.
 std::string listEverything();
 
+/// How numbers of a deck may be written, a sentence.
+extern const char* const numbersOfDecks;
+
 /// The keys of a plug-in, of a type of mesh, bond filter or condition, or of a section of a deck or study; for a
 /// section also what may stand in it. Throws DeckError where nothing has this name.
 std::string explain(const std::string& name);

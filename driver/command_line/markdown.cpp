@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "../output/atomic_file.hpp"
+#include "explain.hpp"
 #include "explain_fields.hpp"
 
 namespace pd {
@@ -17,8 +18,9 @@ std::string cell(const std::string& text) {
   return " " + (result.empty() ? "–" : result) + " |";
 }
 
-std::string valueText(ParameterType type) {
-  switch (type) {
+std::string valueText(const Parameter& parameter) {
+  const bool isOfPlaceAndTime = parameter.isOfPlaceAndTime();
+  switch (parameter.type) {
     case ParameterType::Real:
       return "number";
     case ParameterType::Integer:
@@ -28,11 +30,14 @@ std::string valueText(ParameterType type) {
     case ParameterType::Text:
       return "text";
     case ParameterType::Function:
-      return "number, function of x, y, z, t, or table";
+      return "number" + std::string(isOfPlaceAndTime ? ", function of " : " or function of ") +
+             commaList(parameter.variables) + (isOfPlaceAndTime ? ", or table" : "");
     case ParameterType::Reals:
       return "list of numbers";
     case ParameterType::Texts:
       return "list of names";
+    case ParameterType::Functions:
+      return "list of numbers or functions of " + commaList(parameter.variables);
   }
   return "";
 }
@@ -55,7 +60,7 @@ std::string defaultCell(const Parameter& parameter) {
 
 std::string row(const Parameter& parameter) {
   const std::string source = parameter.source.empty() ? "" : " [" + parameter.source + "]";
-  return "|" + cell("`" + parameter.name + "`") + cell(valueText(parameter.type)) + cell(parameter.unit) +
+  return "|" + cell("`" + parameter.name + "`") + cell(valueText(parameter)) + cell(parameter.unit) +
          cell(rangeText(parameter)) + cell(defaultCell(parameter)) + cell(parameter.meaning + source) + "\n";
 }
 
@@ -93,7 +98,9 @@ std::string fileName(const ReferenceChapter& chapter) {
 std::string indexPage(const std::vector<ReferenceChapter>& chapters) {
   std::string result =
       "# Reference of decks and studies\n\n"
-      "Made by `pdrun --explain --all --markdown` from what the program itself checks decks with.\n\n"
+      "Made by `pdrun --explain --all --markdown` from what the program itself checks decks with. " +
+      std::string(numbersOfDecks) +
+      "\n\n"
       "| Page | What it is | Names |\n|---|---|---|\n";
   for (const ReferenceChapter& chapter : chapters) {
     std::string names;

@@ -7,12 +7,16 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 
 #include "block_plugins.hpp"
 #include "check_deck.hpp"
 #include "deck_data.hpp"
 #include "function.hpp"
+#include "quantity.hpp"
 #include "symmetry_planes.hpp"
 #include "vector3.hpp"
 
@@ -74,14 +78,31 @@ class CombinationCheck {
     if (!node.isScalar()) return;
     const std::vector<std::string> names{"One", "Parabolic Decay", "Gaussian"};
     if (std::find(names.begin(), names.end(), node.text()) != names.end()) return;
+    std::function<double(double, double)> function;
     try {
-      influenceFunction(node.text(), node.place(), node.isPeridigms());
+      function = influenceFunction(node.text(), node.place(), node.isPeridigms());
     } catch (const DeckError& error) {
       if (const std::string meant = didYouMean(node.text(), names); !meant.empty())
         mistakes_.add(node.place(), "unknown influence function \"" + node.text() + "\"" + meant +
                                         "; there are: " + quotedList(names) + ", or a function of zeta and horizon");
       else
         mistakes_.add("", std::string(error.what()) + "; names known here: " + quotedList(names));
+      return;
+    }
+    try {
+      tryInfluence(function);
+    } catch (const DeckError& error) {
+      mistakes_.add("", error.what());
+    }
+  }
+
+  /// Within each horizon that is known before the mesh is.
+  void tryInfluence(const std::function<double(double, double)>& influence) {
+    constexpr int nParts = 64;
+    for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
+      const DeckNode horizon = block->section.node["Horizon"];
+      const auto radius = block->isGood && horizon.isScalar() ? parseReal(horizon.text()) : std::nullopt;
+      for (int k = 1; radius && k <= nParts; ++k) influence(*radius * (k - 0.5) / nParts, *radius);
     }
   }
 
@@ -216,6 +237,18 @@ class CombinationCheck {
                    (deck_.isPeridigmDeck() ? "; as in Peridigm its part within the plane is taken" : ""));
   }
 
+  /// A coordinate, m; with the mistake of a unit that does not fit.
+  std::optional<double> lengthOf(const DeckNode& value) {
+    if (!value.isScalar() || value.isQuoted()) return std::nullopt;
+    if (const auto plain = parseReal(value.text())) return plain;
+    std::string complaint;
+    const auto number = readQuantity(value.text(), "m", minusSignOf(value), complaint);
+    if (number) value.becomes(realText(*number));
+    if (!complaint.empty())
+      mistakes_.add(value.place(), value.path() + ": \"" + shortened(value.text()) + "\": " + complaint);
+    return number;
+  }
+
   void box(const DeckNode& node) {
     std::vector<Vector3> corners;
     const auto items = node.items();
@@ -224,8 +257,7 @@ class CombinationCheck {
       Vector3 values{};
       bool isGood = numbers.size() == 3;
       for (std::size_t i = 0; isGood && i < 3; ++i) {
-        const auto value =
-            numbers[i].isScalar() && !numbers[i].isQuoted() ? parseReal(numbers[i].text()) : std::nullopt;
+        const auto value = lengthOf(numbers[i]);
         isGood = value.has_value();
         if (isGood) values[i] = *value;
       }
@@ -267,7 +299,8 @@ class CombinationCheck {
     for (const CheckedSection* output : check_.ofKind(Kind::Output)) {
       const DeckNode& node = output->section.node;
       for (const DeckNode& step : node["Output Steps"].items())
-        if (step.isScalar() && parseReal(step.text()) && !parseInteger(step.text()))
+        if (const auto number = step.isScalar() ? parseReal(step.text()) : std::nullopt;
+            number && !(*number == std::trunc(*number) && *number <= std::numeric_limits<int>::max()))
           mistakes_.add(step.place(), step.path() + " must be an integer, not \"" + step.text() + "\"");
       if (!output->isGood) continue;
       const std::string file = output->list.get<std::string>("Output Filename");

@@ -1,5 +1,7 @@
 #include "deck.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -38,6 +40,12 @@ std::optional<double> parseReal(const std::string& text) {
   return value;
 }
 
+std::string realText(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
 std::optional<int> parseInteger(const std::string& text) {
   const std::size_t skip = text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0;
   int value = 0;
@@ -45,6 +53,8 @@ std::optional<int> parseInteger(const std::string& text) {
   if (error != std::errc() || last != text.data() + text.size()) return std::nullopt;
   return value;
 }
+
+std::string shortened(const std::string& text) { return text.size() > 60 ? text.substr(0, 57) + "..." : text; }
 
 std::optional<bool> parseFlag(const std::string& text) {
   for (const char* word : {"true", "True", "TRUE", "yes", "Yes", "on", "On"})
@@ -100,8 +110,7 @@ std::string shown(const DeckNode::Data& node) {
     case Kind::Scalar:
       break;
   }
-  const std::string text = node.scalar.size() > 60 ? node.scalar.substr(0, 57) + "..." : node.scalar;
-  return (node.xmlType.empty() ? "" : "the " + node.xmlType + " ") + "\"" + text + "\"";
+  return (node.xmlType.empty() ? "" : "the " + node.xmlType + " ") + "\"" + shortened(node.scalar) + "\"";
 }
 
 [[noreturn]] void refuse(const DeckNode::Data& node, const std::string& expected) {
@@ -156,6 +165,10 @@ std::string DeckNode::place() const { return data_ ? data_->placeOf(data_->line,
 std::string DeckNode::keyPlace() const { return data_ ? data_->placeOf(data_->keyLine, data_->keyColumn) : ""; }
 std::string DeckNode::path() const { return data_ ? data_->path : ""; }
 void DeckNode::ignore() const { checked(data_).isIgnored = true; }
+void DeckNode::becomes(const std::string& number) const {
+  checked(data_).scalar = number;
+  data_->isQuoted = false;
+}
 
 double DeckNode::real() const {
   const Data& node = checked(data_);
@@ -204,7 +217,9 @@ std::string DeckNode::text(const std::string& key, const std::string& fallback) 
 // ---- mistakes ----
 
 void Mistakes::add(const std::string& place, const std::string& message) {
-  const std::string line = place.empty() ? message : place + ": " + message;
+  std::string line = place.empty() ? message : place + ": " + message;
+  constexpr std::size_t longestLine = 5000;  // what the deck is quoted with may be of any length
+  if (line.size() > longestLine && line.find('\n') == std::string::npos) line = line.substr(0, longestLine) + "...";
   if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
 }
 

@@ -45,6 +45,8 @@ class DeckNode {
   std::string path() const;
   /// From now on this entry is not there for anybody.
   void ignore() const;
+  /// From now on this scalar is the number, for everybody: "3 GPa" was written for it.
+  void becomes(const std::string& number) const;
 
   // Typed values; throw DeckError naming place, path and what was expected.
   double real() const;  ///< accepts an integer

@@ -16,8 +16,8 @@ struct DeckNode::Data {
   enum class Kind { Null, Scalar, Sequence, Map };
 
   Kind kind = Kind::Null;
-  std::string scalar;
-  bool isQuoted = false;
+  mutable std::string scalar;  ///< a number with a unit becomes one in the unit of its key
+  mutable bool isQuoted = false;
   std::string xmlType;                        ///< "int", "double", "bool" or "string" in XML; empty in YAML
   std::shared_ptr<const std::string> source;  ///< file name, or the text of the override
   int line = 0, column = 0;                   ///< from 1; 0 where they are not known (overrides; columns in XML)
@@ -45,8 +45,13 @@ std::shared_ptr<DeckNode::Data> readYaml(const std::string& text, const std::str
 /// Nothing for a text without elements. Throws DeckError with all mistakes, by line.
 std::shared_ptr<DeckNode::Data> readXml(const std::string& text, const std::string& source);
 
+/// At most 60 characters of a text, for a message.
+std::string shortened(const std::string& text);
+
 /// A finite decimal number written as in C, or nothing.
 std::optional<double> parseReal(const std::string& text);
+/// The shortest text, with a point or an exponent, that parseReal() reads as this finite number.
+std::string realText(double value);
 std::optional<int> parseInteger(const std::string& text);
 std::optional<bool> parseFlag(const std::string& text);
 

@@ -2,10 +2,14 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <sstream>
 
 #include "deck_data.hpp"
 #include "function.hpp"
+#include "quantity.hpp"
 
 namespace pd {
 
@@ -61,6 +65,9 @@ class SectionReader {
       case ParameterType::Texts:
         texts(value, parameter);
         return;
+      case ParameterType::Functions:
+        functions(value, parameter);
+        return;
     }
   }
 
@@ -72,15 +79,35 @@ class SectionReader {
     if (value.isMap() && !value.entries().empty()) found = "a section";
     if (!value.xmlType().empty()) return hasXmlType(value, parameter);
     if (value.isScalar()) {
-      if (hasForm(value.text()) && (mayBeQuoted || !value.isQuoted())) return true;
       const std::string text = value.text();
-      found = "\"" + (text.size() > 60 ? text.substr(0, 57) + "..." : text) + "\"";
-      if (hasForm(text)) found += " in quotes";
+      std::string complaint;
+      const std::optional<std::string> number = plainNumber(value, parameter, complaint);
+      if ((number || hasForm(text)) && (mayBeQuoted || !value.isQuoted())) {
+        if (number) value.becomes(*number);
+        return true;
+      }
+      found = "\"" + shortened(text) + "\"";
+      if (number || hasForm(text)) found += " in quotes";
+      if (!complaint.empty()) found += ": " + complaint;
       if (parameter.type == ParameterType::Integer && !value.isQuoted() && parseReal(text))
         found += text.find_first_of(".eE") == std::string::npos ? " (too large)" : " (write it without a point)";
     }
     mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not " + found);
     return false;
+  }
+
+  /// The number that "3 GPa" or "2*3600" stands for, as text; nothing for plain numbers and what is none. `complaint`
+  /// as of readQuantity().
+  static std::optional<std::string> plainNumber(const DeckNode& value, const Parameter& parameter,
+                                                std::string& complaint) {
+    const bool isInteger = parameter.type == ParameterType::Integer;
+    if (!(isInteger || parameter.type == ParameterType::Real) || parseReal(value.text())) return std::nullopt;
+    const std::optional<double> number = readQuantity(value.text(), parameter.unit, minusSignOf(value), complaint);
+    if (!number || !isInteger) return number ? std::optional(realText(*number)) : std::nullopt;
+    if (*number == std::trunc(*number) && std::abs(*number) <= std::numeric_limits<int>::max())
+      return std::to_string(static_cast<int>(*number));
+    complaint = "it is " + realText(*number);
+    return std::nullopt;
   }
 
   /// XML says the type of each value; the reader has seen that the value is of it.
@@ -112,9 +139,62 @@ class SectionReader {
       isWritten(value, parameter, [](const std::string&) { return false; });
       return;
     }
-    const Function function = Function::fromDeck(value);
-    if (function.isConstant() && !isAllowed(value, parameter, function(0.0, 0.0, 0.0, 0.0))) return;
-    if (value.isScalar()) list_.set(parameter.name, value.text());
+    const auto rows = value["Table"].items();
+    if (!std::all_of(rows.begin(), rows.end(), [&](const DeckNode& row) { return tableRow(row, parameter); })) return;
+    if (isFunction(value, parameter) && value.isScalar()) list_.set(parameter.name, value.text());
+  }
+
+  void refuse(const DeckNode& value, const Parameter& parameter, const std::string& why) {
+    mistakes_.add(value.place(), value.path() + " must be " + parameter.expectation() + ", not \"" +
+                                     shortened(value.text()) + "\": " + why);
+  }
+
+  /// [time, value], each with a unit or without: false after a mistake of these. Others are left to Function.
+  bool tableRow(const DeckNode& row, const Parameter& parameter) {
+    Parameter one = parameter;
+    one.type = ParameterType::Real;
+    const auto items = row.items();
+    for (std::size_t i = 0; i < items.size() && i < 2; ++i) {
+      one.unit = i == 0 ? "s" : parameter.unit;
+      std::string complaint;
+      if (!items[i].isScalar() || items[i].isQuoted()) continue;
+      const std::optional<std::string> number = plainNumber(items[i], one, complaint);
+      if (number) items[i].becomes(*number);
+      if (complaint.empty()) continue;
+      refuse(items[i], one, complaint);
+      return false;
+    }
+    return true;
+  }
+
+  /// Whether it can be understood, and is allowed where it is constant: then it becomes a plain number. Throws
+  /// DeckError.
+  bool isFunction(const DeckNode& value, const Parameter& parameter) {
+    std::optional<double> constant;
+    try {
+      constant = constantOf(value, parameter);
+    } catch (const DeckError&) {
+      // A function comes first: "2/t" is one, and no number in 1/t.
+      if (!value.isScalar() || !hasUnit(value.text())) throw;
+      std::string complaint;
+      constant = readQuantity(value.text(), parameter.unit, minusSignOf(value), complaint);
+      if (!constant) refuse(value, parameter, complaint);
+      if (!constant) return false;
+    }
+    if (!constant) return true;
+    if (value.isScalar() && !parseReal(value.text())) value.becomes(realText(*constant));
+    return isAllowed(value, parameter, *constant);
+  }
+
+  /// The value of a function of nothing.
+  static std::optional<double> constantOf(const DeckNode& value, const Parameter& parameter) {
+    if (parameter.isOfPlaceAndTime()) {
+      const Function function = Function::fromDeck(value);
+      return function.isConstant() ? std::optional(function(0.0, 0.0, 0.0, 0.0)) : std::nullopt;
+    }
+    if (!value.isScalar()) throw DeckError(value.place() + ": " + value.path() + " must be " + parameter.expectation());
+    checkFunction(value.text(), value.place(), parameter.variables);
+    return parseReal(value.text());
   }
 
   /// Whether the value is a list; else a mistake.
@@ -133,6 +213,14 @@ class SectionReader {
       if (isWritten(item, one, isReal) && isAllowed(item, one, item.real())) numbers.push_back(item.real());
     }
     if (static_cast<std::size_t>(numbers.size()) == items.size()) list_.set(parameter.name, numbers);
+  }
+
+  void functions(const DeckNode& value, const Parameter& parameter) {
+    if (!isList(value, parameter)) return;
+    Teuchos::Array<std::string> texts;
+    for (const DeckNode& item : value.items())
+      if (isFunction(item, parameter)) texts.push_back(item.text());
+    if (static_cast<std::size_t>(texts.size()) == value.items().size()) list_.set(parameter.name, texts);
   }
 
   /// A list of names, or Peridigm's map {name: true}.
@@ -187,11 +275,6 @@ void checkCompleteness(const DeckNode& section, const ParameterDeclarations& dec
 }
 
 }  // namespace
-
-std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {
-  const std::string nearest = nearestWord(word, known);
-  return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
-}
 
 std::string inSection(const DeckNode& section) {
   return section.path().empty() ? " at the top level" : " in " + section.path();

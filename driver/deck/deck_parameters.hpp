@@ -23,9 +23,6 @@ Teuchos::ParameterList readParameters(const DeckNode& section, const ParameterDe
                                       Mistakes& mistakes, const HostKeys& hostKeys = {},
                                       Mistakes* ignoredKeys = nullptr);
 
-/// ` (did you mean "A"?)` or empty.
-std::string didYouMean(const std::string& word, const std::vector<std::string>& known);
-
 /// " in Blocks/Plate", or " at the top level".
 std::string inSection(const DeckNode& section);
 

@@ -1,17 +1,19 @@
 #include "function.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "deck_data.hpp"
-#include "function_program.hpp"
 
 namespace pd {
 
 /// One of: a program, a table, a constant (none of the two).
 struct Function::Implementation {
+  std::string place, text;  ///< for messages
   std::unique_ptr<FunctionProgram> program;
   std::vector<double> times, values;
   double constant = 0.0;
@@ -33,15 +35,26 @@ namespace {
 
 MinusSign minusSignOf(bool isPeridigms) { return isPeridigms ? MinusSign::BeforePower : MinusSign::AfterPower; }
 
+FunctionProgram compiled(const std::string& text, const std::string& place, const std::vector<std::string>& variables,
+                         MinusSign minusSign) {
+  try {
+    return {text, variables, minusSign};
+  } catch (const std::invalid_argument& error) {
+    throw DeckError(place + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 Function::Function(const std::string& text, const std::string& place, bool isPeridigms) {
   auto implementation = std::make_shared<Implementation>();
+  implementation->place = place;
+  implementation->text = text;
   if (const auto number = parseReal(text)) {
     implementation->constant = *number;
   } else {
-    auto program = std::make_unique<FunctionProgram>(text, place, std::vector<std::string>{"x", "y", "z", "t"},
-                                                     minusSignOf(isPeridigms));
+    auto program =
+        std::make_unique<FunctionProgram>(compiled(text, place, {"x", "y", "z", "t"}, minusSignOf(isPeridigms)));
     const bool usesPlace = program->uses(0) || program->uses(1) || program->uses(2);
     implementation->dependsOnTime = program->uses(3);
     if (usesPlace || implementation->dependsOnTime) {
@@ -64,13 +77,14 @@ Function Function::constant(double value) {
   return result;
 }
 
-Function Function::table(std::vector<double> times, std::vector<double> values) {
+Function Function::table(std::vector<double> times, std::vector<double> values, const std::string& place) {
   if (times.empty() || times.size() != values.size())
     throw std::invalid_argument("a table needs as many times as values, and at least one");
   if (!std::is_sorted(times.begin(), times.end()))
     throw std::invalid_argument("the times of a table must not decrease");
   if (times.size() == 1) return constant(values.front());
   auto implementation = std::make_shared<Implementation>();
+  implementation->place = place;
   implementation->times = std::move(times);
   implementation->values = std::move(values);
   implementation->dependsOnTime = true;
@@ -110,7 +124,7 @@ Function tableFromDeck(const DeckNode& node) {
     }
   }
   mistakes.report();
-  return Function::table(std::move(times), std::move(values));
+  return Function::table(std::move(times), std::move(values), node.place());
 }
 
 }  // namespace
@@ -136,16 +150,38 @@ double Function::operator()(double x, double y, double z, double t) const {
   return f.lastValue;
 }
 
+double Function::at(const double* x, double t, int id) const {
+  const double value = (*this)(x[0], x[1], x[2], t);
+  if (std::isfinite(value)) return value;
+  const Implementation& f = *implementation_;
+  throw DeckError(fmt::format("{}{} is {} at point {}, ({:.9g}, {:.9g}, {:.9g}) m{}",
+                              f.place.empty() ? "" : f.place + ": ",
+                              f.text.empty() ? "the value" : "the value of \"" + shortened(f.text) + "\"",
+                              std::isnan(value) ? "not a number" : "infinite", id + 1, x[0], x[1], x[2],
+                              f.dependsOnTime ? fmt::format(", at t = {:.9g} s", t) : ""));
+}
+
 bool Function::isConstant() const { return !implementation_->program && implementation_->times.empty(); }
 bool Function::dependsOnTime() const { return implementation_->dependsOnTime; }
 
+MinusSign minusSignOf(const DeckNode& node) { return minusSignOf(node.isPeridigms()); }
+
+void checkFunction(const std::string& text, const std::string& place, const std::vector<std::string>& variables) {
+  compiled(text, place, variables, MinusSign::AfterPower);
+}
+
 std::function<double(double, double)> influenceFunction(const std::string& text, const std::string& place,
                                                         bool isPeridigms) {
-  auto program = std::make_shared<FunctionProgram>(text, place, std::vector<std::string>{"zeta", "horizon"},
-                                                   minusSignOf(isPeridigms));
-  return [program](double zeta, double horizon) {
+  auto program =
+      std::make_shared<FunctionProgram>(compiled(text, place, {"zeta", "horizon"}, minusSignOf(isPeridigms)));
+  return [program, text, place](double zeta, double horizon) {
     const double values[2] = {zeta, horizon};
-    return program->evaluate(values);
+    const double weight = program->evaluate(values);
+    if (!std::isfinite(weight))
+      throw DeckError(fmt::format("{}: the influence function \"{}\" is {} at zeta = {:.6g} m, horizon = {:.6g} m",
+                                  place, shortened(text), std::isnan(weight) ? "not a number" : "infinite", zeta,
+                                  horizon));
+    return weight;
   };
 }
 

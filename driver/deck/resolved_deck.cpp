@@ -1,22 +1,16 @@
 // The deck as it was understood: with all defaults written out.
-#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <map>
 
 #include "check_deck.hpp"
+#include "deck_data.hpp"
 #include "sections.hpp"
 
 namespace pd {
 
 namespace {
-
-std::string numberText(double value) {
-  std::string text = fmt::format("{}", value);  // the shortest that reads back as the same number
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
 
 /// Whether a rule speaks of the parameter: then writing its default could break the rule.
 bool isInRule(const ParameterDeclarations& declarations, const std::string& name) {
@@ -81,7 +75,7 @@ class Writer {
       const bool isFalse = std::holds_alternative<bool>(value) && !std::get<bool>(value);  // breaks no rule
       if (isInRule(declarations, parameter.name) && !isFalse) continue;
       out_ << YAML::Key << parameter.name << YAML::Value;
-      if (std::holds_alternative<double>(value)) out_ << numberText(std::get<double>(value));
+      if (std::holds_alternative<double>(value)) out_ << realText(std::get<double>(value));
       if (std::holds_alternative<int>(value)) out_ << std::get<int>(value);
       if (std::holds_alternative<bool>(value)) out_ << std::get<bool>(value);
       if (std::holds_alternative<std::string>(value)) out_ << std::get<std::string>(value);

@@ -150,8 +150,7 @@ class NodeSetReader {
   void readExpression(const DeckNode& node, std::vector<int>& ids) {
     const Function expression(node.text(), node.place());
     for (int i = 0; meshIsSound() && i < points_.size(); ++i) {
-      const double* x = points_.at(i);
-      if (expression(x[0], x[1], x[2], 0.0) != 0.0) ids.push_back(i);
+      if (expression.at(points_.at(i), 0.0, i) != 0.0) ids.push_back(i);
     }
   }
 

@@ -16,4 +16,9 @@ double initialTime(const Deck& deck) {
   return sections.empty() ? 0.0 : sections.front().real("Initial Time", 0.0);
 }
 
+double finalTime(const Deck& deck) {
+  const std::vector<DeckNode> sections = solverSections(deck);
+  return sections.empty() ? 1.0 : sections.back().real("Final Time", 1.0);
+}
+
 }  // namespace pd

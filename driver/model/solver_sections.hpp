@@ -13,6 +13,8 @@ std::vector<DeckNode> solverSections(const Deck& deck);
 
 /// "Initial Time" of the first of them, s.
 double initialTime(const Deck& deck);
+/// "Final Time" of the last of them, s.
+double finalTime(const Deck& deck);
 
 }  // namespace pd
 

@@ -42,12 +42,6 @@ std::vector<FieldDescription> driverFields() {
           fields::storedEnergyDensity()};
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 }  // namespace
 
 struct Output::Implementation {
@@ -102,7 +96,7 @@ void Output::Implementation::refuse(Model& model, const OutputVariable& variable
   if (deck.isPeridigmDeck())
     line("note: " + variable.place + ": " + message + "; it is left out");
   else
-    mistakes.add(variable.place, message + didYouMean(variable.label, known) + "; there are: " + joined(known));
+    mistakes.add(variable.place, message + didYouMean(variable.label, known) + "; there are: " + commaList(known));
 }
 
 OutputLabels Output::Implementation::sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes) {

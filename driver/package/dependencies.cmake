@@ -1,6 +1,6 @@
 # What links the libraries of this project needs these, here and in a project that finds it installed.
 find_package(MPI REQUIRED COMPONENTS CXX)
-find_package(Trilinos REQUIRED COMPONENTS Teuchos Tpetra Belos Ifpack2 MueLu Amesos2 Zoltan2 Pamgen)
+find_package(Trilinos REQUIRED COMPONENTS Teuchos Tpetra Belos Ifpack2 MueLu Amesos2 Zoltan2)
 find_package(yaml-cpp REQUIRED)
 find_package(tinyxml2 REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -11,12 +11,6 @@ namespace {
 
 constexpr const char* name = "Diffusion";
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string result;
-  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
-  return result;
-}
-
 /// Which integrators declare the parameter `name`.
 std::vector<std::string> methodsWith(const std::string& name) {
   std::vector<std::string> methods;
@@ -45,7 +39,7 @@ void Diffusion::declareParameters(ParameterDeclarations& declare) {
   // Each says which methods use it.
   ParameterDeclarations marked;
   for (Parameter parameter : methods.parameters()) {
-    parameter.meaning += " (Method: " + joined(methodsWith(parameter.name)) + ".)";
+    parameter.meaning += " (Method: " + commaList(methodsWith(parameter.name)) + ".)";
     marked.real(parameter.name, "", "") = parameter;
   }
   addDeclarations(marked, methods);
@@ -72,7 +66,7 @@ Diffusion::Diffusion(const Teuchos::ParameterList& given)
     if (parameter != nullptr && isDefault(*parameter, parameters_)) continue;
     mistakes += (mistakes.empty() ? "" : "\n") +
                 ("Diffusion: \"" + name + "\" has no meaning with Method: " + method_) + " (it belongs to " +
-                joined(methodsWith(name)) + ")";
+                commaList(methodsWith(name)) + ")";
   }
   if (!mistakes.empty()) throw std::invalid_argument(mistakes);
   integrator_ = RateIntegratorRegistry::self().create(method_, entriesKnownTo(own, parameters_));

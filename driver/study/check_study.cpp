@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "../deck/deck_data.hpp"
 #include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
 #include "../model/run_setup.hpp"
@@ -73,9 +74,11 @@ class StudyCheck {
       : study_(study), comm_(comm), withMeshes_(withMeshes) {}
 
   void run() {
-    for (const StudyRun& run : study_.runs) {
+    for (StudyRun& run : study_.runs) {
       try {
-        check(Deck::read(study_.deckFile, textsOf(run.overrides)));
+        const Deck deck = Deck::read(study_.deckFile, textsOf(run.overrides));
+        check(deck);
+        for (auto& [path, value] : run.swept) value = understood(deck, path, value);
       } catch (const DeckError& error) {
         std::istringstream lines(error.what());
         for (std::string line; std::getline(lines, line);) add(placedInStudy(line, run.overrides), run);
@@ -85,6 +88,15 @@ class StudyCheck {
   }
 
  private:
+  /// A swept value as table and picture have it: "3 GPa" is a number in the unit of its key.
+  static std::string understood(const Deck& deck, const std::string& path, const std::string& value) {
+    DeckNode node = deck.root();
+    std::istringstream parts(path);
+    for (std::string part; std::getline(parts, part, '/');)
+      if (part != "Peridigm") node = node[part];
+    return node.isScalar() && parseReal(node.text()) && !parseReal(value) ? node.text() : value;
+  }
+
   void add(const std::string& line, const StudyRun& run) {
     if (said_.insert(line).second) mistakes_.add("", line + "\n  (" + run.place + ": series \"" + run.label + "\")");
   }

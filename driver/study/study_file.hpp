@@ -22,7 +22,8 @@ struct StudyRun {
   std::string label;  ///< of its series
   std::string place;  ///< of its series in the file
   std::vector<StudyOverride> overrides;
-  std::vector<std::pair<std::string, std::string>> swept;  ///< path and value of what differs within its series
+  std::vector<std::pair<std::string, std::string>> swept;  ///< path and value of what differs within its series; once
+                                                           ///< checked, numbers are in the units of their keys
   std::string outputName;                                  ///< of its result files, "<study>.study/<series>_<run>"
 };
 

@@ -9,13 +9,16 @@
 namespace pd {
 
 void CurrentDensity::declareParameters(ParameterDeclarations& declare) {
-  declare.text(
-      "Current Density",
-      "i, A/m2, of bare metal: a number, or an expression of C (mol/L), and of pH where that is given, such as "
-      "\"1.0e4*pow(10, 1.151*exp(-0.723*pH) - 7.647)\".");
-  declare.text("pH",
-               "Expression of C (mol/L), for Current Density to use, and field pH of the electrolyte: "
-               "\"7.405*exp(-0.08036*C) - 6.498\".");
+  declare
+      .function("Current Density", "A/m2",
+                "i of bare metal: a number, or an expression of C (mol/L), and of pH where that is given, such as "
+                "\"1.0e4*pow(10, 1.151*exp(-0.723*pH) - 7.647)\".")
+      .of({"C", "pH"});
+  declare
+      .function("pH", "1",
+                "Expression of C (mol/L), for Current Density to use, and field pH of the electrolyte: "
+                "\"7.405*exp(-0.08036*C) - 6.498\".")
+      .of({"C"});
   declare.reals("Current Density Table", "mol/m3, A/m2",
                 "Pairs C1, i1, C2, i2, ... with C rising; linear between them, constant beyond.");
   declare.exactlyOneOf({"Current Density", "Current Density Table"});
@@ -34,11 +37,12 @@ CurrentDensity::CurrentDensity(const Teuchos::ParameterList& params, double satu
 /// Interpolation of i, or of ln i where it is positive.
 void CurrentDensity::sample(const std::string& current, const std::string& ph, const std::string& owner) {
   const bool usesPh = !ph.empty();
-  Expression ofCurrent(current, usesPh ? std::vector<std::string>{"C", "pH"} : std::vector<std::string>{"C"}, owner);
-  Expression ofPh(usesPh ? ph : "0.0", {"C"}, owner);
+  const Expression ofCurrent(current, usesPh ? std::vector<std::string>{"C", "pH"} : std::vector<std::string>{"C"},
+                             owner);
+  const Expression ofPh(usesPh ? ph : "0", {"C"}, owner);
   std::vector<double> fine = SampledFunction::samples(saturation_, [&](double concentration) {
     const double c = concentration / litresPerCubicMetre;
-    return usesPh ? ofCurrent(c, ofPh(c)) : ofCurrent(c);
+    return usesPh ? ofCurrent({c, ofPh({c})}) : ofCurrent({c});
   });
   isLogarithmic_ = std::all_of(fine.begin(), fine.end(), [](double i) { return i > 0.0; });
   for (double& value : fine) {

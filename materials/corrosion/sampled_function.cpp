@@ -7,7 +7,8 @@ namespace pd {
 std::vector<double> SampledFunction::samples(double end, const std::function<double(double)>& f) {
   constexpr int intervals = 2000;
   std::vector<double> fine;
-  for (int i = 0; i <= 2 * intervals; ++i) fine.push_back(f(0.5 * end / intervals * i));
+  for (int i = 0; i < 2 * intervals; ++i) fine.push_back(f(0.5 * end / intervals * i));
+  fine.push_back(f(end));  // to the last bit: f may end there
   return fine;
 }
 
@@ -29,7 +30,7 @@ SampledFunction::Value SampledFunction::at(double place) const {
   const double width = end_ / intervals;
   const double x = std::clamp(place, 0.0, end_);
   const auto k = static_cast<std::size_t>(std::min(x / width, intervals - 1.0));
-  const double t = x / width - static_cast<double>(k), s = 1.0 - t;
+  const double t = std::min(x / width - static_cast<double>(k), 1.0), s = 1.0 - t;
   // Cubic Hermite polynomial.
   const double y0 = values_[k], y1 = values_[k + 1], m0 = slopes_[k] * width, m1 = slopes_[k + 1] * width;
   const double value = s * s * ((1.0 + 2.0 * t) * y0 + t * m0) + t * t * ((1.0 + 2.0 * s) * y1 - s * m1);

@@ -24,7 +24,10 @@ void SolidPhases::declareParameters(ParameterDeclarations& declare) {
   declare.texts("Phase Blocks",
                 "Blocks of the mesh whose solid has kinetics of its own (grain boundaries, second phases), such as "
                 "[block_2, block_3]; Current Density and Solid Concentration are of all others.");
-  declare.texts("Phase Current Densities", "Of each of these blocks: a number or an expression as Current Density is.");
+  declare
+      .functions("Phase Current Densities", "A/m2",
+                 "Of each of these blocks: a number or an expression as Current Density is.")
+      .of({"C", "pH"});
   declare.reals("Phase Solid Concentrations", "mol/m3", "Of each of these blocks; by default Solid Concentration.");
   declare.needs("Phase Blocks", {"Phase Current Densities"});
   declare.needs("Phase Current Densities", {"Phase Blocks"});

@@ -83,7 +83,7 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
     case ParameterType::Function:
       return given.isType<std::string>(name) || given.isType<double>(name) || given.isType<int>(name)
                  ? ""
-                 : "must be a number or a function of x, y, z, t";
+                 : "must be " + parameter.expectation();
     case ParameterType::Text: {
       if (!given.isType<std::string>(name)) return "must be text";
       return parameter.complaint(given.get<std::string>(name));
@@ -98,6 +98,8 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
         return parameter.complaint(given.get<std::string>(name));
       if (!given.isType<Teuchos::Array<std::string>>(name)) return "must be " + parameter.expectation();
       return firstComplaint(parameter, given.get<Teuchos::Array<std::string>>(name));
+    case ParameterType::Functions:
+      return given.isType<Teuchos::Array<std::string>>(name) ? "" : "must be " + parameter.expectation();
   }
   return "";
 }
@@ -175,6 +177,10 @@ Parameter& Parameter::orOne() {
   mayBeOne = true;
   return *this;
 }
+Parameter& Parameter::of(std::vector<std::string> names) {
+  variables = std::move(names);
+  return *this;
+}
 Parameter& Parameter::from(const char* sourceText) {
   source = sourceText;
   return *this;
@@ -230,12 +236,14 @@ std::string Parameter::expectation() const {
     case ParameterType::Text:
       return choices.empty() ? "text" : allowed;
     case ParameterType::Function:
-      return "a number or a function of x, y, z, t" + unitText;
+      return "a number or a function of " + commaList(variables) + unitText;
     case ParameterType::Reals:
       return "a list of numbers" + range;
     case ParameterType::Texts:
       return std::string(mayBeOne ? "a name or a list of names" : "a list of names") +
              (choices.empty() ? "" : ", each " + allowed);
+    case ParameterType::Functions:
+      return "a list of numbers or functions of " + commaList(variables) + unitText;
   }
   return "";
 }
@@ -280,6 +288,10 @@ Parameter& ParameterDeclarations::reals(const std::string& name, const std::stri
 }
 Parameter& ParameterDeclarations::texts(const std::string& name, const std::string& meaning) {
   return add(name, ParameterType::Texts, "", meaning);
+}
+Parameter& ParameterDeclarations::functions(const std::string& name, const std::string& unit,
+                                            const std::string& meaning) {
+  return add(name, ParameterType::Functions, unit, meaning);
 }
 
 ParameterDeclarations& ParameterDeclarations::sublist(const std::string& name, const std::string& meaning) {
@@ -410,10 +422,12 @@ std::string quotedList(const std::vector<std::string>& names) {
 }
 
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known) {
-  if (word.size() < 2) return "";
+  constexpr std::size_t longestName = 100;  // the effort grows with the product of the lengths
+  if (word.size() < 2 || word.size() > longestName) return "";
   std::string best;
   std::size_t bestDistance = (word.size() < 5 ? 1 : std::max<std::size_t>(2, word.size() / 3)) + 1;
   for (const std::string& candidate : known) {
+    if (candidate.size() > word.size() + bestDistance) continue;
     const std::size_t distance = editDistance(word, candidate);
     if (distance < bestDistance) {
       bestDistance = distance;
@@ -421,6 +435,17 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     }
   }
   return best;
+}
+
+std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string nearest = nearestWord(word, known);
+  return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
+}
+
+std::string commaList(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
+  return result;
 }
 
 }  // namespace pd

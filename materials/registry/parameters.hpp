@@ -18,9 +18,10 @@ enum class ParameterType {
   Integer,   ///< int
   Flag,      ///< bool
   Text,      ///< std::string, limited to `choices` where those are given
-  Function,  ///< number or function string in x, y, z, t; handed over as std::string
+  Function,  ///< number or text of a function of `variables`; handed over as std::string
   Reals,     ///< list of numbers; handed over as Teuchos::Array<double>
-  Texts      ///< list of strings (where mayBeOne: or one); handed over as Teuchos::Array<std::string>
+  Texts,     ///< list of strings (where mayBeOne: or one); handed over as Teuchos::Array<std::string>
+  Functions  ///< list of what a Function is; handed over as Teuchos::Array<std::string>
 };
 
 struct Parameter {
@@ -38,6 +39,7 @@ struct Parameter {
   bool lowestExcluded = false, highestExcluded = false;
   bool mayBeOne = false;  ///< of Texts: a text alone is a list of it
   std::vector<std::string> choices;
+  std::vector<std::string> variables{"x", "y", "z", "t"};  ///< of functions
 
   // Chained, as in declare.real("Density", "kg/m3", "Mass density.").positive().required();
   Parameter& required();
@@ -52,8 +54,11 @@ struct Parameter {
   Parameter& strictlyBetween(double low, double high);  ///< both excluded
   Parameter& oneOf(std::vector<std::string> names);
   Parameter& orOne();
+  Parameter& of(std::vector<std::string> names);  ///< the variables of a function
   Parameter& from(const char* sourceText);
 
+  /// Whether its functions are of place and time, as conditions have them.
+  bool isOfPlaceAndTime() const { return variables == Parameter().variables; }
   /// "> 0 Pa", "in [0, 1]", "one of A, B"; empty where anything goes.
   std::string allowedText() const;
   /// Default as text; empty where there is none.
@@ -78,6 +83,7 @@ class ParameterDeclarations {
   Parameter& function(const std::string& name, const std::string& unit, const std::string& meaning);
   Parameter& reals(const std::string& name, const std::string& unit, const std::string& meaning);
   Parameter& texts(const std::string& name, const std::string& meaning);
+  Parameter& functions(const std::string& name, const std::string& unit, const std::string& meaning);
 
   /// A named sub-list with parameters of its own ("Adaptive Dynamic Relaxation" in "Staggered"). "*" stands for all
   /// names that are not declared: lists of entries that the user names ("Solvers" in "Staggered").
@@ -151,8 +157,13 @@ bool isHostKey(const std::string& name);
 std::string quotedList(const std::vector<std::string>& names);
 
 /// The word of `known` nearest to `word` (edit distance with swaps, case ignored) if it is near enough to be a slip of
-/// the pen; empty otherwise.
+/// the pen; empty otherwise, and where `word` is longer than any name.
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known);
+/// ` (did you mean "A"?)` or empty.
+std::string didYouMean(const std::string& word, const std::vector<std::string>& known);
+
+/// "C, pH".
+std::string commaList(const std::vector<std::string>& names);
 
 }  // namespace pd
 

@@ -165,6 +165,19 @@ std::vector<Broken> brokenBodies() {
       {"NotANumber",
        {{"Density: 7850.0", "Density: heavy"}},
        {"deck.yaml:22:14: Materials/Steel/Density must be a number > 0 kg/m3, not \"heavy\""}},
+      {"DensityInAnotherUnit",
+       {{"7850.0", "3 GPa"}},
+       {"deck.yaml:22:14: Materials/Steel/Density must be a number > 0 kg/m3, not \"3 GPa\": GPa does not convert to "
+        "kg/m3"}},
+      {"ModulusInNoUnit",
+       {{"2.0e11", "200 Gpa"}},
+       {"deck.yaml:23:22: Materials/Steel/Young's Modulus must be a number > 0 Pa, not \"200 Gpa\": there is no unit "
+        "\"Gpa\" (did you mean \"GPa\"?); it is in Pa"}},
+      {"PureNumberWithUnit",
+       {{"Poisson's Ratio: 0.3", "Poisson's Ratio: 0.3 m"}},
+       {"deck.yaml:24:22: Materials/Steel/Poisson's Ratio must be a number in (-1, 0.5), not \"0.3 m\": it takes a "
+        "number "
+        "without a unit"}},
       {"NegativeDensity",
        {{"Density: 7850.0", "Density: -7850.0"}},
        {"deck.yaml:22:14: Materials/Steel/Density is -7850, must be > 0 kg/m3"}},

@@ -154,6 +154,32 @@ TEST(GoodScene, ResolvesToADeckThatIsGoodAndComplete) {
   EXPECT_EQ(resolvedDeck(Deck::read(scene.path("deck.yaml"))), once);
 }
 
+TEST(GoodScene, TakesUnitsAndProductsEverywhere) {
+  const SceneFiles scene("units");
+  std::string deck = pd_test::goodDeck;
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"  Thickness: 1.0e-3\n  Bond", "  Thickness: 1 mm\n  Bond"},
+                                                        {"Lower_Left_Corner_Y: 0.5e-3", "Lower_Left_Corner_Y: 0.05 cm"},
+                                                        {"Density: 7850.0", "Density: 7.85 g/cm^3"},
+                                                        {"Young's Modulus: 2.0e11", "Young's Modulus: 200 GPa"},
+                                                        {"Diffusivity: 1.0e-9", "Diffusivity: 1e-3 mm2/s"},
+                                                        {"Critical Stretch: 0.01", "Critical Stretch: 1/100"},
+                                                        {"Horizon: 3.1e-3", "Horizon: 3.1 mm"},
+                                                        {"[0.0095, -1.0, -1.0]", "[9.5 mm, -100 cm, -1 m]"},
+                                                        {"[10.0, 1.0e-7]", "[2*5 s, 0.1 um]"},
+                                                        {"Final Time: 10.0", "Final Time: 10000 ms"},
+                                                        {"Load Steps: 2", "Load Steps: 4/2"}})
+    deck = replaced(deck, from, to);
+  writeScene(scene, deck, pd_test::goodMesh(), pd_test::goodNodeSet);
+  const std::string resolved = resolvedDeck(Deck::read(scene.path("deck.yaml")));
+  for (const char* expected : {"Thickness: 0.001\n", "Lower_Left_Corner_Y: 0.0005\n", "Density: 7850.0\n",
+                               "Young's Modulus: 200000000000.0\n", "Diffusivity: 1e-09\n", "Critical Stretch: 0.01\n",
+                               "Horizon: 0.0031\n", "[10.0, 1e-07]", "Final Time: 10.0\n", "Load Steps: 2\n"})
+    EXPECT_NE(resolved.find(expected), std::string::npos) << expected << "\n--- is not in ---\n" << resolved;
+  const Outcome outcome = run(scene, {"--check", "--set", "Materials/Steel/Young's Modulus=2e5 N/mm2"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+}
+
 TEST(GoodScene, TakesHorizonsAsExpressions) {
   const SceneFiles scene("horizon");
   writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);

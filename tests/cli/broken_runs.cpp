@@ -33,6 +33,36 @@ std::vector<Broken> brokenRuns() {
        {{"\"y > 0.0015\"", "\"y > t\""}},
        {"deck.yaml:41:30: Boundary Conditions/Top Node Set/Expression depends on the time, but it is evaluated once; "
         "use x, y, z alone"}},
+      {"NodeSetNotFinite",
+       {{"\"y > 0.0015\"", "\"sqrt(y)\""}},
+       {"deck.yaml:41:30: the value of \"sqrt(y)\" is not a number at point 1, (0, -0.002, 0) m"}},
+      {"NodeSetBoxUnit",
+       {{"[0.0095, -1.0, -1.0]", "[9.5 s, -1.0, -1.0]"}},
+       {"deck.yaml:40:27: Boundary Conditions/Right Node Set/Box[1][1]: \"9.5 s\": s does not convert to m",
+        "deck.yaml:40:25: Boundary Conditions/Right Node Set/Box must be two corners"}},
+      {"TableUnit",
+       {{"[10.0, 1.0e-7]", "[10.0 kg, 1.0e-7]"}},
+       {"deck.yaml:51:34: Boundary Conditions/Pull/Value/Table[2][1] must be a number in s, not \"10.0 kg\": kg does "
+        "not "
+        "convert to s"}},
+      {"ConditionUnit",
+       {{"    Coordinate: x\n    Value: 0.0\n", "    Coordinate: x\n    Value: 3 mmm\n"}},
+       {"deck.yaml:46:12: Boundary Conditions/Clamp/Value must be a number or a function of x, y, z, t in m, not \"3 "
+        "mmm\": there is no unit \"mmm\""}},
+      {"ConditionNotFinite",
+       {{"\"1.0e-5*min(t/10, 1)\"", "\"1.0e-5*sqrt(0.004 - x)\""}},
+       {"deck.yaml:56:12: the value of \"1.0e-5*sqrt(0.004 - x)\" is not a number at point 50, (0.005, 0.002, 0) m"}},
+      {"ConditionNotFiniteLater",
+       {{"\"1.0e-5*min(t/10, 1)\"", "\"1.0e-5*sqrt(6 - t)\""}},
+       {"deck.yaml:56:12: the value of \"1.0e-5*sqrt(6 - t)\" is not a number at point 45, (0, 0.002, 0) m, at t = "
+        "6.25 "
+        "s"}},
+      {"ExactSolutionNotFinite",
+       {{"Output:\n", "Exact Solution:\n  Front: {Field: Concentration, Value: \"log(x)\"}\nOutput:\n"}},
+       {"deck.yaml:77:40: the value of \"log(x)\" is infinite at point 1, (0, -0.002, 0) m"}},
+      {"InfluenceNotFinite",
+       {{"  Thickness: 1.0e-3\n  Bond", "  Thickness: 1.0e-3\n  Influence Function: log(zeta - 2e-3)\n  Bond"}},
+       {"deck.yaml:5:23: the influence function \"log(zeta - 2e-3)\" is not a number at zeta = 2.4218"}},
       {"NodeSetBoth",
        {{"{Expression: \"y > 0.0015\"}", "{Expression: \"y > 0.0015\", Box: [[0, 0, 0], [1, 1, 1]]}"}},
        {"deck.yaml:41:3: Boundary Conditions/Top Node Set: give only one of \"Box\", \"Expression\""}},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include <cstdlib>
 #include <random>
 #include <sstream>
 
@@ -181,6 +182,134 @@ TEST(Fuzz, MutatedNodeSets) {
       "node_sets", 200,
       [](unsigned seed, std::string&, std::string&, std::string& nodeSet) { nodeSet = Mutator(seed).mutate(nodeSet); });
   EXPECT_GT(counts.bad, 50);
+}
+
+// Formulas of a deck, wherever it may have one.
+
+/// A bar that dissolves, with the formula at one of the places that take one.
+std::string deckWithFormula(std::size_t place, const std::string& formula) {
+  const std::vector<std::string> good{"5.1e3*(1 + pH)", "2 - C/4", "5.1e3", "3.1e-3",
+                                      "x < 0.005",      "0.1*x",   "1 + t", "1/zeta"};
+  std::vector<std::string> formulas;
+  for (std::size_t i = 0; i < good.size(); ++i) formulas.push_back("\"" + (i == place ? formula : good[i]) + "\"");
+  return "Discretization: {Type: Text File, Input Mesh File: mesh.txt, Thickness: 1.0e-3, Influence Function: " +
+         formulas[7] +
+         "}\nMaterials:\n  Metal: {Material Model: Corrosion Dissolution, Plane Strain: true, Thickness: 1.0e-3, "
+         "Diffusivity: 8.6e-10, Charge Number: 2.19, Solid Concentration: 142900.0, Saturation Concentration: 4600.0, "
+         "Phase Blocks: [block_1], Phase Current Densities: [" +
+         formulas[2] + "], Current Density: " + formulas[0] + ", pH: " + formulas[1] +
+         "}\nDamage Models:\n  Phases: {Damage Model: Dissolution}\nBlocks:\n  Bar: {Block Names: block_1, Material: "
+         "Metal, Damage Model: Phases, Horizon: " +
+         formulas[3] + "}\nBoundary Conditions:\n  Solid Node Set: {Expression: " + formulas[4] +
+         "}\n  Start: {Type: Initial Concentration, Node Set: Solid Node Set, Value: " + formulas[5] +
+         "}\nSolver:\n  Final Time: 10.0\n  Corrosion: {Fixed dt: 1.0}\nExact Solution:\n  Metal: {Field: "
+         "Concentration, Value: " +
+         formulas[6] + "}\nOutput: {Output Filename: results, Output Variables: [Concentration]}\n";
+}
+
+/// A formula that somebody may write, changed at random.
+std::string mutatedFormula(unsigned seed) {
+  static const std::vector<std::string> honest{
+      "5.1e3*sqrt(1 - C/4.0)",
+      "1.0e4*pow(10, 1.151*exp(-0.723*pH) - 7.647)",
+      "value = 5.1e3; if (C > 2) { value = 2*C; } else { double a = C^2; value = a; }",
+      "double r = sqrt(x^2 + y^2); value = r < 1e-3 ? 1 : 0;",
+      "min(t/10, 1)*erfc(x/2.0e-3)",
+      "x < 0.005 && y > 0",
+      "3 mm",
+      "2*3600 h"};
+  static const std::vector<std::string> pieces{"1..2",
+                                               "while (value < 2) ",
+                                               "for (;;) ",
+                                               "printf(x)",
+                                               "readline('/etc/hostname', C)",
+                                               "value",
+                                               "=",
+                                               "==",
+                                               ";",
+                                               "{",
+                                               "}",
+                                               "(",
+                                               ")",
+                                               "[",
+                                               "]",
+                                               "/0",
+                                               "^",
+                                               "^-9e9",
+                                               "-",
+                                               "*",
+                                               "sqrt(-1)",
+                                               "log(",
+                                               "if",
+                                               "else ",
+                                               "int ",
+                                               "double ",
+                                               ",",
+                                               "?",
+                                               ":",
+                                               "!",
+                                               "&&",
+                                               "||",
+                                               "1e999",
+                                               "nan",
+                                               "inf",
+                                               "x",
+                                               "y",
+                                               "z",
+                                               "t",
+                                               "C",
+                                               "pH",
+                                               "zeta",
+                                               "horizon",
+                                               "e",
+                                               "E",
+                                               ".",
+                                               " GPa",
+                                               " m",
+                                               "%",
+                                               "//",
+                                               "/*",
+                                               "*/",
+                                               "#",
+                                               "'",
+                                               "\\\\",
+                                               "\\0",
+                                               "gamma(",
+                                               "i0(",
+                                               "pow(",
+                                               "min(",
+                                               "_pi",
+                                               "\\n",
+                                               "0x10",
+                                               "\xc2\xb5"};
+  std::mt19937 random(seed);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  std::string text = honest[below(honest.size())];
+  for (std::size_t n = 1 + below(3); n > 0; --n) {
+    const std::size_t at = below(text.size() + 1);
+    const std::string& piece = pieces[below(pieces.size())];
+    if (below(3) > 0)
+      text.insert(at, piece);
+    else
+      text.replace(at, below(12), piece);
+  }
+  return text;
+}
+
+/// Others than those of the suite with the environment variable PD_FUZZ_FIRST_SEED.
+unsigned firstSeed() {
+  const char* const text = std::getenv("PD_FUZZ_FIRST_SEED");
+  return text == nullptr ? 0u : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
+}
+
+TEST(Fuzz, MutatedFormulas) {
+  const std::size_t nPlaces = 8;
+  const Counts counts =
+      checkMutants("formulas", 400, [&](unsigned seed, std::string& deck, std::string&, std::string&) {
+        deck = deckWithFormula(seed % nPlaces, mutatedFormula(firstSeed() + seed));
+      });
+  EXPECT_GT(counts.good, 10);
+  EXPECT_GT(counts.bad, 200);
 }
 
 TEST(Fuzz, MutatedOverrides) {

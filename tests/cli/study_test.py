@@ -147,9 +147,11 @@ class StudyOfErrors(StudyTest):
         self.assertFalse(os.path.exists(self.path("pair.histories.png")))
 
     def test_values_of_the_command_line_reach_every_run(self):
+        self.write("study.yaml", STUDY.replace("[4, 8, 16]", "[4, 2*4, 16]"))
         done = self.run_study("--quiet", "--set", f"Solver/Final Time={2.0 * TIME!r}")
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
         self.assertAlmostEqual(float(self.table()[0]["error"]), abs((1.0 - 2.0 / 4) ** 4 * math.e**2 - 1.0), delta=1e-8)
+        self.assertEqual([row["Solver/Diffusion/Sub Steps"] for row in self.table()], ["4", "8", "16", ""])
 
     def test_mistakes_of_the_file_are_all_told_with_their_places(self):
         self.write("study.yaml", STUDY.replace("Label: Euler", "Labl: Euler").replace("Deck: pair", "Deck: pear")

@@ -113,6 +113,44 @@ TEST(CurrentDensityTest, SpansManyDecades) {
     ASSERT_NEAR(current.at(k).current / std::pow(10.0, -6.0 + 9.0 * k / 5600.0), 1.0, 1e-9) << k;
 }
 
+std::string refusalOf(const std::string& current, double saturation) {
+  try {
+    fromText(current, "", saturation);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CurrentDensityTest, MayEndAtSaturation) {
+  // To the last bit, with saturations that are no binary fractions of mol/L.
+  for (const char* end : {"4.0", "3.6", "5.6", "4.7", "0.1"}) {
+    const CurrentDensity current = fromText(std::string("5.1e3*sqrt(1 - C/") + end + ")", "", 1000.0 * std::stod(end));
+    const double saturation = std::stod(end);
+    EXPECT_EQ(current.at(1000.0 * saturation).current, 0.0) << end;
+    for (int k = 0; k < 99; ++k)  // the root is steep at the very end
+      EXPECT_NEAR(current.at(10.0 * k * saturation).current, 5.1e3 * std::sqrt(1.0 - k / 100.0), 1e-3) << end;
+  }
+  EXPECT_EQ(
+      refusalOf("5.1e3*sqrt(1 - C/4.0)", 4600.0),
+      "a test: \"5.1e3*sqrt(1 - C/4.0)\" is not a number at C = 4.00085 mol/L; it must have a value from C = 0 to "
+      "saturation");
+}
+
+TEST(CurrentDensityTest, TakesTheProgramsOfPeridigmWithoutLoopsAndFiles) {
+  const CurrentDensity current =
+      fromText("double limit = 2.0; if (C < limit) { value = 1.0 + C; } else { value = 3.0; }", "", 4000.0);
+  EXPECT_NEAR(current.at(1000.0).current, 2.0, 1e-12);
+  EXPECT_NEAR(current.at(3000.0).current, 3.0, 1e-12);
+  EXPECT_NE(refusalOf("while (value < 2) { value = C; }", 4000.0).find("loops are not allowed"), std::string::npos);
+  EXPECT_NE(refusalOf("readline(\"/etc/hostname\", C)", 4000.0).find("quotes"), std::string::npos);
+  EXPECT_NE(refusalOf("printf(C)", 4000.0).find("unknown name \"printf\""), std::string::npos);
+  EXPECT_NE(refusalOf("1..2", 4000.0), "");
+  // In one convention 1, in the other -1.
+  EXPECT_NE(refusalOf("2 + -C^2", 1000.0).find("write the parentheses. They differ at C = "), std::string::npos);
+  EXPECT_NEAR(fromText("2 + -(C^2)", "", 1000.0).at(1000.0).current, 1.0, 1e-12);
+}
+
 TEST(CurrentDensityTest, RefusesWhatIsNoCurrentDensity) {
   EXPECT_THROW(fromText("C +", "", 1000.0), std::invalid_argument);
   EXPECT_THROW(fromText("pH", "", 1000.0), std::invalid_argument);

@@ -152,9 +152,23 @@ TEST(Function, NeverCrashesOnAnyText) {
   EXPECT_NE(refusal(ifs + "value=1;"), "");
 }
 
+TEST(Function, SaysAtWhichPointAValueIsNotFinite) {
+  const double points[2][3] = {{0.25, 0.5, -1.0}, {0.0, 0.5, 0.0}};
+  EXPECT_DOUBLE_EQ(make("sqrt(x)").at(points[0], 0.0, 0), 0.5);
+  EXPECT_EQ(complaintOf([&] { make("1/x").at(points[1], 3.0, 6); }),
+            "deck.yaml:1:1: the value of \"1/x\" is infinite at point 7, (0, 0.5, 0) m");
+  EXPECT_EQ(complaintOf([&] { make("sqrt(z - t)").at(points[0], 3.0, 6); }),
+            "deck.yaml:1:1: the value of \"sqrt(z - t)\" is not a number at point 7, (0.25, 0.5, -1) m, at t = 3 s");
+  const Function table = Function::table({0.0, 1.0}, {1.0e308, -1.0e308}, "deck.yaml:2:3");
+  EXPECT_EQ(complaintOf([&] { table.at(points[0], 0.5, 0); }),
+            "deck.yaml:2:3: the value is infinite at point 1, (0.25, 0.5, -1) m, at t = 0.5 s");
+}
+
 TEST(Function, InfluenceFunctionsTakeZetaAndHorizon) {
   EXPECT_DOUBLE_EQ(influenceFunction("1.0/zeta", "deck.yaml:1:1")(0.5, 3.0), 2.0);
   EXPECT_DOUBLE_EQ(influenceFunction("exp(-zeta^2/(0.4*horizon)^2)", "deck.yaml:1:1")(0.4, 1.0), std::exp(-1.0));
+  EXPECT_EQ(complaintOf([] { influenceFunction("log(zeta - 1)", "deck.yaml:1:1")(0.5, 3.0); }),
+            "deck.yaml:1:1: the influence function \"log(zeta - 1)\" is not a number at zeta = 0.5 m, horizon = 3 m");
   EXPECT_NE(complaintOf([] { influenceFunction("x", "deck.yaml:1:1"); }).find("variables: horizon, zeta"),
             std::string::npos);
 }

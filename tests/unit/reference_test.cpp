@@ -7,6 +7,7 @@
 #include "driver/boundary/condition.hpp"
 #include "driver/command_line/explain.hpp"
 #include "driver/command_line/markdown.hpp"
+#include "driver/deck/quantity.hpp"
 #include "driver/deck/sections.hpp"
 #include "driver/solvers/diffusion/rate_integrator.hpp"
 #include "driver/solvers/solver.hpp"
@@ -60,7 +61,7 @@ void expectAllKeys(const ParameterDeclarations& declarations, const std::string&
     ASSERT_EQ(cells.size(), 6u);  // key, value, unit, range, default, meaning
     for (const std::string& cell : cells) EXPECT_FALSE(cell.empty());
     const bool isNumber = parameter.type == ParameterType::Real || parameter.type == ParameterType::Reals ||
-                          parameter.type == ParameterType::Function;
+                          parameter.type == ParameterType::Function || parameter.type == ParameterType::Functions;
     EXPECT_EQ(isNumber, cells[2] != "–") << "numbers have a unit (\"1\" where they are pure), nothing else has";
     EXPECT_FALSE(parameter.meaning.empty());
     EXPECT_EQ(parameter.isRequired, cells[4] == "required");
@@ -113,6 +114,36 @@ TEST(Reference, HasEverySectionOfADeckAndAStudyWithAllOfItsKeys) {
   expectAllKeys(exactSolutionDeclarations(), partOf("Exact Solution"), "Exact Solution");
   expectAllKeys(studyDeclarations(), partOf("Study"), "Study");
   expectAllKeys(studySeriesDeclarations(), partOf("Series"), "Series");
+}
+
+/// Numbers with the declared unit are read as they are, so that "3 GPa" can be checked against it.
+void expectUnits(const ParameterDeclarations& declarations, const std::string& owner) {
+  for (const Parameter& parameter : declarations.parameters()) {
+    const std::string& unit = parameter.unit;
+    // Units that the rest of the deck decides, and lists of pairs.
+    const bool isOpen = unit.find("unit of") == 0 || unit.find("that of") == 0 || unit.find(", ") != std::string::npos;
+    if (unit.empty() || unit == "1" || isOpen) continue;
+    std::string complaint;
+    EXPECT_EQ(readQuantity("2.5 " + unit, unit, MinusSign::AfterPower, complaint), 2.5)
+        << owner << ", " << parameter.name << ": " << complaint;
+  }
+  for (const auto& sublist : declarations.sublists())
+    expectUnits(sublist.declarations.front(), owner + "/" + sublist.name);
+}
+
+TEST(Reference, UnitsAreThoseThatNumbersMayHave) {
+  for (const ReferenceChapter& chapter : reference()) {
+    expectUnits(chapter.declarations, chapter.title);
+    for (const ReferenceTopic& topic : chapter.topics) expectUnits(topic.declarations, topic.name);
+  }
+}
+
+TEST(Reference, SectionsTellHowNumbersAreWritten) {
+  EXPECT_THAT(explain("PDHE"),
+              testing::EndsWith("\nA number may be a product, as in 2*3600, and where its key has a unit "
+                                "may have another one of that\nkind, as in 3 GPa, 0.1 mm, 50 kJ/m^2 or "
+                                "1 h.\n"));
+  EXPECT_THAT(explain("No Failure"), testing::Not(HasSubstr("A number may be")));
 }
 
 TEST(Reference, SectionsTellWhatMayStandInThem) {

@@ -1,5 +1,6 @@
 // Exit code: number of things that a host should find and does not.
 #include <iostream>
+#include <stdexcept>
 
 #include "factories.hpp"
 
@@ -43,6 +44,22 @@ int main() {
   steel.set("Material Model", std::string("Viscoelastic"));
   hydrogen.set("Damage Model", std::string("Johnson Cook"));
   expect(createMaterial(steel).is_null() && createDamageModel(hydrogen).is_null(), "other names stay the host's");
+
+  // Expressions are read here, too, by the library that the plug-ins bring along.
+  Teuchos::ParameterList electrolyte;
+  electrolyte.set("Material Model", std::string("Corrosion Dissolution"));
+  electrolyte.set("Diffusivity", 8.6e-10);
+  electrolyte.set("Solid Concentration", 142900.0);
+  electrolyte.set("Saturation Concentration", 4000.0);
+  electrolyte.set("Charge Number", 2.19);
+  electrolyte.set("Current Density", std::string("value = 5.1e3*sqrt(1 - C/4.0);"));
+  expect(!createMaterial(electrolyte).is_null(), "an expression that ends at saturation is one");
+  electrolyte.set("Current Density", std::string("while (1) value = C;"));
+  try {
+    createMaterial(electrolyte);
+    expect(false, "loops are refused");
+  } catch (const std::invalid_argument&) {
+  }
 
   // The host's own compute wins; names of fields are no computes; the others are this library's.
   const auto computes = createComputes({"Displacement", "Kinetic_Energy", "Damage", "Broken_Bonds", "Strain_Energy"});

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <stdexcept>
 
-#include "deck.hpp"
-#include "deck_parameters.hpp"
+#include "parameters.hpp"
 
 namespace pd {
 
@@ -138,9 +138,9 @@ using Statement = FunctionProgram::Statement;
 /// Reads the body of a function by recursive descent; expressions go to muParser.
 class BodyReader {
  public:
-  BodyReader(FunctionProgram::Implementation& program, std::string text, std::string place,
-             const std::vector<std::string>& variables, MinusSign minusSign)
-      : program_(program), text_(std::move(text)), place_(std::move(place)), minusSign_(minusSign) {
+  BodyReader(FunctionProgram::Implementation& program, std::string text, const std::vector<std::string>& variables,
+             MinusSign minusSign)
+      : program_(program), text_(std::move(text)), minusSign_(minusSign) {
     scopes_.emplace_back();
     for (std::size_t i = 0; i < variables.size(); ++i) scopes_.back()[variables[i]] = &program_.inputs[i];
   }
@@ -164,7 +164,7 @@ class BodyReader {
     } catch (const mu::Parser::exception_type& error) {
       const bool isUnknown = error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && isNameStart((error.GetToken() + " ")[0]);
       refuse(isUnknown ? unknownName(error.GetToken(), names) : error.GetMsg());
-    } catch (const DeckError&) {
+    } catch (const std::invalid_argument&) {
       throw;
     } catch (const std::exception& error) {
       refuse(error.what());
@@ -184,8 +184,8 @@ class BodyReader {
  private:
   [[noreturn]] void refuse(const std::string& why) const {
     const std::string shown = trimmed(text_);
-    throw DeckError(place_ + ": cannot understand the function \"" +
-                    (shown.size() > 80 ? shown.substr(0, 77) + "..." : shown) + "\": " + why);
+    throw std::invalid_argument("cannot understand the function \"" +
+                                (shown.size() > 80 ? shown.substr(0, 77) + "..." : shown) + "\": " + why);
   }
 
   Names visibleNames() const {
@@ -320,7 +320,7 @@ class BodyReader {
   }
 
   FunctionProgram::Implementation& program_;
-  std::string text_, place_;
+  std::string text_;
   MinusSign minusSign_;
   std::size_t at_ = 0;
   std::vector<Names> scopes_;  ///< the inputs, then the body, then its blocks
@@ -330,16 +330,16 @@ class BodyReader {
 
 }  // namespace
 
-FunctionProgram::FunctionProgram(const std::string& rawText, const std::string& place,
-                                 const std::vector<std::string>& variables, MinusSign minusSign)
+FunctionProgram::FunctionProgram(const std::string& rawText, const std::vector<std::string>& variables,
+                                 MinusSign minusSign)
     : implementation_(std::make_unique<Implementation>()) {
   if (rawText.size() > maximumLength)
-    throw DeckError(place + ": a function may have at most " + std::to_string(maximumLength) + " characters");
-  if (rawText.find('\0') != std::string::npos) throw DeckError(place + ": a function contains a zero byte");
+    throw std::invalid_argument("a function may have at most " + std::to_string(maximumLength) + " characters");
+  if (rawText.find('\0') != std::string::npos) throw std::invalid_argument("a function contains a zero byte");
   const std::string text = cleaned(rawText);
   implementation_->inputs.resize(variables.size(), 0.0);
   implementation_->isUsed.resize(variables.size(), 0);
-  BodyReader reader(*implementation_, text, place, variables, minusSign);
+  BodyReader reader(*implementation_, text, variables, minusSign);
   const bool isBody = findAssignment(text) != std::string::npos || text.find_first_of(";{}") != std::string::npos;
   if (isBody)
     implementation_->statements = reader.body();

@@ -1,4 +1,4 @@
-// Function texts of a deck, compiled. Private to this folder.
+// Texts of functions, compiled once: of decks, in whatever host.
 #ifndef PD_FUNCTION_PROGRAM_HPP
 #define PD_FUNCTION_PROGRAM_HPP
 
@@ -12,16 +12,17 @@ namespace pd {
 enum class MinusSign { AfterPower, BeforePower };
 
 /// A muParser expression, or the C-like body that Peridigm's functions have: assignments to `value`, local variables,
-/// if/else. Not to be evaluated by several threads at once.
+/// if/else. It ends, since there are no loops, and reaches nothing but its variables. Not to be evaluated by several
+/// threads at once.
 class FunctionProgram {
  public:
-  /// Throws DeckError naming `place` where the text cannot be understood.
-  FunctionProgram(const std::string& text, const std::string& place, const std::vector<std::string>& variables,
+  /// Throws std::invalid_argument where the text cannot be understood.
+  FunctionProgram(const std::string& text, const std::vector<std::string>& variables,
                   MinusSign minusSign = MinusSign::AfterPower);
   ~FunctionProgram();
   FunctionProgram(FunctionProgram&&) noexcept;
 
-  /// `values`: one for each variable, in their order.
+  /// `values`: one for each variable, in their order. The result may be NaN or infinite.
   double evaluate(const double* values) const;
   bool uses(std::size_t variable) const;
 
