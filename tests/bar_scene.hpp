@@ -212,8 +212,6 @@ struct Scene {
 /// Materials, damage model (where `greatestStretch` > 0) and blocks; `conditions` are the lines of that section.
 inline std::string barDeck(double stiffness, double greatestStretch, const std::string& conditions,
                            bool probesTangent = false) {
-  const std::string folder =
-      (std::filesystem::temp_directory_path() / ("pd_bars_" + std::to_string(getpid()))).string();
   std::string text = "Materials:\n  Bars: {Material Model: Test Bars, Stiffness: " + std::to_string(stiffness) +
                      (probesTangent ? ", Finite Difference Probe Length: 1.0e-6" : "") + "}\n";
   if (greatestStretch > 0.0)
@@ -223,7 +221,6 @@ inline std::string barDeck(double stiffness, double greatestStretch, const std::
   text += "Blocks:\n  All: {Block Names: default, Material: Bars, Horizon: 1.0" +
           std::string(greatestStretch > 0.0 ? ", Damage Model: Limit" : "") + "}\n";
   text += "Boundary Conditions:\n" + conditions;
-  text += "Output: {Output Filename: " + folder + "/bars, Output Variables: [Displacement]}\n";
   return text;
 }
 

@@ -124,6 +124,16 @@ long long BoundaryConditions::updateDamageSources() {
   return hasAny ? model_.comm().sum(nNew) : 0;
 }
 
+void BoundaryConditions::beginStep() {
+  for (const auto& condition : conditions_) condition->beginStep();
+  appliedBeforeStep_ = appliedAt_;
+}
+
+void BoundaryConditions::takeBackStep() {
+  for (const auto& condition : conditions_) condition->takeBackStep(model_, isPrescribed_[condition->field()]);
+  appliedAt_ = appliedBeforeStep_;
+}
+
 /// Bonds that never break are those that the deck names now, not those of the checkpoint.
 void BoundaryConditions::markNoFailure() {
   const char* const label = "No_Failure";

@@ -53,6 +53,10 @@ class BoundaryConditions {
   /// are newly prescribed (all ranks). Damage of ghosts must be up to date (Model::evaluateDamage does it).
   long long updateDamageSources();
 
+  /// As Model::beginStep() and takeBackStep(), of what conditions keep beside the fields (Simulation calls both).
+  void beginStep();
+  void takeBackStep();
+
   /// Takes up what conditions keep from one time to the next from fields that a restart at time t has filled; marks of
   /// No Failure are those of the deck.
   void resume(double t);
@@ -72,6 +76,7 @@ class BoundaryConditions {
   double initialTime_ = 0.0;
   double timeScale_ = 1.0;  ///< seconds of the solver at work in one of the run
   double appliedAt_ = 0.0;  ///< time of the run at the last applyPrescribed()
+  double appliedBeforeStep_ = 0.0;
   std::vector<Teuchos::RCP<Condition>> conditions_;
   std::map<std::string, std::vector<char>> isPrescribed_;  ///< [width nPoints] by field
   std::vector<char> nowhere_;                              ///< [nPoints] of a field without conditions

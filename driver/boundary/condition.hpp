@@ -94,6 +94,10 @@ class Condition {
   /// Damage has changed, ghosts included; `t`: time of the last applyPrescribed(). Returns how many owned points are
   /// newly prescribed.
   virtual long long damageHasChanged(Model&, double, std::vector<char>&) { return 0; }
+  /// A step begins: remembers what it keeps from one time to the next beside the field.
+  virtual void beginStep() {}
+  /// The step is taken back: all is as at the last beginStep(). The field is brought back by the model.
+  virtual void takeBackStep(Model&, std::vector<char>&) {}
   /// Takes up what it keeps from one time to the next from the fields, which are those of time t.
   virtual void resume(Model&, double, std::vector<char>&) {}
 

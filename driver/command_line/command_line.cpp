@@ -27,6 +27,7 @@ const char* const sampleRuns =
     "  mpirun -np 4 pdrun plate.yaml                      so, too, with what mpirun offers\n"
     "  pdrun plate.yaml --set \"Solver/Final Time=1.0\"     with another value\n"
     "  pdrun plate.yaml --restart plate.checkpoint.h5     go on from a checkpoint\n"
+    "  pdrun plate.yaml --output-folder /scratch/plate    results go there\n"
     "  pdrun --check plate.yaml                           look for mistakes only\n"
     "  pdrun --study study.yaml                           a deck for many values: errors, histories\n"
     "  pdrun --list                                       materials, solvers, conditions ...\n"
@@ -56,6 +57,7 @@ void check(const RunOptions& options, const Communicator& comm) {
   checkDeck(deck);
   const auto warn = [&] { print(comm, stderr, withPrefix("warning: ", deck.warnings())); };
   try {
+    if (deck.mistakes().empty()) checkResults(deck, options.outputFolder, comm);
     deck.mistakes().report();
     rehearse(deck, comm);
   } catch (...) {
@@ -72,7 +74,8 @@ void performStudy(const CommandLine& commandLine, const Communicator& comm) {
   Study study = readStudy(commandLine.studyFile, commandLine.options.overrides);
   const bool isRun = commandLine.action == CommandLine::Action::Study;
   checkStudy(study, comm, !isRun);
-  if (isRun) return runStudy(study, commandLine.options.isQuiet);
+  checkStudyResults(study, commandLine.options.outputFolder);
+  if (isRun) return runStudy(study, commandLine.options.outputFolder, commandLine.options.isQuiet);
   print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(study.runs.size()) + " runs");
 }
 
@@ -201,6 +204,10 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
       ->expected(1)
       ->take_all();
   app.add_option("--restart", options.restartFile, "Go on from a checkpoint of the same deck.")->type_name("FILE");
+  app.add_option("--output-folder", options.outputFolder,
+                 "Results go below FOLDER, which is made where it is not there, in place of the folder that pdrun is "
+                 "started in.")
+      ->type_name("FOLDER");
   app.add_option("--peridigm-keys", peridigmKeys,
                  "Unknown keys in decks of Peridigm: mistakes (strict, the default), or ignored with a warning "
                  "(lenient).")

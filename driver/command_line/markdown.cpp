@@ -2,7 +2,9 @@
 
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
+#include "../deck/deck.hpp"
 #include "../output/atomic_file.hpp"
 #include "explain.hpp"
 #include "explain_fields.hpp"
@@ -95,13 +97,15 @@ std::string fileName(const ReferenceChapter& chapter) {
   return result + ".md";
 }
 
+const char* const indexTitle = "# Reference of decks and studies";
+
 std::string indexPage(const std::vector<ReferenceChapter>& chapters) {
-  std::string result =
-      "# Reference of decks and studies\n\n"
-      "Made by `pdrun --explain --all --markdown` from what the program itself checks decks with. " +
-      std::string(numbersOfDecks) +
-      "\n\n"
-      "| Page | What it is | Names |\n|---|---|---|\n";
+  std::string result = std::string(indexTitle) +
+                       "\n\n"
+                       "Made by `pdrun --explain --all --markdown` from what the program itself checks decks with. " +
+                       numbersOfDecks +
+                       "\n\n"
+                       "| Page | What it is | Names |\n|---|---|---|\n";
   for (const ReferenceChapter& chapter : chapters) {
     std::string names;
     for (const ReferenceTopic& topic : chapter.topics) names += (names.empty() ? "`" : ", `") + topic.name + "`";
@@ -109,6 +113,20 @@ std::string indexPage(const std::vector<ReferenceChapter>& chapters) {
         "|" + cell("[" + chapter.name() + "](" + fileName(chapter) + ")") + cell(chapter.brief) + cell(names) + "\n";
   }
   return result;
+}
+
+/// Pages of others, where no earlier reference is in the folder.
+void refuseOtherPages(const std::filesystem::path& folder,
+                      const std::vector<std::pair<std::string, std::string>>& pages) {
+  std::ifstream index(folder / pages.front().first);
+  std::string title;
+  if (std::getline(index, title) && title == indexTitle) return;
+  Mistakes mistakes;
+  for (const auto& page : pages)
+    if (std::filesystem::exists(std::filesystem::symlink_status(folder / page.first)))
+      mistakes.add("pdrun", "\"" + (folder / page.first).string() +
+                                "\" is there already and is no page of a reference; name a folder of its own");
+  mistakes.report();
 }
 
 }  // namespace
@@ -134,14 +152,16 @@ std::string markdown(const std::vector<ReferenceChapter>& chapters) {
 
 std::vector<std::string> writeReference(const std::string& folder) {
   const std::vector<ReferenceChapter> chapters = reference();
+  std::vector<std::pair<std::string, std::string>> pages = {{"README.md", indexPage(chapters)}};
+  for (const ReferenceChapter& chapter : chapters) pages.emplace_back(fileName(chapter), markdownPage(chapter));
+  const std::filesystem::path place(folder);
+  refuseOtherPages(place, pages);
   std::vector<std::string> names;
-  const auto write = [&](const std::string& name, const std::string& text) {
-    names.push_back((std::filesystem::path(folder) / name).string());
+  for (const auto& [name, text] : pages) {
+    names.push_back((place / name).string());
     makeFolderOf(names.back());
     writeFileAtomically(names.back(), text);
-  };
-  write("README.md", indexPage(chapters));
-  for (const ReferenceChapter& chapter : chapters) write(fileName(chapter), markdownPage(chapter));
+  }
   return names;
 }
 

@@ -15,7 +15,8 @@ std::string markdownPage(const ReferenceChapter& chapter);
 /// All pages of these chapters, one after another.
 std::string markdown(const std::vector<ReferenceChapter>& chapters);
 
-/// The whole reference: README.md, which names all pages, and a page a chapter. Returns their names. Throws RunError.
+/// The whole reference: README.md, which names all pages, and a page a chapter. Returns their names. Throws
+/// DeckError where pages of others are in the folder, RunError.
 std::vector<std::string> writeReference(const std::string& folder);
 
 }  // namespace pd

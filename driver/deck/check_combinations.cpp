@@ -1,10 +1,8 @@
 // Values of a deck that are good alone and must fit each other.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -16,6 +14,7 @@
 #include "check_deck.hpp"
 #include "deck_data.hpp"
 #include "function.hpp"
+#include "names.hpp"
 #include "quantity.hpp"
 #include "symmetry_planes.hpp"
 #include "vector3.hpp"
@@ -25,26 +24,6 @@ namespace pd {
 namespace {
 
 using Kind = DeckSection::Kind;
-
-/// Why no file can have this name; empty where one can.
-std::string fileNameTrouble(const std::string& name) {
-  constexpr std::size_t longestName = 255, longestEnding = 30;  // of POSIX file systems; ".checkpoint.h5.unfinished"
-  const std::filesystem::path path(name);
-  std::error_code error;
-  if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }))
-    return "it holds a control character";
-  if (!path.has_filename() || path.filename() == "." || path.filename() == "..")
-    return "it names a folder; add the name of the files in it";
-  for (const std::filesystem::path& part : path)
-    if (part.string().size() + longestEnding > longestName) return "it is too long for a file";
-  std::filesystem::path folder = path.parent_path();
-  while (!folder.empty() && !std::filesystem::exists(folder, error) && folder != folder.parent_path())
-    folder = folder.parent_path();
-  const std::string shown = "\"" + (folder.empty() ? "." : folder.string()) + "\"";
-  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) return shown + " is a file, not a folder";
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) return "you may not write into " + shown;
-  return "";
-}
 
 class CombinationCheck {
  public:
@@ -68,6 +47,7 @@ class CombinationCheck {
       isTimeless(set->section.node["Expression"]);
     }
     cutBondsCount();
+    labels();
     times();
     outputs();
   }
@@ -274,6 +254,19 @@ class CombinationCheck {
                                   node.path(), "xyz"[i], corners[0][i], corners[1][i]));
   }
 
+  /// Of fields that the deck names: they go into the headings of files.
+  void labels() {
+    const auto check = [&](const DeckNode& label) {
+      if (!label.isScalar()) return;
+      if (const std::string complaint = complaintOfLabel(label.text()); !complaint.empty())
+        mistakes_.add(label.place(), label.path() + " " + complaint);
+    };
+    for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) check(compute->section.node["Output Label"]);
+    for (const CheckedSection* material : check_.ofKind(Kind::Material))
+      for (const auto& [key, value] : material->section.node.entries())
+        if (key.size() > 5 && key.compare(key.size() - 5, 5, "Field") == 0) check(value);
+  }
+
   void times() {
     const CheckedSection* previous = nullptr;
     for (const CheckedSection* solver : check_.ofKind(Kind::SolverTimes)) {
@@ -304,15 +297,14 @@ class CombinationCheck {
           mistakes_.add(step.place(), step.path() + " must be an integer, not \"" + step.text() + "\"");
       if (!output->isGood) continue;
       const std::string file = output->list.get<std::string>("Output Filename");
-      if (const std::string trouble = fileNameTrouble(file); !trouble.empty())
-        mistakes_.add(node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace(),
-                      node.path() + ": \"" + file + "\" cannot be the Output Filename: " + trouble);
-      const auto [it, isNew] = files.emplace(file, node.path());
+      const std::string place = node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace();
+      if (const std::string complaint = complaintOfFileName(file); !complaint.empty())
+        mistakes_.add(place, node.path() + "/Output Filename " + complaint);
+      const auto [it, isNew] = files.emplace(std::filesystem::path(file).lexically_normal().string(), node.path());
       // Peridigm writes values for the whole body and fields into files of one name with different endings, as we do.
       if (!isNew && !deck_.isPeridigmDeck())
-        mistakes_.add(node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace(),
-                      node.path() + ": \"" + file + "\" is the Output Filename of " + it->second +
-                          " already; each writes a file of its own");
+        mistakes_.add(place, node.path() + ": \"" + file + "\" is the Output Filename of " + it->second +
+                                 " already; each writes a file of its own");
       const int first = valueOr(output->list, "Initial Output Step", 0);
       if (output->list.isParameter("Final Output Step") && output->list.get<int>("Final Output Step") < first)
         mistakes_.add(node["Final Output Step"].place(),

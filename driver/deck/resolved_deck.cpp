@@ -35,7 +35,7 @@ class Writer {
     }
     if (deck_.isPeridigmDeck()) out_ << YAML::EndMap;
     out_ << YAML::EndMap;
-    return "# " + deck_.fileName() + " with all defaults written out.\n" + out_.c_str() + "\n";
+    return "# " + deck_.fileName() + " with all defaults written out by pdrun.\n" + out_.c_str() + "\n";
   }
 
  private:

@@ -174,7 +174,10 @@ Declarations declareBlock() {
 
 Declarations declareOutput() {
   Declarations declare;
-  declare.text("Output Filename", "Name of the result files, without extension.").defaultTo("dump");
+  declare
+      .text("Output Filename",
+            "Name of the result files, without extension; a path below the folder of the run (pdrun --output-folder).")
+      .defaultTo("dump");
   declare.texts("Output Variables", "Fields and computes to write: a list, or Peridigm's {name: true, ...}.")
       .required();
   declare.integer("Output Frequency", "Increments from one output of fields to the next; -1: none but Output Steps.")

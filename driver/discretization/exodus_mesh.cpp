@@ -47,6 +47,7 @@ class ExodusReader {
     if (nNodes_ == 0 || nElements_ == 0) throw std::runtime_error("it is no Exodus mesh with nodes and elements");
     if (nElements_ > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw std::runtime_error("it has more than 2.1e9 elements");
+    file_.requireRoomFor(nElements_, "elements");
     points_.nRows = static_cast<int>(nElements_);
     nodes_ = exodusNodes(file_);
     placeElements();
@@ -86,7 +87,11 @@ class ExodusReader {
     std::iota(result.begin(), result.end(), 1);
     if (!file_.hasVariable(kind + "_prop1")) return result;
     const std::vector<long long> given = file_.integers(kind + "_prop1");
-    for (std::size_t i = 0; i < std::min(count, given.size()); ++i) result[i] = static_cast<int>(given[i]);
+    for (std::size_t i = 0; i < std::min(count, given.size()); ++i) {
+      result[i] = static_cast<int>(given[i]);
+      if (result[i] != given[i])
+        throw std::runtime_error("\"" + kind + "_prop1\" has the id " + std::to_string(given[i]) + ", beyond 2.1e9");
+    }
     return result;
   }
   std::vector<std::string> names(const std::string& kind, std::size_t count) const {
@@ -97,7 +102,7 @@ class ExodusReader {
   }
 
   void readBlocks() {
-    const std::size_t count = file_.dimension("num_el_blk");
+    const std::size_t count = file_.numberOf("num_el_blk");
     const std::vector<int> numbers = ids("eb", count);
     const std::vector<std::string> blockNames = names("eb", count);
     nodeToPoints_.clear();
@@ -105,12 +110,22 @@ class ExodusReader {
     for (std::size_t block = 0; block < count; ++block) {
       if (!blockNames[block].empty()) points_.blockNames[numbers[block]] = blockNames[block];
       const std::size_t size = file_.dimension(numbered("num_el_in_blk", block + 1));
+      if (size > nElements_ - first)
+        throw std::runtime_error("its blocks have more elements than its \"num_elem\" says, " +
+                                 std::to_string(nElements_));
       if (size > 0) readBlock(block + 1, numbers[block], first, size);
       first += size;
     }
     if (first != nElements_) throw std::runtime_error("its blocks do not hold all of its elements");
+    refuseSameIds(numbers);
     if (nBad_ > maximumListed)
       problems += fmt::format("{}: {} more elements of no volume\n", points_.fileName, nBad_ - maximumListed);
+  }
+
+  void refuseSameIds(std::vector<int> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
+    if (twice != numbers.end()) throw std::runtime_error("two of its blocks have the id " + std::to_string(*twice));
   }
 
   void readBlock(std::size_t block, int number, std::size_t first, std::size_t size) {
@@ -127,7 +142,8 @@ class ExodusReader {
     if (perElement > corners)
       notes += fmt::format("{}: {} has elements of {} nodes ({}): all but their {} corners are passed over\n",
                            points_.fileName, name, perElement, type, corners);
-    const std::vector<long long> nodes = file_.integers(connect);
+    file_.requireRoomFor(perElement, "nodes of an element");
+    const std::vector<long long> nodes = file_.integers(connect, size * perElement);
     std::vector<double> attributes;
     const std::size_t perSphere = file_.dimension(numbered("num_att_in_blk", block));
     if (kind == ElementKind::Sphere) {
@@ -136,8 +152,13 @@ class ExodusReader {
                                 points_.fileName, name);
         return;
       }
-      attributes = file_.reals(numbered("attrib", block));
+      file_.requireRoomFor(perSphere, "attributes of an element");
+      attributes = file_.reals(numbered("attrib", block), size * perSphere);
     }
+    for (const long long node : nodes)
+      if (node < 1 || node > static_cast<long long>(nNodes_))
+        throw std::runtime_error("an element of " + name + " has the node " + std::to_string(node) +
+                                 ", which is not there");
     for (std::size_t e = 0; e < size; ++e) {
       const long long* own = &nodes[e * perElement];
       const int point = pointOf_[first + e];
@@ -149,11 +170,8 @@ class ExodusReader {
 
   void addElement(ElementKind kind, std::size_t corners, const long long* nodes, double sphereVolume, int point) {
     std::array<double, 24> x{};
-    for (std::size_t k = 0; k < corners; ++k) {
-      if (nodes[k] < 1 || nodes[k] > static_cast<long long>(nNodes_))
-        throw std::runtime_error("an element has a node that is not there");
+    for (std::size_t k = 0; k < corners; ++k)
       for (std::size_t d = 0; d < 3; ++d) x[3 * k + d] = nodes_[3 * static_cast<std::size_t>(nodes[k] - 1) + d];
-    }
     ElementGeometry element;
     if (kind == ElementKind::Sphere)
       element = {{x[0], x[1], x[2]}, sphereVolume, false};
@@ -163,12 +181,12 @@ class ExodusReader {
     std::copy(element.centroid.begin(), element.centroid.end(), points_.x.begin() + 3 * point);
     points_.volume[at] = element.volume;
     if (element.volume > 0.0 && std::isfinite(element.volume) && !element.isInverted) return;
-    if (++nBad_ <= maximumListed)
-      problems += fmt::format(
-          "{}: {} (volume {:g} m3); its nodes are in another order than Exodus asks for, or the "
-          "mesh is folded there\n",
-          points_.place(point), element.isInverted ? "the element is inverted" : "the element has no volume",
-          element.volume);
+    if (++nBad_ > maximumListed) return;
+    const char* const fault = element.isInverted ? "the element is inverted" : "the element has no volume";
+    const char* const cause = kind == ElementKind::Sphere
+                                  ? "the second attribute of a sphere is its volume"
+                                  : "its nodes are in another order than Exodus asks for, or the mesh is folded there";
+    problems += fmt::format("{}: {} (volume {:g} m3); {}\n", points_.place(point), fault, element.volume, cause);
   }
 
   void refuse(const std::string& name, const std::string& type, std::size_t perElement) {
@@ -181,7 +199,7 @@ class ExodusReader {
   }
 
   void readNodeSets() {
-    const std::size_t count = file_.dimension("num_node_sets");
+    const std::size_t count = file_.numberOf("num_node_sets");
     const std::vector<int> numbers = ids("ns", count);
     const std::vector<std::string> setNames = names("ns", count);
     std::sort(nodeToPoints_.begin(), nodeToPoints_.end());

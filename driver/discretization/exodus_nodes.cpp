@@ -1,6 +1,9 @@
 #include "exodus_nodes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <regex>
 #include <stdexcept>
@@ -8,6 +11,8 @@
 namespace pd {
 
 namespace {
+
+constexpr double farthest = 1e75;  // m; products of four lengths, as in squares of areas, are still numbers
 
 const std::regex pieceName(R"(\.(\d+)\.\d+$)");  // mesh.g.4.0: the first of four
 
@@ -40,14 +45,21 @@ std::vector<double> exodusNodes(const NetcdfFile& file) {
   if (file.dimension("num_processors") > 1 || file.dimension("num_elems_global") > file.dimension("num_elem"))
     throw std::runtime_error("it is a piece of a mesh that was cut for several processes; " + remedy("PIECE"));
   const std::size_t nNodes = file.dimension("num_nodes"), nAxes = std::min<std::size_t>(3, file.dimension("num_dim"));
+  file.requireRoomFor(nNodes, "nodes");
   std::vector<double> nodes(3 * nNodes, 0.0);
   // Old files keep all coordinates in one variable.
-  const std::vector<double> together = file.hasVariable("coord") ? file.reals("coord") : std::vector<double>();
+  const std::vector<double> together =
+      file.hasVariable("coord") ? file.reals("coord", file.dimension("num_dim") * nNodes) : std::vector<double>();
   for (std::size_t axis = 0; axis < nAxes; ++axis) {
     const std::size_t start = together.empty() ? 0 : axis * nNodes;
-    const std::vector<double> values = together.empty() ? file.reals(std::string("coord") + "xyz"[axis]) : together;
-    if (values.size() < start + nNodes) throw std::runtime_error("it has coordinates of some nodes alone");
-    for (std::size_t node = 0; node < nNodes; ++node) nodes[3 * node + axis] = values[start + node];
+    const std::vector<double> values =
+        together.empty() ? file.reals(std::string("coord") + "xyz"[axis], nNodes) : together;
+    for (std::size_t node = 0; node < nNodes; ++node) {
+      if (!(std::abs(values[start + node]) < farthest))
+        throw std::runtime_error("node " + std::to_string(node + 1) + " lies at " + "xyz"[axis] + " = " +
+                                 fmt::format("{:g}", values[start + node]) + " m, which is no place");
+      nodes[3 * node + axis] = values[start + node];
+    }
   }
   return nodes;
 }

@@ -17,19 +17,21 @@ std::vector<double> trianglesOf(const NetcdfFile& file) {
   const std::vector<double> nodes = exodusNodes(file);
   std::vector<double> triangles;
   const auto addCorner = [&](long long node) {
-    if (node < 1 || 3 * static_cast<std::size_t>(node) > nodes.size())
+    if (node < 1 || static_cast<std::size_t>(node) > nodes.size() / 3)
       throw std::runtime_error("an element has a node that is not there");
     const auto first = nodes.begin() + 3 * (node - 1);
     triangles.insert(triangles.end(), first, first + 3);
   };
-  for (std::size_t block = 1; block <= file.dimension("num_el_blk"); ++block) {
+  for (std::size_t block = 1; block <= file.numberOf("num_el_blk"); ++block) {
     const std::string number = std::to_string(block);
-    if (file.dimension("num_el_in_blk" + number) == 0) continue;
+    const std::size_t size = file.dimension("num_el_in_blk" + number);
+    if (size == 0) continue;
     const std::size_t perElement = file.dimension("num_nod_per_el" + number);
     if (perElement != 3 && perElement != 4)
       throw std::runtime_error("it has elements of " + std::to_string(perElement) +
                                " nodes; surfaces are made of triangles and quadrilaterals");
-    const std::vector<long long> connect = file.integers("connect" + number);
+    file.requireRoomFor(size, "elements");
+    const std::vector<long long> connect = file.integers("connect" + number, size * perElement);
     for (std::size_t e = 0; e < connect.size(); e += perElement)
       for (std::size_t half = 0; half + 2 < perElement; ++half)
         for (const std::size_t corner : {std::size_t{0}, half + 1, half + 2}) addCorner(connect[e + corner]);

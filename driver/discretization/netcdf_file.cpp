@@ -2,9 +2,10 @@
 
 #include <netcdf.h>
 
-#include <functional>
-#include <numeric>
+#include <filesystem>
+#include <limits>
 #include <stdexcept>
+#include <system_error>
 
 namespace pd {
 
@@ -21,9 +22,19 @@ std::string trimmed(const std::string& text) {
   return last == std::string::npos ? "" : result.substr(0, last + 1);
 }
 
+template <class Value>
+std::vector<Value> ofLength(std::vector<Value> values, std::size_t count, const std::string& variable) {
+  if (values.size() == count) return values;
+  throw std::runtime_error("\"" + variable + "\" has " + std::to_string(values.size()) + " numbers where " +
+                           std::to_string(count) + " are needed");
+}
+
 }  // namespace
 
 NetcdfFile::NetcdfFile(const std::string& fileName) {
+  std::error_code error;
+  size_ = static_cast<std::size_t>(std::filesystem::file_size(fileName, error));
+  if (error) throw std::runtime_error("it cannot be read as NetCDF: " + error.message());
   require(nc_open(fileName.c_str(), NC_NOWRITE, &file_), "it cannot be read as NetCDF");
 }
 
@@ -35,6 +46,14 @@ std::size_t NetcdfFile::dimension(const std::string& name) const {
   std::size_t length = 0;
   require(nc_inq_dimlen(file_, id, &length), name);
   return length;
+}
+
+std::size_t NetcdfFile::numberOf(const std::string& name) const {
+  const std::size_t count = dimension(name);
+  if (count > size_)  // each takes some bytes
+    throw std::runtime_error("\"" + name + "\" is " + std::to_string(count) + ", in a file of " +
+                             std::to_string(size_) + " bytes");
+  return count;
 }
 
 bool NetcdfFile::hasVariable(const std::string& name) const {
@@ -58,30 +77,56 @@ std::vector<std::size_t> NetcdfFile::shapeOf(int variable) const {
   return shape;
 }
 
-std::size_t NetcdfFile::sizeOf(int variable) const {
-  const auto shape = shapeOf(variable);
-  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+void NetcdfFile::requireRoomFor(std::size_t count, const std::string& what) const {
+  constexpr std::size_t bestPacking = 1100;  // zlib packs 1032 bytes into one at most (its FAQ)
+  if (count / bestPacking > size_)
+    throw std::runtime_error("it claims " + std::to_string(count) + " " + what + ", more than a file of " +
+                             std::to_string(size_) + " bytes can hold");
+}
+
+std::size_t NetcdfFile::sizeOf(int variable, const std::string& name) const {
+  std::size_t size = 1;
+  for (const std::size_t length : shapeOf(variable))
+    if (__builtin_mul_overflow(size, length, &size)) size = std::numeric_limits<std::size_t>::max();
+  requireRoomFor(size, "values of \"" + name + "\"");
+  return size;
+}
+
+template <class Value, class Read>
+std::vector<Value> NetcdfFile::numbers(const std::string& variable, const Read& read) const {
+  const int id = idOf(variable);
+  nc_type type = NC_NAT;
+  require(nc_inq_vartype(file_, id, &type), variable);
+  if (type == NC_CHAR || type < NC_BYTE || type > NC_UINT64)
+    throw std::runtime_error("\"" + variable + "\" holds no numbers");
+  std::vector<Value> values(sizeOf(id, variable));
+  if (!values.empty()) require(read(file_, id, values.data()), variable);
+  return values;
 }
 
 std::vector<double> NetcdfFile::reals(const std::string& variable) const {
-  const int id = idOf(variable);
-  std::vector<double> values(sizeOf(id));
-  if (!values.empty()) require(nc_get_var_double(file_, id, values.data()), variable);
-  return values;
+  return numbers<double>(variable, nc_get_var_double);
 }
 
 std::vector<long long> NetcdfFile::integers(const std::string& variable) const {
-  const int id = idOf(variable);
-  std::vector<long long> values(sizeOf(id));
-  if (!values.empty()) require(nc_get_var_longlong(file_, id, values.data()), variable);
-  return values;
+  return numbers<long long>(variable, nc_get_var_longlong);
+}
+
+std::vector<double> NetcdfFile::reals(const std::string& variable, std::size_t count) const {
+  return ofLength(reals(variable), count, variable);
+}
+
+std::vector<long long> NetcdfFile::integers(const std::string& variable, std::size_t count) const {
+  return ofLength(integers(variable), count, variable);
 }
 
 std::vector<std::string> NetcdfFile::texts(const std::string& variable) const {
   const int id = idOf(variable);
   const auto shape = shapeOf(id);
-  if (shape.size() != 2) throw std::runtime_error("\"" + variable + "\" is no list of names");
-  std::string characters(shape[0] * shape[1], '\0');
+  nc_type type = NC_NAT;
+  require(nc_inq_vartype(file_, id, &type), variable);
+  if (shape.size() != 2 || type != NC_CHAR) throw std::runtime_error("\"" + variable + "\" is no list of names");
+  std::string characters(sizeOf(id, variable), '\0');
   if (!characters.empty()) require(nc_get_var_text(file_, id, characters.data()), variable);
   std::vector<std::string> names;
   for (std::size_t row = 0; row < shape[0]; ++row)
@@ -92,7 +137,8 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const {
 std::string NetcdfFile::textAttribute(const std::string& variable, const std::string& attribute) const {
   const int id = idOf(variable);
   std::size_t length = 0;
-  if (nc_inq_attlen(file_, id, attribute.c_str(), &length) != NC_NOERR) return "";
+  nc_type type = NC_NAT;
+  if (nc_inq_att(file_, id, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return "";
   std::string text(length, '\0');
   require(nc_get_att_text(file_, id, attribute.c_str(), text.data()), attribute);
   return trimmed(text);

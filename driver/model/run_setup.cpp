@@ -23,7 +23,8 @@ std::vector<std::string> fieldsThatAdvance(const Model& model) {
 
 }  // namespace
 
-RunSetup::RunSetup(const Deck& deck, const Communicator& comm, const MakeOutput& makeOutput) {
+RunSetup::RunSetup(const Deck& deck, const Communicator& comm, std::unique_ptr<Output> givenOutput)
+    : output(std::move(givenOutput)) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   Discretization discretization;
@@ -41,7 +42,6 @@ RunSetup::RunSetup(const Deck& deck, const Communicator& comm, const MakeOutput&
   conditions = std::make_unique<BoundaryConditions>(deck, *model);
   for (const std::string& label : fieldLabels(*model))
     if (ofSolvers.count(label) == 0) ofConditions.insert(label);
-  output = makeOutput();
   model->allocateFields(output->fieldIds());
   output->initialize(*model);
   errorNorms = std::make_unique<ErrorNorms>(deck, *model);
@@ -72,7 +72,7 @@ void fillHostFields(Model& model, const BoundaryConditions& conditions, double t
 }
 
 void rehearse(const Deck& deck, const Communicator& comm) {
-  RunSetup setup(deck, comm, [&] { return std::make_unique<Output>(deck, comm); });
+  RunSetup setup(deck, comm, std::make_unique<Output>(deck, comm, true));
   std::string what = deck.fileName() + ": the start of the run: ";
   try {
     setup.initialize();

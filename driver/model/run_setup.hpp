@@ -2,7 +2,6 @@
 #ifndef PD_RUN_SETUP_HPP
 #define PD_RUN_SETUP_HPP
 
-#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -15,9 +14,8 @@
 namespace pd {
 
 struct RunSetup {
-  using MakeOutput = std::function<std::unique_ptr<Output>()>;
   /// Reads the mesh, makes all plug-ins and allocates their fields. Throws DeckError. Collective.
-  RunSetup(const Deck& deck, const Communicator& comm, const MakeOutput& makeOutput);
+  RunSetup(const Deck& deck, const Communicator& comm, std::unique_ptr<Output> output);
 
   Simulation simulation() { return {*model, *conditions, *output}; }
   /// Initial conditions, and what plug-ins make of them.

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <optional>
 
 #include "../deck/sections.hpp"
-#include "../output/output_section.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "restart.hpp"
@@ -40,14 +38,6 @@ void logModel(Model& model, Output& output, const Deck& deck) {
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 
-void writeResolvedDeck(const Deck& deck, const std::string& resolved, const Communicator& comm) {
-  collectively(comm, [&] {
-    if (!comm.isRoot()) return;
-    const std::string fileName = mainOutputName(deck, readOutputSections(deck)) + ".resolved.yaml";
-    std::ofstream file(fileName);
-    file << resolved << std::flush;
-    if (!file) throw RunError(fileName + ": cannot be written");
-  });
 }
 
 /// The loop over all stages and their increments.
@@ -145,14 +135,29 @@ class Run {
 
 }  // namespace
 
+void Simulation::beginStep() {
+  model.beginStep();
+  conditions.beginStep();
+}
+
+void Simulation::beginStep(const std::vector<int>& points) {
+  model.beginStep(points);
+  conditions.beginStep();
+}
+
+void Simulation::takeBackStep() {
+  model.takeBackStep();
+  conditions.takeBackStep();
+}
+
 void runDeck(const RunOptions& options, const Communicator& comm) {
   const Deck deck = readCheckedDeck(options, comm);
-  RunSetup setup(deck, comm,
-                 [&] { return std::make_unique<Output>(deck, comm, options.isQuiet, !options.restartFile.empty()); });
+  auto claimed = std::make_unique<Output>(deck, comm, options.isQuiet, options.outputFolder);
+  claimed->claim();
+  RunSetup setup(deck, comm, std::move(claimed));
   Model& model = *setup.model;
   Output& output = *setup.output;
   const std::string resolved = resolvedDeck(deck);
-  writeResolvedDeck(deck, resolved, comm);
   logModel(model, output, deck);
   for (const std::string& note : setup.conditions->notes()) output.log(note);
 
@@ -163,13 +168,16 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   std::size_t firstStage = 0;
   if (options.restartFile.empty()) {
     setup.start();
+    output.begin(0, resolved);
     output.write(model, 0, 0, setup.stages.front().startTime, false);
   } else {
     restart.emplace(model, options.restartFile, resolved);
     firstStage = restart->findStage(setup.stages, setup.ofPlugins, setup.ofConditions);
+    for (const std::string& label : setup.advancedFields) model.requireFinite(label, restart->step());
     setup.conditions->resume(restart->time());
     model.adoptState();
     for (const std::string& note : restart->notes()) output.log(note);
+    output.begin(restart->step() + 1, resolved);
   }
 
   const double end = Run(setup, comm, resolved).execute(restart ? &*restart : nullptr, firstStage);

@@ -18,12 +18,18 @@ struct Simulation {
   Model& model;
   BoundaryConditions& conditions;
   Output& output;
+
+  // Steps that may be taken back (Model says more of them): fields, bonds, and what conditions keep.
+  void beginStep();
+  void beginStep(const std::vector<int>& points);
+  void takeBackStep();
 };
 
 struct RunOptions {
   std::string deckFile;
   std::vector<std::string> overrides;  ///< "path=value"
   std::string restartFile;             ///< empty: from the start
+  std::string outputFolder;            ///< results go below it; empty: the working folder
   bool isQuiet = false;
   UnknownKeys unknownKeys = UnknownKeys::AreMistakes;  ///< of decks of Peridigm
 };

@@ -12,7 +12,29 @@
 
 namespace pd {
 
-std::string unfinishedName(const std::string& path) { return path + ".unfinished"; }
+namespace {
+
+const std::string unfinishedEnding = ".pdrun-unfinished";  // a mark: whoever finds it knows whose it is
+
+}  // namespace
+
+std::string unfinishedName(const std::string& path) { return path + unfinishedEnding; }
+
+bool isUnfinished(const std::string& path) {
+  return path.size() > unfinishedEnding.size() &&
+         path.compare(path.size() - unfinishedEnding.size(), unfinishedEnding.size(), unfinishedEnding) == 0;
+}
+
+std::FILE* openForWriting(const std::string& path, bool isContinued) {
+  // Not blocking: nothing waits for the reader of a pipe.
+  const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | (isContinued ? O_APPEND : O_TRUNC);
+  const int descriptor = open(path.c_str(), flags, 0666);
+  std::FILE* file = descriptor < 0 ? nullptr : fdopen(descriptor, isContinued ? "ab" : "wb");
+  if (file != nullptr) return file;
+  const int error = errno;
+  if (descriptor >= 0) close(descriptor);
+  throwFileError("open", path, error);
+}
 
 std::string missingFolder(const std::string& path) {
   std::error_code error;
@@ -50,8 +72,8 @@ void finishFile(const std::string& path) {
 
 void writeFileAtomically(const std::string& path, const std::string& content) {
   const std::string unfinished = unfinishedName(path);
-  std::FILE* file = std::fopen(unfinished.c_str(), "wb");
-  if (file == nullptr) throwFileError("create", unfinished, errno);
+  unlink(unfinished.c_str());  // a link too
+  std::FILE* file = openForWriting(unfinished, false);
   const bool isWritten = std::fwrite(content.data(), 1, content.size(), file) == content.size();
   const int writeError = errno;
   const bool isClosed = std::fclose(file) == 0;

@@ -2,12 +2,18 @@
 #ifndef PD_ATOMIC_FILE_HPP
 #define PD_ATOMIC_FILE_HPP
 
+#include <cstdio>
 #include <string>
 
 namespace pd {
 
-/// Name under which `path` is written before it is complete.
+/// Name under which `path` is written before it is complete, and whether a name is such a one.
 std::string unfinishedName(const std::string& path);
+bool isUnfinished(const std::string& path);
+
+/// Opens a file for writing, never through a symbolic link: `isContinued` at the end of what is there, else empty.
+/// Throws RunError.
+std::FILE* openForWriting(const std::string& path, bool isContinued);
 
 /// Gives the file written as unfinishedName(path) its own name, in one step of the file system, after its content
 /// has reached the disk. Throws RunError.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -136,6 +137,16 @@ void requireSameBonds(const Hdf5File& file, const BondOrder& bonds, const Global
                    "\" was written with other neighbourhoods: horizon, influence function or bond filters differ");
 }
 
+/// Damage of points and of bonds is a share: what is none was not written by a run.
+void requireShares(const std::vector<double>& values, const std::string& label, const GlobalOrder& order,
+                   const std::string& fileName) {
+  const bool isOfDamage = label == "Damage" || label == "Bond_Damage";
+  const bool isGood =
+      !isOfDamage || std::all_of(values.begin(), values.end(), [](double v) { return v >= 0.0 && v <= 1.0 + 1e-9; });
+  if (order.comm().any(!isGood))
+    throw RunError("\"" + fileName + "\" is damaged: it has values of " + label + " that are not from 0 to 1");
+}
+
 /// Returns the labels of fields that the file has not.
 std::vector<std::string> readFields(const Hdf5File& file, Model& model, const GlobalOrder& order,
                                     const std::string& fileName) {
@@ -149,7 +160,9 @@ std::vector<std::string> readFields(const Hdf5File& file, Model& model, const Gl
     const int width = widthOf(spec);
     if (!isThere("points/", spec, width)) continue;
     double* values = model.field(spec.label);
-    order.toPoints(file.read<double>("points/" + spec.label, order.rows()), width, values);
+    const std::vector<double> rows = file.read<double>("points/" + spec.label, order.rows());
+    requireShares(rows, spec.label, order, fileName);
+    order.toPoints(rows, width, values);
     model.exchange().import(values, width, model.reflectionOf(spec.label));
   }
   for (const FieldSpec& spec : globalFields(model)) {
@@ -159,9 +172,12 @@ std::vector<std::string> readFields(const Hdf5File& file, Model& model, const Gl
   }
   const BondOrder bonds(model, order);
   requireSameBonds(file, bonds, order, fileName);
-  for (const FieldSpec& spec : bondFields(model))
-    if (isThere("bonds/", spec, widthOf(spec)))
-      bonds.fromRows(file.read<double>("bonds/" + spec.label, bonds.bondRows()), spec.id, widthOf(spec));
+  for (const FieldSpec& spec : bondFields(model)) {
+    if (!isThere("bonds/", spec, widthOf(spec))) continue;
+    const std::vector<double> rows = file.read<double>("bonds/" + spec.label, bonds.bondRows());
+    requireShares(rows, spec.label, order, fileName);
+    bonds.fromRows(rows, spec.id, widthOf(spec));
+  }
   return missing;
 }
 
@@ -197,6 +213,9 @@ Checkpoint readCheckpoint(Model& model, const std::string& fileName) {
   checkpoint.step = static_cast<int>(file.integerAttribute("/", "step"));
   checkpoint.time = file.realAttribute("/", "time");
   checkpoint.solver = file.textAttribute("/", "solver");
+  if (checkpoint.step < 0 || !std::isfinite(checkpoint.time))
+    throw RunError(
+        fmt::format("\"{}\" is damaged: it is of step {} and t = {} s", fileName, checkpoint.step, checkpoint.time));
   checkpoint.deck = readText(file, "deck");
   checkpoint.state = readSolverState(file, fileName);
   requireSameMesh(file, model, order, fileName);

@@ -12,20 +12,11 @@
 #include "../model/model.hpp"
 #include "atomic_file.hpp"
 #include "hdf5_file.hpp"
+#include "result_files.hpp"
 
 namespace pd {
 
 namespace {
-
-std::string stepName(long long step) { return fmt::format("{:06}", step); }
-
-/// Number of the step whose file has this name; -1 where it is no step's.
-long long stepOfFile(const std::filesystem::path& path) {
-  const std::string stem = path.stem().string();
-  if (path.extension() != ".h5" || stem.empty() || stem.size() > 18) return -1;
-  if (stem.find_first_not_of("0123456789") != std::string::npos) return -1;
-  return std::stoll(stem);
-}
 
 void onRoot(const Communicator& comm, const std::function<void()>& work) {
   collectively(comm, [&] {
@@ -37,7 +28,7 @@ void onRoot(const Communicator& comm, const std::function<void()>& work) {
 
 FieldWriter::FieldWriter(const std::string& baseName, const GlobalOrder& order, const double* coordinates,
                          const int* blockIds, const double* volumes, int firstStep)
-    : baseName_(baseName), folder_(baseName + ".steps"), order_(order) {
+    : baseName_(baseName), folder_(baseName + endings::steps), order_(order) {
   onRoot(order_.comm(), [&] { makeFolderOf(folder_ + "/mesh.h5"); });
   writeMesh(coordinates, blockIds, volumes);
   onRoot(order_.comm(), [&] { takeOverSteps(firstStep); });
@@ -67,9 +58,10 @@ void FieldWriter::takeOverSteps(int firstStep) {
   std::vector<std::filesystem::path> removed;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const long long step = stepOfFile(entry.path());
-    if (step >= 0 && step < firstStep)
+    const bool isOurs = isUnfinished(entry.path().string()) || (step >= 0 && isOfPdrun(entry.path()));
+    if (isOurs && step >= 0 && step < firstStep)
       kept[step] = entry.path().filename().string();
-    else if (step >= 0 || entry.path().extension() == ".unfinished")
+    else if (isOurs)
       removed.push_back(entry.path());
   }
   for (const auto& [step, name] : kept) {

@@ -1,8 +1,11 @@
 #include "hdf5_file.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include "../model/collective.hpp"
@@ -64,6 +67,7 @@ Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator
   const std::string wholePath = std::filesystem::absolute(path, error).string();
   collectively(comm, [&] {
     if (error) throwFileError("open", path, error.value());
+    if (mode != Hdf5File::Mode::Read && comm.isRoot()) unlink(path.c_str());  // MPI would write through a link
   });
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -102,6 +106,7 @@ Hdf5Id selectRows(hid_t fileSpace, const RowRange& rows, const std::vector<hsize
 Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
     : path_(path), comm_(comm), isChecked_(mode == Mode::CreateChecked), file_(openFile(path, mode, comm)) {
   require(file_.isValid(), mode == Mode::Read ? "open" : "create");
+  if (mode != Mode::Read) require(markHdf5(file_), "write to");
 }
 
 void Hdf5File::require(bool isDone, const std::string& what) const {
@@ -143,6 +148,12 @@ bool writeScalar(hid_t file, const std::string& object, const std::string& name,
   return attribute.isValid() && H5Awrite(attribute, given, value) >= 0;
 }
 
+bool writeScalarText(hid_t file, const std::string& object, const std::string& name, const std::string& value) {
+  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, value.size() + 1);
+  return writeScalar(file, object, name, type, type, value.c_str());
+}
+
 bool readScalar(hid_t file, const std::string& object, const std::string& name, hid_t type, void* value) {
   const Hdf5Id attribute(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   return attribute.isValid() && H5Aread(attribute, type, value) >= 0;
@@ -159,9 +170,25 @@ void Hdf5File::writeAttribute(const std::string& object, const std::string& name
 }
 
 void Hdf5File::writeAttribute(const std::string& object, const std::string& name, const std::string& value) {
-  const Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, value.size() + 1);
-  require(writeScalar(file_, object, name, type, type, value.c_str()), "write " + name + " to");
+  require(writeScalarText(file_, object, name, value), "write " + name + " to");
+}
+
+namespace {
+
+const char* const markName = "writer";
+
+}  // namespace
+
+bool markHdf5(hid_t file) { return writeScalarText(file, "/", markName, "pdrun"); }
+
+bool isMarkedHdf5(const std::string& path) {
+  htri_t isMarked = 0;
+  H5E_BEGIN_TRY {
+    const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (file.isValid()) isMarked = H5Aexists(file, markName);
+  }
+  H5E_END_TRY
+  return isMarked > 0;
 }
 
 double Hdf5File::realAttribute(const std::string& object, const std::string& name) const {
@@ -217,8 +244,22 @@ std::vector<hsize_t> Hdf5File::extent(const std::string& name) const {
   const Hdf5Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   require(dataset.isValid(), "open table " + name + " in");
   const Hdf5Id space(H5Dget_space(dataset), H5Sclose);
-  std::vector<hsize_t> result(static_cast<std::size_t>(std::max(1, H5Sget_simple_extent_ndims(space))), 0);
+  const int nDimensions = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> result(static_cast<std::size_t>(std::max(1, nDimensions)), 0);
   H5Sget_simple_extent_dims(space, result.data(), nullptr);
+  // The best that zlib can do (its FAQ), should somebody have packed the file: a table of fill values needs no room.
+  constexpr hsize_t bestPacking = 1032;
+  hsize_t size = H5Tget_size(Hdf5Id(H5Dget_type(dataset), H5Tclose));
+  for (const hsize_t length : result)
+    if (__builtin_mul_overflow(size, length, &size)) size = std::numeric_limits<hsize_t>::max();
+  const hsize_t stored = H5Dget_storage_size(dataset);
+  collectively(comm_, [&] {
+    if (nDimensions < 1 || nDimensions > 2)
+      throw RunError("table " + name + " of \"" + path_ + "\" has " + std::to_string(nDimensions) + " dimensions");
+    if (size / bestPacking > stored)
+      throw RunError("table " + name + " of \"" + path_ + "\" claims " + std::to_string(result[0]) +
+                     " rows, which the file does not hold");
+  });
   return result;
 }
 

@@ -35,8 +35,14 @@ class Hdf5Id {
   Close close_;
 };
 
+/// Marks an open file as written by pdrun (attribute `writer` of its root group). False where that fails.
+bool markHdf5(hid_t file);
+/// Whether the file is one of HDF5 that has this mark. Of one process.
+bool isMarkedHdf5(const std::string& path);
+
 /// An open file. Every call is collective and throws RunError, naming the path and HDF5's reason, on all ranks where
-/// it fails on one. Time stamps are left out, so that equal content gives equal files.
+/// it fails on one. What is created carries the mark. Time stamps are left out, so that equal content gives equal
+/// files.
 class Hdf5File {
  public:
   /// CreateChecked: all that is written has checksums, which reading verifies.

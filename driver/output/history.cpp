@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "atomic_file.hpp"
+#include "result_files.hpp"
 
 namespace pd {
 
@@ -17,12 +18,11 @@ History::History(const std::string& path, const std::vector<std::string>& column
   for (const std::string& column : columns) header += "," + column;
   makeFolderOf(path_);
   takeOver(header, firstStep);
-  file_.reset(std::fopen(path_.c_str(), "ab"));
-  if (!file_) throwFileError("open", path_, errno);
+  file_.reset(openForWriting(path_, true));
 }
 
 void History::takeOver(const std::string& header, int firstStep) {
-  std::string kept = header + "\n";
+  std::string rows = header + "\n";
   std::ifstream old(path_);
   std::string line;
   if (firstStep > 0 && std::getline(old, line)) {
@@ -30,13 +30,16 @@ void History::takeOver(const std::string& header, int firstStep) {
       // A row that the end of the earlier run cut short has no end of line.
       while (std::getline(old, line) && !old.eof()) {
         int step = -1;
-        if (std::istringstream(line) >> step && step >= 0 && step < firstStep) kept += line + "\n";
+        if (std::istringstream(line) >> step && step >= 0 && step < firstStep) rows += line + "\n";
       }
-    } else if (std::rename(path_.c_str(), (path_ + ".old").c_str()) != 0) {
-      throwFileError("rename", path_, errno);
+    } else {
+      std::string kept = path_ + ".old";
+      for (int n = 2; std::filesystem::exists(std::filesystem::symlink_status(kept)); ++n)
+        kept = path_ + ".old" + std::to_string(n);
+      if (std::rename(path_.c_str(), kept.c_str()) != 0) throwFileError("rename", path_, errno);
     }
   }
-  writeFileAtomically(path_, kept);
+  writeFileAtomically(path_, rows);
 }
 
 void History::row(int step, double time, const std::vector<double>& values) {
@@ -47,7 +50,7 @@ void History::row(int step, double time, const std::vector<double>& values) {
     throwFileError("write", path_, errno);
 }
 
-void writeColumnUnits(const std::string& path, const std::vector<std::string>& columns,
+void writeColumnUnits(const std::string& base, const std::vector<std::string>& columns,
                       const std::vector<std::string>& units) {
   using nlohmann::ordered_json;
   ordered_json described = {{{"name", "step"}}, {{"name", "time"}, {"schema:unitText", "s"}}};
@@ -57,9 +60,10 @@ void writeColumnUnits(const std::string& path, const std::vector<std::string>& c
     described.push_back(column);
   }
   const ordered_json json = {{"@context", "http://www.w3.org/ns/csvw"},
-                             {"url", std::filesystem::path(path).filename().string()},
+                             {"dc:creator", "pdrun"},
+                             {"url", std::filesystem::path(base + endings::history).filename().string()},
                              {"tableSchema", {{"columns", described}}}};
-  writeFileAtomically(path + "-metadata.json", json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  writeFileAtomically(base + endings::units, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 std::vector<std::string> columnNames(const std::string& label, int width) {

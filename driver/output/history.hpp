@@ -14,7 +14,7 @@ namespace pd {
 class History {
  public:
   /// Rows of an earlier run before `firstStep` are kept where the columns are the same; 0 starts afresh. A file with
-  /// other columns is renamed to <path>.old on a restart.
+  /// other columns is renamed to <path>.old on a restart (.old2 where that is there).
   History(const std::string& path, const std::vector<std::string>& columns, int firstStep);
   void row(int step, double time, const std::vector<double>& values);
 
@@ -28,10 +28,9 @@ class History {
   std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// Writes what the columns of the CSV file `path` are measured in (empty: only the deck knows) into
-/// <path>-metadata.json, the place and form that the W3C's "Metadata Vocabulary for Tabular Data" gives it. Throws
-/// RunError.
-void writeColumnUnits(const std::string& path, const std::vector<std::string>& columns,
+/// Writes what the columns of <base>.csv are measured in (empty: only the deck knows) into <base>.csv-metadata.json,
+/// the place and form that the W3C's "Metadata Vocabulary for Tabular Data" gives it. Throws RunError.
+void writeColumnUnits(const std::string& base, const std::vector<std::string>& columns,
                       const std::vector<std::string>& units);
 
 /// Names of the columns of a field with `width` values: the label; with X, Y, Z; XX, XY .. ZZ; or _1, _2 ...

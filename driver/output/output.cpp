@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -9,6 +11,7 @@
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "../model/state_fields.hpp"
+#include "../parallel/broadcast.hpp"
 #include "Peridigm_Field.hpp"
 #include "atomic_file.hpp"
 #include "compute_set.hpp"
@@ -16,6 +19,8 @@
 #include "output_section.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "result_files.hpp"
+#include "result_lock.hpp"
 #include "run_log.hpp"
 
 namespace pd {
@@ -42,14 +47,41 @@ std::vector<FieldDescription> driverFields() {
           fields::storedEnergyDensity()};
 }
 
+/// Paths of the results without their endings, and their places in the deck.
+std::map<std::string, std::string> resultPaths(const Deck& deck, const std::string& folder) {
+  const std::vector<OutputSection> sections = readOutputSections(deck, folder);
+  std::map<std::string, std::string> paths;
+  for (const OutputSection& section : sections) paths.emplace(section.fileName, section.place);
+  if (paths.empty()) paths.emplace(mainOutputName(deck, sections, folder), deck.fileName());
+  return paths;
+}
+
+void addObstaclesOfPlaces(const Deck& deck, const std::string& folder, Mistakes& mistakes) {
+  for (const auto& [path, place] : resultPaths(deck, folder))
+    if (const std::string obstacle = obstacleOfPlace(path, folder); !obstacle.empty()) mistakes.add(place, obstacle);
+}
+
+void addObstaclesOfFiles(const Deck& deck, const std::string& folder, Mistakes& mistakes) {
+  for (const auto& [path, place] : resultPaths(deck, folder))
+    for (const std::string& obstacle : obstaclesOfFiles(path)) mistakes.add(place, obstacle);
+}
+
+void onRoot(const Communicator& comm, const std::function<void()>& work) {
+  collectively(comm, [&] {
+    if (comm.isRoot()) work();
+  });
+}
+
 }  // namespace
 
 struct Output::Implementation {
   const Deck deck;
   const Communicator& comm;
+  const std::string folder;  ///< of results
   const std::vector<OutputSection> sections;
   const std::string mainName;
   // Of the root rank alone.
+  std::vector<std::unique_ptr<ResultLock>> locks;
   std::unique_ptr<RunLog> log;
   std::unique_ptr<Progress> progress;
 
@@ -57,10 +89,15 @@ struct Output::Implementation {
   std::vector<OutputFiles> files;
   std::unique_ptr<GlobalOrder> order;
   std::set<std::string> fieldsOfState;  ///< that are written
+  int firstStep = 0;
   bool isOpen = false;
 
-  Implementation(const Deck& deck_, const Communicator& comm_)
-      : deck(deck_), comm(comm_), sections(readOutputSections(deck_)), mainName(mainOutputName(deck_, sections)) {}
+  Implementation(const Deck& deck_, const Communicator& comm_, const std::string& folder_)
+      : deck(deck_),
+        comm(comm_),
+        folder(folder_),
+        sections(readOutputSections(deck_, folder_)),
+        mainName(mainOutputName(deck_, sections, folder_)) {}
 
   OutputFiles& filesNamed(const std::string& fileName);
   OutputLabels sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes);
@@ -135,18 +172,40 @@ std::pair<bool, bool> Output::Implementation::evaluateDue(Model& model, int step
   return {areFieldsDue, true};
 }
 
-Output::Output(const Deck& deck, const Communicator& comm) : implementation_(new Implementation(deck, comm)) {}
-
-Output::Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart) : Output(deck, comm) {
+Output::Output(const Deck& deck, const Communicator& comm, bool isQuiet, const std::string& folder)
+    : implementation_(new Implementation(deck, comm, folder)) {
   Implementation& self = *implementation_;
-  collectively(comm, [&] {
-    if (!comm.isRoot()) return;
-    self.log = std::make_unique<RunLog>(self.mainName + ".log", isQuiet, isRestart);
-    self.progress = std::make_unique<Progress>(*self.log);
-  });
+  if (!comm.isRoot()) return;
+  self.log = std::make_unique<RunLog>(isQuiet);
+  self.progress = std::make_unique<Progress>(*self.log);
 }
 
 Output::~Output() = default;
+
+void Output::claim() {
+  Implementation& self = *implementation_;
+  onRoot(self.comm, [&] {
+    Mistakes mistakes;
+    addObstaclesOfPlaces(self.deck, self.folder, mistakes);
+    mistakes.report();
+    // A lock is a file, and what is in the way can be said once nobody else writes.
+    for (const auto& [path, place] : resultPaths(self.deck, self.folder))
+      self.locks.push_back(std::make_unique<ResultLock>(path));
+    addObstaclesOfFiles(self.deck, self.folder, mistakes);
+    mistakes.report();
+  });
+}
+
+void Output::begin(int firstStep, const std::string& resolvedDeck) {
+  Implementation& self = *implementation_;
+  self.firstStep = firstStep;
+  onRoot(self.comm, [&] {
+    for (const auto& [path, place] : resultPaths(self.deck, self.folder))
+      firstStep == 0 ? removeResults(path) : removeReport(path);  // the report is that of a run that has ended
+    self.log->open(self.mainName + endings::log, firstStep > 0);
+    writeFileAtomically(self.mainName + endings::resolved, resolvedDeck);
+  });
+}
 
 std::vector<int> Output::fieldIds() {
   Implementation& self = *implementation_;
@@ -178,7 +237,7 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
   Implementation& self = *implementation_;
   if (!self.isOpen) {
     const Timers::Scope timer(model.timers(), "output");
-    for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), step);
+    for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), self.firstStep);
     self.isOpen = true;
   }
   const auto [areFieldsDue, isAnyDue] = self.evaluateDue(model, step, isLast);
@@ -204,7 +263,7 @@ void Output::checkpoint(Model& model, const Checkpoint& checkpoint, bool isLast)
   for (const OutputFiles& files : self.files) {
     if (!files.isCheckpointDue(checkpoint.step, isLast)) continue;
     const Timers::Scope timer(model.timers(), "checkpoint");
-    writeCheckpoint(model, self.orderOf(model), files.fileName() + ".checkpoint.h5", checkpoint);
+    writeCheckpoint(model, self.orderOf(model), files.fileName() + endings::checkpoint, checkpoint);
   }
 }
 
@@ -225,13 +284,29 @@ void Output::report(Model& model, const std::vector<std::string>& solverSummary,
   report.deck = self.deck.fileName();
   report.solverSummary = solverSummary;
   report.errorNorms = errorNorms;
-  collectively(self.comm, [&] {
-    if (!self.comm.isRoot()) return;
+  onRoot(self.comm, [&] {
     std::istringstream table(reportTable(report));
     for (std::string line; std::getline(table, line);) self.log->line(line);
     self.log->requireWritten();
-    writeFileAtomically(self.mainName + ".report.json", reportJson(report));
+    writeFileAtomically(self.mainName + endings::report, reportJson(report));
   });
+}
+
+void checkResults(const Deck& deck, const std::string& folder, const Communicator& comm) {
+  Mistakes mistakes;
+  std::string lines;
+  if (comm.isRoot()) {
+    try {
+      addObstaclesOfPlaces(deck, folder, mistakes);
+      if (mistakes.empty()) addObstaclesOfFiles(deck, folder, mistakes);
+    } catch (const RunError& error) {
+      mistakes.add("", error.what());  // a folder that cannot be read
+    }
+    for (const std::string& line : mistakes.lines()) lines += line + "\n";
+  }
+  broadcast(lines, comm);
+  std::istringstream all(lines);
+  for (std::string line; std::getline(all, line);) deck.mistakes().add("", line);
 }
 
 }  // namespace pd

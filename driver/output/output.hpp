@@ -16,22 +16,28 @@ namespace pd {
 /// Writes the `Output` sections of a deck, evaluates its computes. All calls are collective.
 class Output {
  public:
-  /// `isRestart`: the log goes on where the restarted run stopped.
-  Output(const Deck& deck, const Communicator& comm, bool isQuiet, bool isRestart = false);
-  /// For a check: no file, no log, nothing on the terminal.
-  Output(const Deck& deck, const Communicator& comm);
+  /// Results go below `folder` (empty: the working folder). Touches no file.
+  Output(const Deck& deck, const Communicator& comm, bool isQuiet, const std::string& folder = "");
   ~Output();
+
+  /// Takes the names of the results for this run alone, as long as it lives (ResultLock). Throws DeckError as
+  /// checkResults(), RunError where another run has one of them.
+  void claim();
 
   /// Fields that outputs and computes ask for. Creates the computes. Call after the Model is made, so that the fields
   /// of its plug-ins are known by name; hand the result to Model::allocateFields.
   std::vector<int> fieldIds();
   void initialize(Model& model);
 
+  /// Begins with results: those of an earlier run are removed as a whole, or, where `firstStep` is not 0, go on from
+  /// that step. What log() has kept so far is written, and the text of the resolved deck.
+  void begin(int firstStep, const std::string& resolvedDeck);
+
   /// Tells that another solver goes on: its first state counts as an output in decks of Peridigm.
   void startSolver();
 
-  /// Writes what is due at the end of increment `step` (0: the initial state). `isLast` writes everything. Where the
-  /// first call is not for step 0, the files of the restarted run are continued from that step on.
+  /// After begin(): writes what is due at the end of increment `step` (0: the initial state). `isLast` writes
+  /// everything.
   void write(Model& model, int step, int nSteps, double time, bool isLast);
 
   /// Evaluates the computes that write() would, and writes nothing.
@@ -54,6 +60,10 @@ class Output {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// Adds to deck.mistakes() why its results cannot be written below `folder`: links that lead elsewhere, files of others
+/// that are in the way, folders that cannot be written to. Looks only. Collective.
+void checkResults(const Deck& deck, const std::string& folder, const Communicator& comm);
 
 }  // namespace pd
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../model/collective.hpp"
+#include "result_files.hpp"
 
 namespace pd {
 
@@ -64,8 +65,8 @@ void OutputFiles::open(Model& model, const GlobalOrder& order, int firstStep) {
         names.push_back(name);
         units.push_back(fields::unitOf(label));
       }
-    history_ = std::make_unique<History>(fileName_ + ".csv", names, firstStep);
-    writeColumnUnits(fileName_ + ".csv", names, units);
+    writeColumnUnits(fileName_, names, units);  // first: by it the history is known to be ours
+    history_ = std::make_unique<History>(fileName_ + endings::history, names, firstStep);
   });
 }
 

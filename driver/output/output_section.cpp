@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../deck/sections.hpp"
+#include "result_files.hpp"
 
 namespace pd {
 
@@ -30,9 +31,10 @@ std::vector<OutputVariable> readVariables(const DeckNode& node) {
   return variables;
 }
 
-OutputSection readSection(const DeckNode& node, bool isPeridigmDeck) {
+OutputSection readSection(const DeckNode& node, bool isPeridigmDeck, const std::string& folder) {
   OutputSection section;
-  section.fileName = node.text("Output Filename", "dump");
+  section.fileName = resultPath(folder, node.text("Output Filename", "dump"));
+  section.place = node["Output Filename"] ? node["Output Filename"].place() : node.keyPlace();
   section.frequency = node.integer("Output Frequency", -1);
   for (const DeckNode& step : itemsOrSelf(node["Output Steps"]))
     section.steps.insert(static_cast<int>(std::lround(step.real())));
@@ -65,16 +67,16 @@ bool OutputSection::isCheckpointDue(int step, bool isLast) const {
          (isLast || isMultiple(step, checkpointFrequency));
 }
 
-std::vector<OutputSection> readOutputSections(const Deck& deck) {
+std::vector<OutputSection> readOutputSections(const Deck& deck, const std::string& folder) {
   std::vector<OutputSection> sections;
   for (const auto& [key, node] : deck.root().entries())
-    if (isSectionOf(deck, key, "Output")) sections.push_back(readSection(node, deck.isPeridigmDeck()));
+    if (isSectionOf(deck, key, "Output")) sections.push_back(readSection(node, deck.isPeridigmDeck(), folder));
   return sections;
 }
 
-std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections) {
+std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections, const std::string& folder) {
   if (!sections.empty()) return sections.front().fileName;
-  return std::filesystem::path(deck.fileName()).stem().string();
+  return resultPath(folder, std::filesystem::path(deck.fileName()).stem().string());
 }
 
 }  // namespace pd

@@ -17,6 +17,7 @@ struct OutputVariable {
 
 struct OutputSection {
   std::string fileName;      ///< path of the files without their endings
+  std::string place;         ///< of that name in the deck
   int frequency = -1;        ///< of fields, in increments; -1: none
   std::set<int> steps;       ///< further increments whose fields are written
   int firstStep = 0;         ///< nothing is written before
@@ -43,10 +44,12 @@ struct OutputSection {
 /// Peridigm counts the initial state as output 1, so its `Initial Output Step` n is our step n - 1, counts the state
 /// from which each further solver starts again, and writes values for the whole body as often as fields; all this holds
 /// for decks of Peridigm.
-std::vector<OutputSection> readOutputSections(const Deck& deck);
+/// Results lie below `folder` (empty: the working folder).
+std::vector<OutputSection> readOutputSections(const Deck& deck, const std::string& folder = "");
 
 /// Path of the files of the first section without their endings; where the deck has no section, the name of the deck.
-std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections);
+std::string mainOutputName(const Deck& deck, const std::vector<OutputSection>& sections,
+                           const std::string& folder = "");
 
 }  // namespace pd
 

@@ -95,6 +95,7 @@ std::string reportTable(const RunReport& report) {
 std::string reportJson(const RunReport& report) {
   using nlohmann::ordered_json;
   ordered_json json;
+  json["writer"] = "pdrun";
   json["deck"] = report.deck;
   json["ranks"] = report.nRanks;
   json["points"] = report.nPoints;

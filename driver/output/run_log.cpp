@@ -5,14 +5,19 @@
 #include <cerrno>
 
 #include "atomic_file.hpp"
+#include "result_lock.hpp"
 
 namespace pd {
 
-RunLog::RunLog(const std::string& path, bool isQuiet, bool isContinued)
-    : path_(path), isQuiet_(isQuiet), hasTerminal_(!isQuiet && isatty(STDERR_FILENO) != 0) {
+RunLog::RunLog(bool isQuiet) : isQuiet_(isQuiet), hasTerminal_(!isQuiet && isatty(STDERR_FILENO) != 0) {}
+
+void RunLog::open(const std::string& path, bool isContinued) {
+  path_ = path;
   makeFolderOf(path_);
-  file_.reset(std::fopen(path_.c_str(), isContinued ? "ab" : "wb"));
-  if (!file_) throwFileError("open", path_, errno);
+  file_.reset(openForWriting(path_, isContinued));
+  writeToFile(thisRun());
+  if (std::fputs(kept_.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0) writeError_ = errno;
+  kept_.clear();
 }
 
 RunLog::~RunLog() { clearTerminalLine(); }
@@ -28,7 +33,10 @@ void RunLog::progressLine(const std::string& text) {
 }
 
 void RunLog::writeToFile(const std::string& text) {
-  if (std::fprintf(file_.get(), "%s\n", text.c_str()) < 0 || std::fflush(file_.get()) != 0) writeError_ = errno;
+  if (!file_)
+    kept_ += text + "\n";
+  else if (std::fprintf(file_.get(), "%s\n", text.c_str()) < 0 || std::fflush(file_.get()) != 0)
+    writeError_ = errno;
 }
 
 void RunLog::print(const std::string& text) {

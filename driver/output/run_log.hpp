@@ -11,9 +11,13 @@ namespace pd {
 /// Used by the root rank alone.
 class RunLog {
  public:
-  /// `isContinued`: lines are added to those of the run that is restarted. Throws RunError.
-  RunLog(const std::string& path, bool isQuiet, bool isContinued);
+  /// Lines are kept until open().
+  explicit RunLog(bool isQuiet);
   ~RunLog();
+
+  /// `isContinued`: lines are added to those of the run that is restarted. The first one says which program, host and
+  /// process write, and when. Throws RunError.
+  void open(const std::string& path, bool isContinued);
 
   /// A line for the file, and for standard output unless quiet.
   void line(const std::string& text);
@@ -36,7 +40,7 @@ class RunLog {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  std::string path_;
+  std::string path_, kept_;
   std::unique_ptr<std::FILE, Close> file_;
   bool isQuiet_, hasTerminal_;
   bool isTerminalLineShown_ = false;

@@ -35,7 +35,7 @@ hid_t createInMemory(const std::string& path) {
 StepIndex::StepIndex(const std::string& path, const std::string& meshFile)
     : implementation_(new Implementation{path, Hdf5Id(createInMemory(path), H5Fclose)}) {
   Implementation& index = *implementation_;
-  index.require(index.file.isValid());
+  index.require(index.file.isValid() && markHdf5(index.file));
   index.link("mesh", meshFile);
   const Hdf5Id steps(H5Gcreate2(index.file, "steps", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   index.require(steps.isValid());

@@ -70,7 +70,7 @@ void XdmfWriter::addStep(double time, const std::string& stepFile, const std::ve
 }
 
 std::string XdmfWriter::text() const {
-  return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
+  return "<?xml version=\"1.0\"?>\n<!-- written by pdrun -->\n<Xdmf Version=\"3.0\">\n<Domain>\n"
          "<Grid Name=\"Run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
          steps_ + "</Grid>\n</Domain>\n</Xdmf>\n";
 }

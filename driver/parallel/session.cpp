@@ -1,5 +1,7 @@
 #include "session.hpp"
 
+#include <hdf5.h>
+
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
 
@@ -21,14 +23,23 @@ void startNoDaemon() {
   if (!isWithinJob()) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
+/// HDF5 locks each file that one process opens, which some network file systems do not know. Here no file changes once
+/// it has its name, and runs that would write the same ones keep each other out (driver/output/result_lock.hpp).
+void leaveOutFileLocks() { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0); }
+
 }  // namespace
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
   leaveOutSharedFilePointers();
   startNoDaemon();
+  leaveOutFileLocks();
   Tpetra::initialize(&argc, &argv);
 }
 
-ParallelSession::~ParallelSession() { Tpetra::finalize(); }
+ParallelSession::~ParallelSession() {
+  // What a damaged file has left open inside HDF5, which MPI_Finalize closes, was told when the file was refused.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  Tpetra::finalize();
+}
 
 }  // namespace pd

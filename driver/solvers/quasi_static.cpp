@@ -168,14 +168,14 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
 
 void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, int nHalvings) {
   Model& model = simulation.model;
-  model.beginStep();
+  simulation.beginStep();
   const auto load = [&] {
     simulation.conditions.applyPrescribed(t + dt);
     externalForce(simulation, t + dt, externalForce_);
     requireHeldLoads(simulation, t + dt);
   };
   const auto goBack = [&] {
-    model.takeBackStep();
+    simulation.takeBackStep();
     newton_.dropTangent();
     newton_.prepareTangent(simulation, dt);
     lastLength_ = 0.0;

@@ -9,8 +9,11 @@
 #include <optional>
 
 #include "../deck/deck.hpp"
+#include "../model/model.hpp"
 #include "../output/atomic_file.hpp"
 #include "../output/output.hpp"
+#include "../output/result_files.hpp"
+#include "../output/result_lock.hpp"
 #include "../parallel/launch.hpp"
 #include "child_process.hpp"
 #include "history_file.hpp"
@@ -62,13 +65,16 @@ std::vector<double> readHistoryValues(const std::string& fileName, const Study& 
 }
 
 /// Nothing where the run could not go on; it has told why.
-std::optional<StudyResult> perform(const Study& study, const StudyRun& run, const std::string& program) {
+std::optional<StudyResult> perform(const Study& study, const StudyRun& run, const std::string& program,
+                                   const std::string& folder) {
   std::vector<std::string> arguments = {program, study.deckFile, "--quiet"};
+  if (!folder.empty()) arguments.insert(arguments.end(), {"--output-folder", folder});
   for (const StudyOverride& item : run.overrides) arguments.insert(arguments.end(), {"--set", item.text()});
   arguments.insert(arguments.end(), {"--set", "Output/Output Filename=\"" + run.outputName + "\""});
   if (runProgram(arguments) != 0) return std::nullopt;
-  StudyResult result = readReport(run.outputName + ".report.json", study);
-  if (!study.histories.empty()) result.historyValues = readHistoryValues(run.outputName + ".csv", study);
+  const std::string results = resultPath(folder, run.outputName);
+  StudyResult result = readReport(results + endings::report, study);
+  if (!study.histories.empty()) result.historyValues = readHistoryValues(results + endings::history, study);
   return result;
 }
 
@@ -78,15 +84,15 @@ void print(bool isQuiet, const std::string& line) {
   std::fflush(stdout);
 }
 
-void draw(const Study& study, const std::string& table, const std::string& program, bool isQuiet) {
+void draw(const Study& study, const std::string& base, const std::string& program, bool isQuiet) {
   namespace fs = std::filesystem;
   const fs::path neighbor = fs::path(program).parent_path() / "pdstudy";
   const std::string tool = fs::exists(neighbor) ? neighbor.string() : "pdstudy";
   try {
-    if (runProgram({tool, table, "--reference", study.reference, "--error", study.errorNorm}) != 0)
+    if (runProgram({tool, base + endings::table, "--reference", study.reference, "--error", study.errorNorm}) != 0)
       return print(isQuiet, "pdstudy drew no picture");
-    if (!study.errorNorm.empty()) print(isQuiet, "picture: " + study.name + ".study.png");
-    if (!study.histories.empty()) print(isQuiet, "picture: " + study.name + ".histories.png");
+    if (!study.errorNorm.empty()) print(isQuiet, "picture: " + base + endings::errors);
+    if (!study.histories.empty()) print(isQuiet, "picture: " + base + endings::histories);
   } catch (const RunError& error) {
     print(isQuiet, std::string("no picture: ") + error.what());
   }
@@ -94,26 +100,37 @@ void draw(const Study& study, const std::string& table, const std::string& progr
 
 }  // namespace
 
-void runStudy(const Study& study, bool isQuiet) {
+void checkStudyResults(const Study& study, const std::string& folder) {
+  const std::string base = resultPath(folder, study.name);
+  Mistakes mistakes;
+  const std::string obstacle = obstacleOfPlace(base + endings::runs + "/", folder);
+  if (!obstacle.empty()) mistakes.add(study.fileName, obstacle);
+  for (const std::string& found : obstaclesOfStudy(base)) mistakes.add(study.fileName, found);
+  mistakes.report();
+}
+
+void runStudy(const Study& study, const std::string& folder, bool isQuiet) {
   const std::string program = ownProgram();
   if (program.empty()) throw RunError("cannot find the file of pdrun itself, which runs the decks of a study");
   std::size_t nFailed = 0;
   const StudyTable table(study);
   std::string csv = table.csvHeading();
-  const std::string tableFile = study.name + ".study.csv";
-  makeFolderOf(study.runs.front().outputName);
+  const std::string base = resultPath(folder, study.name), tableFile = base + endings::table;
+  const ResultLock lock(base + endings::runs);
+  checkStudyResults(study, folder);
+  removeStudyResults(base);
   if (!study.errorNorm.empty())
     print(isQuiet, fmt::format("{}: error \"{}\" against {}", study.name, study.errorNorm, study.reference));
   print(isQuiet, table.heading());
   for (const StudyRun& run : study.runs) {
-    const std::optional<StudyResult> result = perform(study, run, program);
+    const std::optional<StudyResult> result = perform(study, run, program, folder);
     csv += table.csvRow(run, result ? &*result : nullptr);
     writeFileAtomically(tableFile, csv);
     if (!result) ++nFailed;
     print(isQuiet, table.row(run, result ? &*result : nullptr));
   }
   print(isQuiet, "table: " + tableFile);
-  draw(study, tableFile, program, isQuiet);
+  draw(study, base, program, isQuiet);
   if (nFailed > 0)
     throw RunError(fmt::format("{} of {} runs of the study failed (see above)", nFailed, study.runs.size()));
 }

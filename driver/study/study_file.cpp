@@ -5,6 +5,7 @@
 
 #include "../deck/deck.hpp"
 #include "../deck/deck_parameters.hpp"
+#include "../deck/names.hpp"
 
 namespace pd {
 
@@ -97,6 +98,8 @@ class StudyReader {
     study_.name = file_.root().isMap() && list.isParameter("Name")
                       ? list.get<std::string>("Name")
                       : std::filesystem::path(file_.fileName()).stem().string();
+    if (const std::string complaint = complaintOfFileName(study_.name); !complaint.empty())
+      mistakes_.add(file_["Name"] ? file_["Name"].place() : file_.fileName(), "Name " + complaint);
     const auto text = [&](const char* key) { return list.isParameter(key) ? list.get<std::string>(key) : ""; };
     study_.reference = text("Reference");
     study_.errorNorm = text("Error");
@@ -143,6 +146,8 @@ class StudyReader {
       isGood = false;
     }
     if (!isGood || !list.isParameter("Label")) return;
+    if (hasControlCharacter(list.get<std::string>("Label")))
+      mistakes_.add(series["Label"].place(), series["Label"].path() + " must be one line, without tabs");
     int run = 0;
     for (StudyRun& added : runsOf(series)) {
       added.label = list.get<std::string>("Label");

@@ -1,4 +1,5 @@
 """What the commands of pdmesh that write a text discretization have in common: options, files, report."""
+import os
 import re
 import sys
 from pathlib import Path
@@ -28,15 +29,19 @@ def finish(options, points, facts, warnings, heading, from_grid=False):
             if name in points.node_sets:
                 raise MeshError(f"--node-set {name}: the mesh has a group of this name; choose another")
             points.node_sets[name] = select(expression, variables_of(points))
-    # repr gives the shortest text that reads back to the same number, so nothing is lost in the file.
-    write_points(points, options.output, [f"pdmesh {heading}"])
     folder = Path(options.output).parent
     files = {}
-    for name, indices in points.node_sets.items():
+    for name in points.node_sets:
         file = folder / (re.sub(r"[^\w.-]+", "_", name) + ".txt")
         if file == Path(options.output) or file in files.values():
             raise MeshError(f"node set {name}: its file {file} is already taken; rename the group or the mesh")
+        # Its name is that of a group of the mesh, which nobody has thought of as a file.
+        if os.path.lexists(file) and (file.is_symlink() or mesh_of_node_set(file)[0] is None):
+            raise MeshError(f"node set {name}: {file} is there already and is no node set that pdmesh wrote; move it "
+                            "away, or write the mesh into a folder of its own")
         files[name] = file
+    # repr gives the shortest text that reads back to the same number, so nothing is lost in the file.
+    write_points(points, options.output, [f"pdmesh {heading}"])
     mesh = Path(options.output).name
     for name, file in files.items():
         _, other = mesh_of_node_set(file)

@@ -1,4 +1,6 @@
 """A text discretization: points with block and volume, and node sets. Reading, writing, statistics."""
+import contextlib
+import os
 import re
 
 import numpy as np
@@ -46,7 +48,7 @@ def write_points(points, file_name, heading):
                  + {1: f", cross section {points.measure!r}", 2: f", thickness {points.measure!r}", 3: ""}
                  [points.dimension] + "\n")
     for number, name in sorted(points.block_names.items()):
-        lines.append(f"# block_{number}: {name}\n")
+        lines.append(f"# block_{number}: {one_line(name)}\n")
     lines.append("# x y z block volume\n")
     x = points.x.tolist()
     rows = [f"{p[0]!r} {p[1]!r} {p[2]!r} {b} {v!r}\n"
@@ -57,7 +59,7 @@ def write_points(points, file_name, heading):
 def write_node_set(indices, file_name, name, n_points, mesh):
     """The heading says whose points they are: pdrun refuses a node set of a mesh with another number of points."""
     numbers = (np.asarray(indices) + 1).tolist()
-    write_lines(file_name, [f"# {name}: {len(numbers)} of the {n_points} points of {mesh}\n"]
+    write_lines(file_name, [f"# {one_line(name)}: {len(numbers)} of the {n_points} points of {mesh}\n"]
                 + [f"{i}\n" for i in numbers])
 
 
@@ -71,11 +73,24 @@ def mesh_of_node_set(file_name):
     return (int(found.group(1)), found.group(2)) if found else (None, "")
 
 
+def one_line(name):
+    """A name for a heading: whatever it holds, the heading does not end in it."""
+    return " ".join(str(name).split())
+
+
 def write_lines(file_name, lines):
+    """Whole or not at all, where it is a file; a link or a device is written through, since a user has named it."""
+    is_file = not os.path.lexists(file_name) or (os.path.isfile(file_name) and not os.path.islink(file_name))
+    unfinished = f"{file_name}.pdmesh-unfinished" if is_file else file_name
     try:
-        with open(file_name, "w", encoding="utf-8") as file:
+        with open(unfinished, "w", encoding="utf-8") as file:
             file.writelines(lines)
+        if is_file:
+            os.replace(unfinished, file_name)
     except OSError as error:
+        if is_file:
+            with contextlib.suppress(OSError):
+                os.unlink(unfinished)
         raise MeshError(f"{file_name}: cannot be written: {error.strerror}") from None
 
 

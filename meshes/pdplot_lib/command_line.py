@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 from .components import component_of
+from .pictures import save
 from .results import PlotError, Results, history_units, read_history
 
 _EPILOG = """sample runs
@@ -80,7 +81,7 @@ def _draw(options):
         panels = [(run, step, label + figures.step_title(run, step, view))
                   for run, label, chosen in zip(runs, labels, steps) for step in chosen]
         figure = figures.map_panels(panels, view)
-    return [_save(figures, figure, options, runs[0], f"{runs[0].label}_{view.field}")]
+    return [_write(figure, options, str(runs[0].path.with_name(f"{runs[0].label}_{view.field}.png")))]
 
 
 def _draw_history(options, figures):
@@ -92,20 +93,13 @@ def _draw_history(options, figures):
     columns = [column.strip() for column in options.history.split(",") if column.strip()]
     figure = history_panels(histories, columns, options.against,
                             history_units(names[0] or ".", histories[0][1]))
-    output = options.output or f"{Path(histories[0][0]).name}_history.png"
-    return _write(figures, figure, output)
+    return _write(figure, options, f"{Path(histories[0][0]).name}_history.png")
 
 
-def _save(figures, figure, options, results, name):
-    return _write(figures, figure, options.output or str(results.path.with_name(name + ".png")))
-
-
-def _write(figures, figure, output):
-    try:
-        figure.savefig(output, dpi=150)
-    except (OSError, ValueError) as error:
-        raise PlotError(f"{output}: cannot be written: {error}") from None
-    figures.plt.close(figure)
+def _write(figure, options, default):
+    """`default`: its name where the user gives none."""
+    output = options.output or default
+    save(figure, output, "pdplot", is_named=bool(options.output))
     return output
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .pictures import save
 from .results import PlotError, history_units, read_history
 from .units import time_unit, with_unit
 
@@ -173,15 +174,6 @@ def _legends(figure, panels):
         figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=columns, fontsize=8)
 
 
-def _save(figure, output):
-    from .figures import plt
-    try:
-        figure.savefig(output, dpi=150)
-    except (OSError, ValueError) as error:
-        raise PlotError(f"{output}: cannot be written: {error}") from None
-    plt.close(figure)
-
-
 def _draw(options):
     table = Table(options.table)
     stem = str(table.path.with_suffix(""))
@@ -190,9 +182,11 @@ def _draw(options):
     if options.output and has_errors and has_histories:
         raise PlotError(f"-o {options.output}: {table.path} has errors and histories, two pictures; leave -o out")
     if has_errors:
-        _save(draw_errors(table, options.error, options.reference), options.output or stem + ".study.png")
+        save(draw_errors(table, options.error, options.reference), options.output or stem + ".study.png", "pdstudy",
+             is_named=bool(options.output))
     if has_histories:
-        _save(draw_histories(table), options.output or stem + ".histories.png")
+        save(draw_histories(table), options.output or stem + ".histories.png", "pdstudy",
+             is_named=bool(options.output))
 
 
 def main(arguments=None):

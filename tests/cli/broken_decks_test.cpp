@@ -183,8 +183,7 @@ TEST(GoodScene, TakesUnitsAndProductsEverywhere) {
 TEST(GoodScene, TakesHorizonsAsExpressions) {
   const SceneFiles scene("horizon");
   writeScene(scene, pd_test::goodDeck, pd_test::goodMesh(), pd_test::goodNodeSet);
-  const std::string output = "Output/Output Filename=" + scene.path("results");
-  const Outcome outcome = run(scene, {"--set", "Blocks/Plate/Horizon=\"3.1*0.001\"", "--set", output});
+  const Outcome outcome = run(scene, {"--set", "Blocks/Plate/Horizon=\"3.1*0.001\""});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
 }
 

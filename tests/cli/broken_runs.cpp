@@ -307,6 +307,44 @@ std::vector<Broken> brokenRuns() {
          "Output2: {Output Filename: results, Output Frequency: 1, Output Variables: [Damage]}\nOutput:\n"}},
        {"deck.yaml:78:20: Output: \"results\" is the Output Filename of Output2 already; each writes a file of its "
         "own"}},
+      {"OutputNameAbove",
+       {{"Output Filename: results", "Output Filename: out/../../results"}},
+       {"deck.yaml:77:20: Output/Output Filename must not lead out of the folder of the run (\"..\"); the folder that "
+        "results go to is named by pdrun --output-folder FOLDER"}},
+      {"OutputNameAbsolute",
+       {{"Output Filename: results", "Output Filename: /tmp/results"}},
+       {"deck.yaml:77:20: Output/Output Filename must be a path below the folder of the run, not an absolute one; the "
+        "folder that results go to is named by pdrun --output-folder FOLDER"}},
+      {"OutputNameFolder",
+       {{"Output Filename: results", "Output Filename: results/"}},
+       {"deck.yaml:77:20: Output/Output Filename must end with a name, not with a folder"}},
+      {"OutputNameColon",
+       {{"Output Filename: results", "Output Filename: \"run:1\""}},
+       {"deck.yaml:77:20: Output/Output Filename must not contain :, which XDMF and CSV files cannot tell from their "
+        "own"}},
+      {"OutputNameOfTwoLines",
+       {{"Output Filename: results", "Output Filename: \"run\\n1\""}},
+       {"deck.yaml:77:20: Output/Output Filename must not contain a line break, a tab or another control character, "
+        "which XDMF and CSV files cannot tell from their own"}},
+      {"OutputSameFileTwice",
+       {{"Output:\n",
+         "Output2: {Output Filename: ./results, Output Frequency: 1, Output Variables: [Damage]}\nOutput:\n"}},
+       {"deck.yaml:78:20: Output: \"results\" is the Output Filename of Output2 already; each writes a file of its "
+        "own"}},
+      {"LabelComma",
+       {{"Output Label: Pulling_Force", "Output Label: \"Pull, N\""},
+        {"Concentration, Pulling_Force", "Concentration"}},
+       {"deck.yaml:75:19: Compute Class Parameters/Pulling Force/Output Label must not contain ,: it is the heading of "
+        "a column and the name of a table; use letters, digits and _"}},
+      {"LabelOfTwoLines",
+       {{"Output Label: Pulling_Force", "Output Label: \"Pull\\nN\""},
+        {"Concentration, Pulling_Force", "Concentration"}},
+       {"deck.yaml:75:19: Compute Class Parameters/Pulling Force/Output Label must not contain a line break, a tab or "
+        "another control character: it is the heading of a column and the name of a table; use letters, digits and _"}},
+      {"LabelTaken",
+       {{"Output Label: Pulling_Force", "Output Label: time"}, {"Concentration, Pulling_Force", "Concentration"}},
+       {"deck.yaml:75:19: Compute Class Parameters/Pulling Force/Output Label must not be \"time\": the history has a "
+        "column of this name already"}},
       {"OutputFileType",
        {{"Output Frequency: 1", "Output Frequency: 1\n  Output File Type: ExodusII"}},
        {"deck.yaml:79:3: unknown key \"Output File Type\" in Output (did you mean \"Output Filename\"?)"}},

@@ -144,6 +144,16 @@ class Numbers(PdmeshCase):
         self.assertIn("a node set of the 400 points of fine.txt, and this mesh has 100",
                       self.pdmesh("info", "plate.txt", "top.txt", expect=2)[1])
         self.pdmesh("info", "fine.txt", "top.txt")
+        # What is no node set of pdmesh is not written over, and then neither is the mesh.
+        before = (self.folder / "plate.txt").read_text()
+        for make in (lambda: (self.folder / "top.txt").write_text("1\n2\n"),
+                     lambda: ((self.folder / "top.txt").unlink(), (self.folder / "top.txt").symlink_to("fine.txt"))):
+            make()
+            self.assertIn("top.txt is there already and is no node set that pdmesh wrote",
+                          self.pdmesh(*grid, "plate.txt", expect=2)[1])
+            self.assertEqual((self.folder / "plate.txt").read_text(), before)
+        (self.folder / "top.txt").unlink()
+        self.assertFalse(list(self.folder.glob("*unfinished")))
         # By hand, and by programs that write all numbers alike.
         (self.folder / "hand.txt").write_text("\ufeff1.000e+00 2 # two\n/ none\n3.0\n")
         self.assertIn("node set hand: 3 points", self.pdmesh("info", "plate.txt", "hand.txt")[0])

@@ -225,6 +225,16 @@ class PdplotTest(unittest.TestCase):
         share = crack.sum() / (crack.sum() + intact.sum())
         self.assertAlmostEqual(share, 0.5 * 0.2, delta=0.02)
 
+    def test_a_picture_whose_name_nobody_gave_replaces_none_of_others(self):
+        ours = self.folder / "plate_Damage.png"
+        self.pdplot("plate")
+        self.pdplot("plate")  # again
+        ours.write_bytes(b"a picture of mine")
+        self.assertIn("is no picture that pdplot made; name another file (-o)", self.pdplot("plate", expect=2)[1])
+        self.assertEqual(ours.read_bytes(), b"a picture of mine")
+        self.assertFalse(list(self.folder.glob("*unfinished")))
+        self.pdplot("plate", "-o", "plate_Damage.png")
+
     def test_every_kind_of_picture_is_written(self):
         write_run(self.folder, "other", self.x, [10], lambda step: {"Damage": self.x[:, 0]})
         solid = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), -1).reshape(-1, 3)

@@ -205,6 +205,11 @@ class Pdrun(unittest.TestCase):
         with open(self.path("reference/README.md")) as file:
             linked = re.findall(r"\]\((\w+\.md)\)", file.read())
         self.assertEqual(["reference/README.md"] + [f"reference/{page}" for page in linked], pages)
+        self.assertEqual(self.run_pdrun("--explain", "--all", "--markdown", "reference").returncode, 0)
+        self.write("README.md", "mine")
+        done = self.run_pdrun("--explain", "--all", "--markdown", ".")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('README.md" is there already and is no page of a reference', done.stderr)
         everything = self.run_pdrun("--explain", "--all", "--markdown").stdout
         for page in linked:
             with open(self.path(f"reference/{page}")) as file:

@@ -52,7 +52,7 @@ const char* const goodXml = R"xml(<ParameterList>
     </ParameterList>
   </ParameterList>
   <ParameterList name="Output">
-    <Parameter name="Output Filename" type="string" value="NAME"/>
+    <Parameter name="Output Filename" type="string" value="result"/>
     <Parameter name="Output Frequency" type="int" value="1"/>
     <ParameterList name="Output Variables">
       <Parameter name="Displacement" type="bool" value="true"/>
@@ -77,7 +77,7 @@ const char* const goodYaml = R"yaml(Peridigm:
       Value: "if(x < 0.5)\{ value = 1.0; \} else \{ value = 2.0; \}"
   Solver: {Final Time: 1.0e-5, Verlet: {Fixed dt: 1.0e-6}}
   Output:
-    Output Filename: NAME
+    Output Filename: result
     Output Frequency: 1
     Output Variables: {Displacement: true, Global_Kinetic_Energy: true}
 )yaml";
@@ -92,7 +92,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 Outcome run(const SceneFiles& scene, const std::string& name, const std::string& deck,
             std::vector<std::string> arguments = {}) {
   scene.write("mesh.txt", "0 0 0 1 1.0\n1 0 0 1 1.0\n0 1 0 1 1.0\n0 0 1 1 1.0\n1 1 1 1 1.0\n");
-  const std::string path = scene.write(name, replaced(deck, "NAME", scene.path("result")));
+  const std::string path = scene.write(name, deck);
   return pd_test::runPdrun(scene, path, std::move(arguments));
 }
 

@@ -18,9 +18,9 @@ struct Outcome {
   std::string errors;  ///< names of files have lost their folder
 };
 
-/// Runs `pdrun DECK --quiet` and further `arguments`.
+/// Runs `pdrun DECK --quiet` and further `arguments`, with results in the folder of the scene.
 inline Outcome runPdrun(const SceneFiles& scene, const std::string& deckPath, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"pdrun", deckPath, "--quiet"});
+  arguments.insert(arguments.begin(), {"pdrun", deckPath, "--quiet", "--output-folder", scene.path("")});
   std::vector<const char*> argv;
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   Outcome outcome;

@@ -268,9 +268,10 @@ class Stages(RestartTest):
 
 
 class Refusals(RestartTest):
-    def refused(self, deck, *words, checkpoint="early.checkpoint.h5"):
-        result = self.run_deck(deck, arguments=["--restart", checkpoint])
+    def refused(self, deck, *words, checkpoint="early.checkpoint.h5", ranks=1):
+        result = self.run_deck(deck, arguments=["--restart", checkpoint], ranks=ranks, timeout=60)
         self.assertEqual(result.code, 3, result.text)
+        self.assertNotIn("HDF5: infinite loop", result.text)
         for word in (checkpoint, *words):
             self.assertIn(word, result.text)
 
@@ -314,6 +315,61 @@ class Refusals(RestartTest):
             self.refused(deck, table.split("/")[-1], checkpoint="changed.h5")
         self.changed(lambda file: file.attrs.__delitem__("checkpoint"))
         self.refused(deck, "is no checkpoint", checkpoint="changed.h5")
+
+    def test_tables_of_another_shape_or_kind(self):
+        deck, _ = self.start("QuasiStatic")
+
+        def replaced(name, make):
+            def change(file):
+                values = np.array(file[name])
+                del file[name]
+                file[name] = make(values)
+            self.changed(change)
+
+        for name, make, words in (
+                ("points/Displacement", lambda values: np.repeat(values[:, :, None], 5, axis=2), ["3 dimensions"]),
+                ("points/Volume", lambda values: values[:, None, None], ["3 dimensions"]),
+                ("points/Displacement", lambda values: values[:, :2], ["2 values a row"]),
+                ("points/Displacement", lambda values: values[:-1], ["rows"]),
+                ("points/Displacement", lambda values: np.full(values.shape, np.nan), ["Displacement"]),
+                ("points/Displacement", lambda values: values.astype("S8"), ["read table"]),
+                ("solver/state", lambda values: values[:-1], ["numbers and"]),
+                ("solver/state", lambda values: np.float64(1.0), ["0 dimensions"]),
+                ("bonds/count", lambda values: values + 1, ["other neighbourhoods"]),
+                ("bonds/count", lambda values: np.zeros_like(values), ["other neighbourhoods"]),
+                ("bonds/neighbor", lambda values: values[::-1], ["other neighbourhoods"]),
+                ("bonds/neighbor", lambda values: values[:-1], ["other neighbourhoods"])):
+            replaced(name, make)
+            for ranks in (1, 2):
+                with self.subTest(name, words=words, ranks=ranks):
+                    self.refused(deck, *words, checkpoint="changed.h5", ranks=ranks)
+
+        def grow(file):
+            del file["points/Displacement"]
+            file.create_dataset("points/Displacement", shape=(2**50, 3), chunks=(2**10, 3), dtype="f8")
+        self.changed(grow)
+        self.refused(deck, "which the file does not hold", checkpoint="changed.h5")
+
+    def test_values_that_no_run_has(self):
+        deck = self.make("QuasiStatic")
+        deck["Damage Models"] = {"Breakage": {"Damage Model": "Critical Stretch", "Critical Stretch": 1.0}}
+        deck["Blocks"]["Body"]["Damage Model"] = "Breakage"
+        self.solve(deck)
+
+        def setting(name, value):
+            def change(file):
+                values = np.array(file[name])
+                values.flat[0] = value
+                file[name][...] = values
+            return change
+
+        for change, word in ((setting("points/Damage", 5.0), "values of Damage that are not from 0 to 1"),
+                             (setting("bonds/Bond_Damage", -1.0), "values of Bond_Damage that are not from 0 to 1"),
+                             (setting("points/Volume", 0.0), "another mesh"),
+                             (lambda file: file.attrs.modify("time", np.inf), "t = inf s"),
+                             (lambda file: file.attrs.modify("step", np.int64(-3)), "step -3")):
+            self.changed(change)
+            self.refused(deck, word, checkpoint="changed.h5")
 
     def test_what_is_damaged(self):
         deck, _ = self.start("QuasiStatic")

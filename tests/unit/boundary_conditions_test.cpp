@@ -11,6 +11,7 @@
 #include "../mpi/lattice.hpp"
 #include "driver/boundary/condition.hpp"
 #include "driver/boundary/far_field.hpp"
+#include "driver/model/simulation.hpp"
 
 namespace pd::test {
 namespace {
@@ -226,6 +227,59 @@ TEST_F(BoundaryConditionsTest, DamagedPointsBecomeSourcesForGood) {
   BoundaryConditions resumed(deck, model);
   resumed.resume(3.0);
   EXPECT_EQ(resumed.valueIsPrescribed("Concentration"), mask);
+}
+
+/// What conditions keep beside the fields is as before a step that is taken back, however often.
+TEST_F(BoundaryConditionsTest, AStepThatIsTakenBackLeavesNoTrace) {
+  const Deck deck = deckWith(
+      "  Pull: {Type: Prescribed Displacement, Node Set: Right Node Set, Coordinate: x, Value: \"0.5*t^2\"}\n"
+      "  Faces: {Type: Saturated Crack Faces, Field: Concentration, Value: \"1 + x + t\", Threshold: 0.4}\n");
+  Model model = modelOf(deck);
+  BoundaryConditions conditions(deck, model);
+  Output output(deck, comm, true);
+  Simulation simulation{model, conditions, output};
+  conditions.applyPrescribed(2.0);
+  model.field("Damage")[2] = 0.5;
+  ASSERT_EQ(conditions.updateDamageSources(), 1);
+  model.adoptState();
+  const std::vector<char> mask = conditions.valueIsPrescribed("Concentration");
+  simulation.beginStep();
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    conditions.applyPrescribed(6.0);
+    model.field("Damage")[3] = 0.5;
+    ASSERT_EQ(conditions.updateDamageSources(), 1);
+    ASSERT_EQ(model.field("Concentration")[3], 1.0 + 3.0 + 6.0);
+    simulation.takeBackStep();
+    EXPECT_EQ(conditions.valueIsPrescribed("Concentration"), mask);
+    EXPECT_EQ(model.field("Concentration_Source")[3], 0.0);
+    EXPECT_EQ(model.field("Concentration_Source")[2], 1.0);
+    EXPECT_EQ(model.field("Concentration")[3], 0.0);
+    EXPECT_EQ(model.field("Concentration")[2], 1.0 + 2.0 + 2.0);
+  }
+  // Sources take the time of the step, and the mean velocity is that since its start.
+  conditions.applyPrescribed(4.0);
+  EXPECT_DOUBLE_EQ(model.field("Velocity")[3 * 6], (8.0 - 2.0) / 2.0);
+  EXPECT_EQ(model.field("Concentration")[3], 0.0);
+  EXPECT_EQ(model.field("Concentration")[2], 1.0 + 2.0 + 4.0);
+}
+
+TEST_F(BoundaryConditionsTest, TakenBackPeridigmsDisplacementsKeepTheirOffset) {
+  const Deck deck = deckWith(
+      "  Shift: {Type: Initial Displacement, Node Set: Left Node Set, Value: 0.25}\n"
+      "  Ramp: {Type: Prescribed Displacement, Node Set: Left Node Set, Value: \"if(t < "
+      "5){value=t;}else{value=5;}\"}\n",
+      true);
+  Model model = modelOf(deck);
+  BoundaryConditions conditions(deck, model);
+  conditions.applyInitial();
+  conditions.applyPrescribed(2.0);
+  conditions.applyPrescribed(5.0);
+  conditions.beginStep();
+  conditions.applyPrescribed(6.0);  // the value does not change: it holds from now on
+  EXPECT_DOUBLE_EQ(model.field("Displacement")[0], 5.0);
+  conditions.takeBackStep();
+  conditions.applyPrescribed(4.0);
+  EXPECT_DOUBLE_EQ(model.field("Displacement")[0], 4.0 + (0.25 - 2.0));
 }
 
 TEST_F(BoundaryConditionsTest, ConflictingPrescriptionsNameBothConditions) {

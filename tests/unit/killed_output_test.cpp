@@ -18,6 +18,7 @@
 #include "../model_plugins.hpp"
 #include "../mpi/lattice.hpp"
 #include "../test_folder.hpp"
+#include "driver/output/atomic_file.hpp"
 #include "driver/output/checkpoint.hpp"
 #include "driver/output/field_writer.hpp"
 #include "driver/output/global_order.hpp"
@@ -116,7 +117,7 @@ TEST(KilledOutput, LeavesTheListedStepsReadableAndRestartable) {
     ASSERT_GT(listed, firstStep);
     ASSERT_EQ(readByPython(name, listed), 0) << "after " << listed << " steps";
     for (const auto& entry : std::filesystem::directory_iterator(folder / "plate.steps"))
-      if (entry.path().extension() == ".unfinished") ++nUnfinished;
+      if (isUnfinished(entry.path().string())) ++nUnfinished;
     firstStep = listed;
   }
   EXPECT_GT(nUnfinished, 0) << "no kill met a file that was being written, so nothing was tested";
@@ -168,7 +169,7 @@ TEST(KilledOutput, LeavesACheckpointThatIsWhole) {
     runAndKill([&] { writeCheckpoints(fileName); }, [&] { return std::filesystem::exists(fileName); },
                std::chrono::microseconds(delay(random)));
     ASSERT_FALSE(HasFatalFailure());
-    if (std::filesystem::exists(fileName + ".unfinished")) ++nUnfinished;
+    if (std::filesystem::exists(unfinishedName(fileName))) ++nUnfinished;
     int status = 1;
     waitpid(inChild([&] { readWrittenCheckpoint(fileName); }), &status, 0);
     EXPECT_EQ(status, 0);
@@ -180,7 +181,7 @@ TEST(KilledOutput, LeavesACheckpointThatIsWhole) {
 TEST(KilledOutput, IsNotWaitedForByTheNextRun) {
   const TestFolder folder("pd_killed_semaphore_test");
   const std::string fileName = folder / "semaphore.checkpoint.h5";
-  const char* semaphore = "/OMPIO_semaphore.checkpoint.h5.unfinished";
+  const char* semaphore = "/OMPIO_semaphore.checkpoint.h5.pdrun-unfinished";
   ASSERT_NE(sem_open(semaphore, O_CREAT, 0600, 0), SEM_FAILED);
   runAndKill([&] { writeCheckpoints(fileName); }, [&] { return std::filesystem::exists(fileName); },
              std::chrono::microseconds(0));

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include "driver/discretization/discretization.hpp"
 #include "driver/discretization/element_geometry.hpp"
@@ -34,6 +37,7 @@ pd::MeshPoints meshOf(const ExodusMesh& mesh, const std::string& deck = exodusDe
 pd::Discretization discretize(const std::string& deck, const ExodusMesh& mesh = cubes(1, 1, 1)) {
   const SceneFiles files("exodus");
   pd_test::writeExodus(files.path("mesh.g"), mesh);
+  files.write("points.txt", pd_test::latticeMesh(3, 3, 3));
   return pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
 }
 
@@ -227,6 +231,107 @@ TEST(Exodus, NodeSetsThatAreNotSound) {
   ExodusMesh outside = cubes(3, 2, 1);
   outside.nodeSets = {{1, "far", {1, 999}}};
   EXPECT_THAT(complaints(outside), HasSubstr("node set \"far\" has a node that is not there"));
+}
+
+// ---- files that are damaged ----
+
+namespace {
+
+const char* const surfaceDeck =
+    "Discretization:\n  Type: Text File\n  Input Mesh File: points.txt\n"
+    "  Bond Filters:\n    Cut: {Type: Exodus Mesh, File Name: mesh.g}\n"
+    "Blocks:\n  Body:\n    Block Names: default\n    Material: None\n    Horizon: 1.5\n";
+
+/// What is said of a file with the length of a dimension changed in its heading alone. In NetCDF's classic format the
+/// length, 4 bytes, highest first, follows the name, which is filled up to a multiple of 4 bytes.
+std::string complaintsWith(const std::string& dimension, std::uint32_t length, const ExodusMesh& mesh,
+                           const std::string& deck) {
+  const SceneFiles files("exodus_damaged");
+  files.write("points.txt", pd_test::latticeMesh(3, 3, 3));
+  const std::string path = files.path("mesh.g");
+  pd_test::writeExodus(path, mesh);
+  std::stringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  std::string bytes = content.str();
+  const std::size_t at = bytes.find(dimension);
+  EXPECT_NE(at, std::string::npos) << dimension;
+  for (std::size_t k = 0; k < 4; ++k)
+    bytes[at + (dimension.size() + 3) / 4 * 4 + k] = static_cast<char>(length >> (24 - 8 * k));
+  std::ofstream(path, std::ios::binary) << bytes;
+  try {
+    pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
+  } catch (const pd::DeckError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+ExodusMesh cubesAndSphere() {
+  ExodusMesh mesh = cubes(3, 1, 1);
+  mesh.nodes.push_back({0.5, 2.5, 0.5});
+  mesh.blocks.push_back({2, "", "SPHERE", 1, {static_cast<int>(mesh.nodes.size())}, {0.5, 1.0}});
+  return mesh;
+}
+
+ExodusMesh shells() {
+  ExodusMesh mesh;
+  mesh.nodes = {{0.6, -1, -1}, {0.6, 4, -1}, {0.6, 4, 4}, {0.6, -1, 4}};
+  mesh.blocks = {{1, "", "TRI3", 3, {1, 2, 3}, {}}, {2, "", "SHELL4", 4, {1, 2, 3, 4}, {}}};
+  return mesh;
+}
+
+}  // namespace
+
+TEST(DamagedExodus, SaysWhatDoesNotFit) {
+  const auto meshWith = [](const std::string& dimension, std::uint32_t length) {
+    return complaintsWith(dimension, length, cubesAndSphere(), exodusDeck);
+  };
+  EXPECT_THAT(meshWith("num_elem", 2), HasSubstr("its blocks have more elements than its \"num_elem\" says, 2"));
+  EXPECT_THAT(meshWith("num_elem", 5), HasSubstr("its blocks do not hold all of its elements"));
+  EXPECT_THAT(meshWith("num_elem", 2000000000), HasSubstr("it claims 2000000000 elements, more than a file of"));
+  EXPECT_THAT(meshWith("num_nodes", 2000000000), HasSubstr("it claims 2000000000 nodes, more than a file of"));
+  EXPECT_THAT(meshWith("num_el_blk", 1000000), HasSubstr("\"num_el_blk\" is 1000000, in a file of"));
+  EXPECT_THAT(meshWith("num_el_in_blk1", 1000000), HasSubstr("more elements than its \"num_elem\" says, 4"));
+  EXPECT_THAT(meshWith("num_nod_per_el1", 4096), HasSubstr("has the node"));
+  EXPECT_THAT(meshWith("num_att_in_blk2", 1), HasSubstr("need two attributes"));
+  ExodusMesh same = cubesAndSphere();
+  same.blocks[1].id = 1;
+  EXPECT_THAT(complaints(same), HasSubstr("two of its blocks have the id 1"));
+  ExodusMesh outside = cubesAndSphere();
+  outside.blocks[0].nodes[3] = 99;
+  EXPECT_THAT(complaints(outside), HasSubstr("an element of block_1 has the node 99, which is not there"));
+}
+
+/// Whatever a heading claims, the file is read or refused by name.
+TEST(DamagedExodus, AnyDimensionMayBeWrong) {
+  int nRefused = 0, nRead = 0;
+  for (const auto& [mesh, deck] :
+       {std::pair(cubesAndSphere(), exodusDeck), std::pair(shells(), std::string(surfaceDeck))})
+    for (const char* dimension :
+         {"len_name", "num_dim", "num_nodes", "num_elem", "num_el_blk", "num_el_in_blk1", "num_nod_per_el1",
+          "num_el_in_blk2", "num_nod_per_el2", "num_att_in_blk2", "num_node_sets", "num_nod_ns1"}) {
+      const std::string name = dimension;
+      if (mesh.nodeSets.empty() &&
+          (name == "num_att_in_blk2" || name.find("ns") != std::string::npos || name == "num_node_sets"))
+        continue;
+      for (const std::uint32_t length : {1u, 2u, 3u, 5u, 9u, 1000u, 1u << 20, 0x7ffffffeu, 0xfffffff0u}) {
+        const std::string said = complaintsWith(name, length, mesh, deck);
+        EXPECT_TRUE(said == "no error" || said.find("mesh.g") != std::string::npos)
+            << name << " " << length << ": " << said;
+        (said == "no error" ? nRead : nRefused) += 1;
+      }
+    }
+  EXPECT_GT(nRefused, 100);
+  EXPECT_GT(nRead, 10);  // lengths of names, and those that are right
+}
+
+TEST(DamagedExodus, NodesAreSomewhere) {
+  for (const double place : {std::nan(""), HUGE_VAL, 1e200}) {
+    ExodusMesh mesh = cubes(1, 1, 1), surface = shells();
+    mesh.nodes[4][1] = surface.nodes[2][1] = place;
+    EXPECT_THAT(complaints(mesh), HasSubstr("mesh.g\": node 5 lies at y = "));
+    EXPECT_THAT(complaints(surface, surfaceDeck), HasSubstr("mesh.g\": node 3 lies at y = "));
+  }
 }
 
 // ---- surfaces that cut bonds ----

@@ -68,7 +68,7 @@ TEST(HistoryFile, OtherColumnsAreKeptApart) {
 
 TEST(HistoryFile, UnitsStandBesideIt) {
   const TestFolder folder("pd_history_test");
-  writeColumnUnits(folder / "plate.csv", {"TipX", "Mean"}, {"m", ""});
+  writeColumnUnits(folder / "plate", {"TipX", "Mean"}, {"m", ""});
   const auto json = nlohmann::json::parse(contentOf(folder / "plate.csv-metadata.json"));
   EXPECT_EQ(json["url"], "plate.csv");
   const auto& columns = json["tableSchema"]["columns"];
@@ -87,20 +87,37 @@ TEST(HistoryFile, NamesTheFileThatCannotBeWritten) {
 
 TEST(RunLogFile, AFullDiskIsReported) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  RunLog log("/dev/full", true, true);
+  RunLog log(true);
+  log.line("kept");
   log.requireWritten();
-  log.line("lost");
+  log.open("/dev/full", true);
   EXPECT_CONTAINS(errorOf<RunError>([&] { log.requireWritten(); }), "\"/dev/full\": No space left on device");
+}
+
+/// Without the first line of each run, which says who writes.
+std::string linesOf(const std::string& file) {
+  std::istringstream content(contentOf(file));
+  std::string lines;
+  for (std::string line; std::getline(content, line);)
+    if (line.compare(0, 6, "pdrun ") != 0) lines += line + "\n";
+  return lines;
 }
 
 TEST(RunLogFile, ARestartGoesOn) {
   const TestFolder folder("pd_log_test");
   const std::string file = folder / "plate.log";
-  RunLog(file, true, false).line("first");
-  RunLog(file, true, true).line("second");
-  EXPECT_EQ(contentOf(file), "first\nsecond\n");
-  RunLog(file, true, false).line("third");
-  EXPECT_EQ(contentOf(file), "third\n");
+  const auto write = [&](const std::string& early, const std::string& late, bool isContinued) {
+    RunLog log(true);
+    log.line(early);
+    log.open(file, isContinued);
+    log.line(late);
+  };
+  write("kept", "first", false);
+  write("second", "third", true);
+  EXPECT_EQ(linesOf(file), "kept\nfirst\nsecond\nthird\n");
+  EXPECT_CONTAINS(contentOf(file), ", process " + std::to_string(getpid()) + ", since 20");
+  write("fourth", "fifth", false);
+  EXPECT_EQ(linesOf(file), "fourth\nfifth\n");
 }
 
 TEST(ProgressLine, Durations) {
@@ -129,7 +146,8 @@ TEST(ProgressLine, SaysStepTimeWorkRateAndTimeLeft) {
 TEST(ProgressLine, TheLogGetsALineEveryFivePercent) {
   const TestFolder folder("pd_progress_test");
   const std::string file = folder / "plate.log";
-  RunLog log(file, true, false);
+  RunLog log(true);
+  log.open(file, false);
   Progress progress(log);
   for (int step = 1; step <= 1000; ++step) progress.report(step, 1000, step, "");
   const std::string content = contentOf(file);

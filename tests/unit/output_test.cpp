@@ -114,19 +114,19 @@ PD_REGISTER_COMPUTE(CountingCompute, "Test_Count", "Counts.")
 
 class OutputRun : public ::testing::Test {
  protected:
-  /// Four points in a row; the text of the Output sections and computes, in which NAME stands for the files' path.
-  std::unique_ptr<Output> start(std::string text, bool isRestart = false) {
-    for (auto at = text.find("NAME"); at != std::string::npos; at = text.find("NAME", at))
-      text.replace(at, 4, folder / "plate");
+  /// Four points in a row; `text` of the Output sections and computes.
+  std::unique_ptr<Output> start(const std::string& text, int firstStep = 0) {
     const bool isPeridigms = text.find("Peridigm:") == 0;
     deck = std::make_unique<Deck>(deckOf(isPeridigms ? text : plate + text));
     Discretization points = Lattice{4, 1, 1, 1.0}.discretization(comm);
     points.nodeSets["Ends"] = {0, 3};
     model = std::make_unique<Model>(isPeridigms ? deckOf(plate) : *deck, comm, points, std::vector<int>());
-    auto output = std::make_unique<Output>(*deck, comm, true, isRestart);
+    auto output = std::make_unique<Output>(*deck, comm, true, folder / "");
+    output->claim();
     model->allocateFields(output->fieldIds());
     output->initialize(*model);
     model->initialize();
+    output->begin(firstStep, "# test.yaml with all defaults written out by pdrun.\n");
     return output;
   }
   void writeSteps(Output& output, int first, int last) {
@@ -149,7 +149,7 @@ class OutputRun : public ::testing::Test {
 TEST_F(OutputRun, WritesWhatIsAskedForWhenItIsDue) {
   const auto output = start(
       "Compute Class Parameters: {Mine: {Compute Class: Test_Count, Output Label: Bonds, Node Set: Ends}}\n"
-      "Output: {Output Filename: NAME, Output Frequency: 2, Output Variables: [Displacement, Block_Id, Proc_Num]}\n");
+      "Output: {Output Filename: plate, Output Frequency: 2, Output Variables: [Displacement, Block_Id, Proc_Num]}\n");
   writeSteps(*output, 0, 5);
   EXPECT_EQ(csv(),
             "step,time,BondsX,BondsY,BondsZ\n0,0,6,1,2\n1,0.5,6,2,2\n2,1,6,3,2\n3,1.5,6,4,2\n4,2,6,5,2\n5,2.5,6,6,2\n");
@@ -164,7 +164,7 @@ TEST_F(OutputRun, WritesWhatIsAskedForWhenItIsDue) {
 TEST_F(OutputRun, FieldsSayTheirUnits) {
   const auto output = start(
       "Compute Class Parameters: {Mean: {Compute Class: Field_Mean, Variable: Displacement, Output Label: Mean}}\n"
-      "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement, Block_Id, Proc_Num]}\n");
+      "Output: {Output Filename: plate, Output Frequency: 1, Output Variables: [Displacement, Block_Id, Proc_Num]}\n");
   writeSteps(*output, 0, 0);
   const Hdf5File file(folder / "plate.steps/000000.h5", Hdf5File::Mode::Read, comm);
   EXPECT_EQ(file.textAttribute("Displacement", "units"), "m");
@@ -176,7 +176,7 @@ TEST_F(OutputRun, FieldsSayTheirUnits) {
 }
 
 TEST_F(OutputRun, AComputeIsMadeForTheNameOfItsClass) {
-  const auto output = start("Output: {Output Filename: NAME, History Frequency: 3, Output Variables: [Test_Count]}\n");
+  const auto output = start("Output: {Output Filename: plate, History Frequency: 3, Output Variables: [Test_Count]}\n");
   writeSteps(*output, 0, 4);
   EXPECT_EQ(csv(), "step,time,Test_CountX,Test_CountY,Test_CountZ\n0,0,6,1,0\n3,1.5,6,2,0\n4,2,6,3,0\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "plate.h5")) << "no fields were asked for";
@@ -184,8 +184,8 @@ TEST_F(OutputRun, AComputeIsMadeForTheNameOfItsClass) {
 
 TEST_F(OutputRun, SectionsMayShareAFileName) {
   const auto output = start(
-      "Output1: {Output Filename: NAME, Output Frequency: 2, Output Variables: [Displacement]}\n"
-      "Output2: {Output Filename: NAME, Output Frequency: 3, Output Variables: [Volume, Displacement]}\n");
+      "Output1: {Output Filename: plate, Output Frequency: 2, Output Variables: [Displacement]}\n"
+      "Output2: {Output Filename: plate, Output Frequency: 3, Output Variables: [Volume, Displacement]}\n");
   writeSteps(*output, 0, 4);
   const std::string xdmf = contentOf(folder / "plate.xdmf");
   std::string found;
@@ -200,9 +200,9 @@ TEST_F(OutputRun, SectionsMayShareAFileName) {
 
 TEST_F(OutputRun, ARestartGoesOnWithTheFiles) {
   const std::string text =
-      "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement, Test_Count]}\n";
+      "Output: {Output Filename: plate, Output Frequency: 1, Output Variables: [Displacement, Test_Count]}\n";
   writeSteps(*start(text), 0, 4);
-  const auto output = start(text, true);
+  const auto output = start(text, 3);
   writeSteps(*output, 3, 5);
   const std::string content = csv();
   EXPECT_CONTAINS(content, "\n2,1,6,3,0\n3,1.5,6,1,0\n4,2,6,2,0\n5,2.5,6,3,0\n");
@@ -214,9 +214,9 @@ TEST_F(OutputRun, ARestartGoesOnWithTheFiles) {
 }
 
 TEST_F(OutputRun, ANewRunRemovesTheStepsOfAnOldOne) {
-  const std::string text = "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement]}\n";
+  const std::string text = "Output: {Output Filename: plate, Output Frequency: 1, Output Variables: [Displacement]}\n";
   writeSteps(*start(text), 0, 4);
-  std::ofstream(folder / "plate.steps/000009.h5.unfinished") << "part";
+  std::ofstream(folder / "plate.steps/000009.h5.pdrun-unfinished") << "part";
   writeSteps(*start(text), 0, 1);
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "plate.steps"))
@@ -227,7 +227,7 @@ TEST_F(OutputRun, ANewRunRemovesTheStepsOfAnOldOne) {
 
 TEST_F(OutputRun, AllUnknownVariablesAreReportedWithTheirPlaces) {
   const std::string message = errorOf<DeckError>(
-      [&] { start("Output:\n  Output Filename: NAME\n  Output Variables: [Displacment, Bond_Damage, Volume]\n"); });
+      [&] { start("Output:\n  Output Filename: plate\n  Output Variables: [Displacment, Bond_Damage, Volume]\n"); });
   EXPECT_CONTAINS(message,
                   "test.yaml:5:22: no plug-in of this run provides \"Displacment\" (did you mean "
                   "\"Displacement\"?)");
@@ -237,7 +237,7 @@ TEST_F(OutputRun, AllUnknownVariablesAreReportedWithTheirPlaces) {
 
 TEST_F(OutputRun, PeridigmDecksMayNameWhatNoPlugInProvides) {
   const auto output = start(
-      "Peridigm:\n  Output:\n    Output File Type: ExodusII\n    Output Filename: NAME\n    Output Frequency: 1\n"
+      "Peridigm:\n  Output:\n    Output File Type: ExodusII\n    Output Filename: plate\n    Output Frequency: 1\n"
       "    Output Variables: {Displacement: true, Dilatation: true}\n");
   writeSteps(*output, 0, 0);
   EXPECT_CONTAINS(contentOf(folder / "plate.log"), "\"Dilatation\"; it is left out");
@@ -248,14 +248,14 @@ TEST_F(OutputRun, MistakesThatComputesFindNameTheirPlace) {
   const std::string message = errorOf<DeckError>([&] {
     start(
         "Compute Class Parameters:\n  Mine: {Compute Class: Test_Count, Node Set: Nowhere}\n"
-        "Output: {Output Filename: NAME, Output Variables: [Displacement]}\n");
+        "Output: {Output Filename: plate, Output Variables: [Displacement]}\n");
   });
   EXPECT_CONTAINS(message, "test.yaml:4:3: no node set Nowhere");
 }
 
 TEST_F(OutputRun, ReportsAndCheckpoints) {
   const auto output = start(
-      "Output: {Output Filename: NAME, Output Frequency: 1, Output Variables: [Displacement], Checkpoint Frequency: "
+      "Output: {Output Filename: plate, Output Frequency: 1, Output Variables: [Displacement], Checkpoint Frequency: "
       "2}\n");
   writeSteps(*output, 0, 1);
   EXPECT_FALSE(output->isCheckpointDue(1, false));

@@ -25,54 +25,63 @@ class PrescribedDisplacement : public Condition {
   }
 
   void applyPrescribed(Model& model, double t) override {
-    const bool isNewTime = wasApplied_ && t != appliedAt_;
+    const bool isNewTime = last_.wasApplied && t != last_.time;
     if (addsIncrements_) findOffsets(model, t, isNewTime);
     std::vector<double> now = evaluate(model.discretization(), t);
-    for (std::size_t k = 0; k < offsets_.size(); ++k) now[k] += offsets_[k];
+    for (std::size_t k = 0; k < last_.offsets.size(); ++k) now[k] += last_.offsets[k];
     write(model, now);
     if (isNewTime && model.hasField("Velocity")) {
       double* velocity = model.field("Velocity");
       for (std::size_t k = 0; k < now.size(); ++k)
-        velocity[indexOf(points()[k])] = (now[k] - previous_[k]) / (timeScale() * (t - appliedAt_));
+        velocity[indexOf(points()[k])] = (now[k] - last_.values[k]) / (timeScale() * (t - last_.time));
     }
-    previous_ = std::move(now);
-    appliedAt_ = t;
-    wasApplied_ = true;
+    last_.values = std::move(now);
+    last_.time = t;
+    last_.wasApplied = true;
   }
+
+  void beginStep() override { beforeStep_ = last_; }
+  void takeBackStep(Model&, std::vector<char>&) override { last_ = beforeStep_; }
 
   void resume(Model& model, double t, std::vector<char>&) override {
     const double* displacement = model.field(field());
-    previous_.resize(points().size());
-    for (std::size_t k = 0; k < previous_.size(); ++k) previous_[k] = displacement[indexOf(points()[k])];
-    appliedAt_ = t;
-    wasApplied_ = true;
+    last_.values.resize(points().size());
+    for (std::size_t k = 0; k < last_.values.size(); ++k) last_.values[k] = displacement[indexOf(points()[k])];
+    last_.time = t;
+    last_.wasApplied = true;
     if (!addsIncrements_) return;
-    offsets_ = evaluate(model.discretization(), t);
-    for (std::size_t k = 0; k < previous_.size(); ++k) offsets_[k] = previous_[k] - offsets_[k];
+    last_.offsets = evaluate(model.discretization(), t);
+    for (std::size_t k = 0; k < last_.values.size(); ++k) last_.offsets[k] = last_.values[k] - last_.offsets[k];
   }
 
  private:
+  /// The last call of applyPrescribed().
+  struct Applied {
+    bool wasApplied = false;
+    double time = 0.0;            ///< s
+    std::vector<double> values;   ///< displacements, by point of the condition
+    std::vector<double> offsets;  ///< of the displacements over the values; empty where there are none
+  };
+
   std::size_t indexOf(int point) const { return 3 * static_cast<std::size_t>(point) + component(); }
 
   /// At first what the displacement has over the value; 0 from when the value does not change in a step.
   void findOffsets(Model& model, double t, bool isNewTime) {
-    if (!wasApplied_) {
+    std::vector<double>& offsets = last_.offsets;
+    if (!last_.wasApplied) {
       const double* displacement = model.field(field());
-      offsets_ = evaluate(model.discretization(), t);
-      for (std::size_t k = 0; k < offsets_.size(); ++k) offsets_[k] = displacement[indexOf(points()[k])] - offsets_[k];
+      offsets = evaluate(model.discretization(), t);
+      for (std::size_t k = 0; k < offsets.size(); ++k) offsets[k] = displacement[indexOf(points()[k])] - offsets[k];
     } else if (isNewTime) {
-      const std::vector<double> before = evaluate(model.discretization(), appliedAt_);
+      const std::vector<double> before = evaluate(model.discretization(), last_.time);
       const std::vector<double>& now = evaluate(model.discretization(), t);
-      for (std::size_t k = 0; k < offsets_.size(); ++k)
-        if (now[k] == before[k]) offsets_[k] = 0.0;
+      for (std::size_t k = 0; k < offsets.size(); ++k)
+        if (now[k] == before[k]) offsets[k] = 0.0;
     }
   }
 
   bool addsIncrements_;
-  bool wasApplied_ = false;
-  double appliedAt_ = 0.0;        ///< s, time of the last call
-  std::vector<double> previous_;  ///< displacements of the last call, by point of the condition
-  std::vector<double> offsets_;   ///< of the displacements over the values; empty where there are none
+  Applied last_, beforeStep_;
 };
 
 }  // namespace

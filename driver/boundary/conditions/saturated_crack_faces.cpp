@@ -55,6 +55,18 @@ class SaturatedCrackFaces : public Condition {
     return nNew;
   }
 
+  void beginStep() override { nBeforeStep_ = sources_.size(); }
+
+  void takeBackStep(Model& model, std::vector<char>& isPrescribed) override {
+    double* isSource = model.field(sourceField());
+    for (std::size_t s = nBeforeStep_; s < sources_.size(); ++s) {
+      const int point = points()[sources_[s]];
+      isSource[point] = 0.0;
+      isPrescribed[static_cast<std::size_t>(point)] = 0;
+    }
+    sources_.resize(nBeforeStep_);
+  }
+
   void resume(Model& model, double, std::vector<char>& isPrescribed) override {
     const double* isSource = model.field(sourceField());
     sources_.clear();
@@ -72,7 +84,8 @@ class SaturatedCrackFaces : public Condition {
   }
 
   double threshold_;                  ///< of Damage
-  std::vector<std::size_t> sources_;  ///< which of points() are sources
+  std::vector<std::size_t> sources_;  ///< which of points() are sources, in the order in which they became so
+  std::size_t nBeforeStep_ = 0;
 };
 
 }  // namespace

@@ -217,13 +217,13 @@ bool Corrosion::carryOver(Simulation& simulation, double h) {
 bool Corrosion::step(Simulation& simulation, double t, double h) {
   Model& model = simulation.model;
   const double* concentration = model.field(fields_.concentration);
-  model.beginStep(lists_.liquid());
+  simulation.beginStep(lists_.liquid());
   model.touch(lists_.dissolving());
   const std::vector<double> before(concentration, concentration + (model.hasField("Loose") ? model.nOwned() : 0));
   untouched_.clear();
   for (const int i : lists_.dissolving()) untouched_.push_back({i, concentration[i]});
   if (!transport_->solve(simulation, lists_, t, h)) {
-    model.takeBackStep();
+    simulation.takeBackStep();
     if (h < shortestTried_)
       throw RunError(
           fmt::format("Corrosion: t = {:.6g} s: {}. Raise \"Solver Tolerance\", or allow more linear iterations", t,
@@ -236,7 +236,7 @@ bool Corrosion::step(Simulation& simulation, double t, double h) {
   const bool isTooLong =
       advance_ > 2.0 * frontLimit_ || (fixedStep_ == 0.0 && error_ > std::exp2(transport_->order() + 1) * tolerance_);
   if (isTooLong || !carryOver(simulation, h)) {
-    model.takeBackStep();
+    simulation.takeBackStep();
     lists_.reset(model);
     if (h < shortestTried_) throw RunError(fmt::format("Corrosion: t = {:.6g} s: the front moves without end", t));
     return false;

@@ -102,7 +102,7 @@ bool ImplicitStep::advance(Simulation& simulation, const Fields& fields, double 
   if (method_ == ImplicitMethod::Sdirk2) {
     if (takeTwoStages(simulation, fields, t, h)) return true;
     ++nReplaced_;
-    simulation.model.takeBackStep();
+    simulation.takeBackStep();
     setBoundary(simulation, t + h);
   }
   const bool isSolved = takeEulerStep(simulation.model, fields, h);

@@ -40,7 +40,7 @@ class TransportStep {
   /// From time t to t + h. Advances the concentration at liquid and dissolving points by the same rates, so that what
   /// leaves the one enters the other: mass is conserved whatever the tolerance. Prescribed points keep their values;
   /// Salt_Coverage is left as the step needs it. Returns false where it does not converge: the caller takes the step
-  /// back (Model::takeBackStep), which it has begun. Collective.
+  /// back (Simulation::takeBackStep), which it has begun. Collective.
   bool solve(Simulation& simulation, const PhaseLists& lists, double t, double h);
   /// What is kept from step to step for speed alone. Without it, a run goes on exactly as after a restart.
   virtual void forget() = 0;

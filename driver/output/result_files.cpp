@@ -1,0 +1,198 @@
+#include "result_files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <set>
+
+#include "../model/model.hpp"
+#include "atomic_file.hpp"
+#include "hdf5_file.hpp"
+
+namespace pd {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A kind of files, in the order in which they are removed: what lists others comes first. The units
+/// of a history are its mark, so that they go last of the two.
+struct Kind {
+  std::string ending;
+  std::string mark;  ///< in the first bytes; empty of HDF5 files
+};
+
+const std::vector<Kind>& kindsOfRuns() {
+  static const std::vector<Kind> all = {{endings::xdmf, "<!-- written by pdrun -->"},
+                                        {endings::index, ""},
+                                        {endings::report, "\"writer\": \"pdrun\""},
+                                        {endings::checkpoint, ""},
+                                        {endings::history, "step,time"},
+                                        {endings::units, "\"dc:creator\": \"pdrun\""},
+                                        {endings::resolved, "with all defaults written out by pdrun"},
+                                        {endings::log, "pdrun "}};
+  return all;
+}
+
+const std::vector<Kind>& kindsOfStudies() {
+  static const std::string software("Software\0pdstudy", 16);  // as PNG files say it
+  static const std::vector<Kind> all = {
+      {endings::errors, software}, {endings::histories, software}, {endings::table, ",overrides,results"}};
+  return all;
+}
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// Of endings that end alike the longest.
+const Kind* kindOf(const std::string& fileName) {
+  const Kind* found = nullptr;
+  for (const std::vector<Kind>* kinds : {&kindsOfRuns(), &kindsOfStudies()})
+    for (const Kind& kind : *kinds)
+      if (endsWith(fileName, kind.ending) && (found == nullptr || kind.ending.size() > found->ending.size()))
+        found = &kind;
+  return found;
+}
+
+std::string beginningOf(const fs::path& path) {
+  std::array<char, 4096> bytes{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), bytes.size());
+  return {bytes.data(), static_cast<std::size_t>(file.gcount())};
+}
+
+bool isWithin(const fs::path& path, const fs::path& folder) {
+  const auto difference = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return difference.first == folder.end();
+}
+
+/// Calls `use` for each entry; a folder that is not there has none.
+void forEachEntry(const fs::path& folder, const std::function<void(const fs::path&)>& use) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    use(entry->path());
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw RunError("cannot read the folder \"" + folder.string() + "\": " + error.message());
+}
+
+void removeFile(const fs::path& path) {
+  if (unlink(path.c_str()) != 0 && errno != ENOENT) throwFileError("remove", path.string(), errno);
+}
+
+void removeWithUnfinished(const std::string& path) {
+  if (isOfPdrun(path)) removeFile(path);
+  removeFile(unfinishedName(path));
+}
+
+bool isNamedAsOfSteps(const fs::path& path) { return stepOfFile(path) >= 0 || path.filename() == "mesh.h5"; }
+
+/// Adds why it stands in the way, where it does.
+void addObstacleOf(const fs::path& path, std::vector<std::string>& found) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (!fs::exists(status) || isOfPdrun(path)) return;
+  const char* const what = fs::is_symlink(status)         ? "is a symbolic link, which results do not follow"
+                           : !fs::is_regular_file(status) ? "is in the way and is no plain file"
+                                                          : "is there already and was not written by pdrun";
+  found.push_back(fmt::format("\"{}\" {}; move it away, or give another name", path.string(), what));
+}
+
+}  // namespace
+
+std::string resultPath(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : (fs::path(folder) / name).string();
+}
+
+std::string obstacleOfPlace(const std::string& base, const std::string& folder) {
+  std::error_code error;
+  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : fs::path(folder), error);
+  for (const fs::path& place : {fs::path(base).parent_path(), fs::path(base + endings::steps)}) {
+    const fs::path real = fs::weakly_canonical(place.empty() ? fs::path(".") : place, error);
+    if (error) return "\"" + place.string() + "\": " + error.message();
+    if (!isWithin(real, root))
+      return fmt::format(
+          "\"{}\" leads out of \"{}\" by a symbolic link, to \"{}\"; results stay below the folder that "
+          "pdrun is started in, or that pdrun --output-folder FOLDER names",
+          place.string(), root.string(), real.string());
+    // Of its parents the first that is there.
+    fs::path there = real;
+    while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+    if (!fs::is_directory(there, error)) return "\"" + there.string() + "\" is a file where a folder is needed";
+    if (access(there.c_str(), W_OK | X_OK) != 0)
+      return "nothing can be written to the folder \"" + there.string() + "\": " + std::strerror(errno);
+  }
+  return "";
+}
+
+std::vector<std::string> obstaclesOfFiles(const std::string& base) {
+  std::vector<std::string> found;
+  for (const Kind& kind : kindsOfRuns()) addObstacleOf(base + kind.ending, found);
+  forEachEntry(base + endings::steps, [&](const fs::path& path) {
+    if (isNamedAsOfSteps(path)) addObstacleOf(path, found);
+  });
+  return found;
+}
+
+std::vector<std::string> obstaclesOfStudy(const std::string& base) {
+  std::vector<std::string> found;
+  for (const Kind& kind : kindsOfStudies()) addObstacleOf(base + kind.ending, found);
+  return found;
+}
+
+void removeReport(const std::string& base) { removeWithUnfinished(base + endings::report); }
+
+void removeResults(const std::string& base) {
+  for (const Kind& kind : kindsOfRuns()) removeWithUnfinished(base + kind.ending);
+  const fs::path steps = base + endings::steps;
+  std::vector<fs::path> removed;
+  forEachEntry(steps, [&](const fs::path& path) {
+    if (isUnfinished(path.string()) || (isNamedAsOfSteps(path) && isOfPdrun(path))) removed.push_back(path);
+  });
+  for (const fs::path& path : removed) removeFile(path);
+  rmdir(steps.c_str());  // where nothing of anybody else is in it
+}
+
+void removeStudyResults(const std::string& base) {
+  for (const Kind& kind : kindsOfStudies()) removeWithUnfinished(base + kind.ending);
+  const fs::path folder = base + endings::runs;
+  std::set<fs::path> runs;
+  forEachEntry(folder, [&](const fs::path& path) {
+    const std::string name = path.filename().string();
+    runs.insert(folder / name.substr(0, name.find('.')));
+  });
+  for (const fs::path& run : runs) removeResults(run.string());
+  rmdir(folder.c_str());
+}
+
+std::string stepName(long long step) { return fmt::format("{:06}", step); }
+
+long long stepOfFile(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  if (path.extension() != ".h5" || stem.empty() || stem.size() > 18) return -1;
+  if (stem.find_first_not_of("0123456789") != std::string::npos) return -1;
+  const long long step = std::stoll(stem);
+  return stepName(step) == stem ? step : -1;
+}
+
+bool isOfPdrun(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) return false;
+  const std::string name = path.string();
+  const Kind* kind = kindOf(name);
+  if (kind == nullptr) return false;
+  if (fs::file_size(path, error) == 0) return true;  // nothing in it can be lost, and a kill may have left it so
+  if (kind->mark.empty()) return isMarkedHdf5(name);
+  const std::string beginning = beginningOf(path);
+  if (kind->ending == endings::log) return beginning.compare(0, kind->mark.size(), kind->mark) == 0;
+  if (kind->ending != endings::history) return beginning.find(kind->mark) != std::string::npos;
+  const std::string units = name.substr(0, name.size() - kind->ending.size()) + endings::units;
+  return beginning.compare(0, kind->mark.size(), kind->mark) == 0 && isOfPdrun(units);
+}
+
+}  // namespace pd
