@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "diffusivity_field.hpp"
 #include "parts.hpp"
 #include "plugins.hpp"
 #include "unknowns.hpp"
@@ -99,6 +100,11 @@ void CompositeMaterial::findSharedSums() {
   for (const int id : fields_.sums())
     if (std::count_if(parts_.begin(), parts_.end(), [id](const Part& part) { return part.adds(id); }) > 1)
       sharedSums_.push_back(id);
+  for (const FieldUse& use : fields_.uses())
+    if (isDiffusivity(use.field) && std::count_if(parts_.begin(), parts_.end(), [&](const Part& part) {
+                                      return part.table.find(use.id) != nullptr;
+                                    }) > 1)
+      sharedDiffusivities_.emplace_back(use.id, use.field.temporal);
 }
 
 double CompositeMaterial::Density() const {
@@ -157,8 +163,18 @@ std::vector<std::string> CompositeMaterial::runNotes() const {
 
 void CompositeMaterial::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                    const int* neighborhoodList, DataManager& dataManager) {
-  for (const Part& part : parts_)
+  const auto n = static_cast<std::size_t>(numOwnedPoints);
+  std::vector<std::vector<double>> sums(sharedDiffusivities_.size(), std::vector<double>(n, 0.0));
+  for (const Part& part : parts_) {
     part.material->initialize(dt, numOwnedPoints, ownedIDs, neighborhoodList, dataManager);
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      if (part.table.find(sharedDiffusivities_[k].id()) == nullptr) continue;
+      const double* own = sharedDiffusivities_[k].of(dataManager);
+      for (std::size_t p = 0; p < n; ++p) sums[k][p] += own[ownedIDs[p]];
+    }
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    for (std::size_t p = 0; p < n; ++p) sharedDiffusivities_[k].of(dataManager)[ownedIDs[p]] = sums[k][p];
 }
 
 void CompositeMaterial::precompute(const double dt, const int numOwnedPoints, const int* ownedIDs,

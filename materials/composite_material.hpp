@@ -85,7 +85,8 @@ class CompositeMaterial : public PeridigmNS::Material,
 
   std::vector<Part> parts_;
   Fields fields_;
-  std::vector<int> sharedSums_;  ///< that two parts or more add to
+  std::vector<int> sharedSums_;                   ///< that two parts or more add to
+  std::vector<FieldHandle> sharedDiffusivities_;  ///< that two parts or more write as they are initialized
 };
 
 }  // namespace pd

@@ -8,9 +8,9 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 /// Flux_Divergence_i = sum_j Coefficient 6/(pi delta^4 |xi|) (T_j - T_i) V_j: the kernel "Inverse" of PDHE in three
-/// dimensions, in a plane or a bar with the constants of these, without a volume correction. A bond between blocks
-/// carries to each end what the constants of its own block say, so that the flux is balanced only where blocks have the
-/// same Coefficient and Horizon; the mean of both, as PDHE has it, would not be Peridigm's model.
+/// dimensions, in a plane or a bar with the constants of these, without a volume correction. Bonds between blocks as
+/// those of PDHE; or, as in Peridigm, each end with the constants of its own block, which leaves the flux unbalanced
+/// where these differ.
 class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
@@ -29,6 +29,14 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
+    declare
+        .text(
+            "Flux Between Blocks",
+            "What a bond between blocks of different Coefficient carries: what the resistances along it in series let "
+            "through, to both ends (Series); or to each end what the constants of its own block say, as in Peridigm, "
+            "which ignores the jump: what leaves one block is not what enters the other one (Own Constants).")
+        .oneOf({"Series", "Own Constants"})
+        .defaultTo("Series");
     declare.real("Finite Difference Probe Length", "m", "Step of finite-difference tangents; not used by this model.")
         .positive();
   }
@@ -42,6 +50,9 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
   double ShearModulus() const override { return 0.0; }
   const FieldTable& fields() const override { return diffusion_.fields(); }
   std::vector<int> FieldIds() const override { return fields().ids(); }
+  std::vector<int> FieldIdsForSynchronizationAfterInitialize() const override {
+    return fields().ids(Ghosts::AfterInitialize);
+  }
   static FieldTable describeFields() { return NonlocalDiffusion::Fields("Temperature"); }
 
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
@@ -76,7 +87,10 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     list.set<std::string>("Diffusion Kernel", "Inverse");
     list.set<std::string>("Diffusing Field", "Temperature");
     list = shared.complete(list, owner);
-    return NonlocalDiffusion(list, BondFamily(list, owner), owner, NonlocalDiffusion::Interface::OwnConstants,
+    return NonlocalDiffusion(list, BondFamily(list, owner), owner,
+                             params.get<std::string>("Flux Between Blocks") == "Series"
+                                 ? NonlocalDiffusion::Interface::Series
+                                 : NonlocalDiffusion::Interface::OwnConstants,
                              params.get<bool>("Use Improved Quadrature") ? NonlocalDiffusion::Quadrature::Fitted
                                                                          : NonlocalDiffusion::Quadrature::Volumes);
   }

@@ -41,6 +41,8 @@ NonlocalDiffusion::NonlocalDiffusion(const Teuchos::ParameterList& params, const
 
 void NonlocalDiffusion::initialize(const Call& call, DataManager& dataManager) {
   caches_.clear();
+  double* diffusivity = fields_.diffusivity.of(dataManager);
+  for (int p = 0; p < call.nOwned; ++p) diffusivity[call.ownedIds[p]] = diffusivity_;
   if (family_.rescalesToLattice)
     microDiffusivity_ = kernels::latticeMicroDiffusivity(
         family_.section, kernel_, diffusivity_, family_.horizon,
@@ -75,75 +77,85 @@ std::vector<double> NonlocalDiffusion::fittedWeights(const Call& call, const dou
   return all;
 }
 
-double NonlocalDiffusion::rateConstant(const double* x, const double* volume, int i, int j,
-                                       const std::vector<double>& fitted, std::size_t bond) const {
-  const ReferenceBond geometry(x, i, j);
-  if (fitted.empty()) return weight(geometry, volume[i], volume[j]) * volume[j];
-  return microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) * fitted[bond];
+NonlocalDiffusion::Quantities NonlocalDiffusion::quantities(const Call& call, DataManager& dataManager) const {
+  const double* x = fields_.modelCoordinates.of(dataManager);
+  Quantities of{x, fields_.volume.of(dataManager), fields_.blockId.of(dataManager), fittedWeights(call, x), {}};
+  if (interface_ == Interface::Series)
+    of.relative = seriesDiffusivities(call, fields_.diffusivity.of(dataManager),
+                                      [x](int i, int j) { return ReferenceBond(x, i, j).xi; });
+  return of;
+}
+
+/// Between blocks each end sees to half of the flux, at both ends. Within a block both find the same flux, and each
+/// sees to all of its own; where a layer lies between them, they find what it makes of the bond, and of that each sees
+/// to half at both. So fluxes are balanced even if one end does not see all that the other one does.
+NonlocalDiffusion::RateConstants NonlocalDiffusion::rateConstants(const Quantities& of, int i, int j,
+                                                                  std::size_t bond) const {
+  const ReferenceBond geometry(of.x, i, j);
+  const double relative = of.relative.empty() ? 1.0 : of.relative[bond];
+  if (quadrature_ == Quadrature::Fitted)
+    return {relative * microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) * of.fitted[bond], 0.0};
+  const double w = weight(geometry, of.volume[i], of.volume[j]);
+  if (interface_ == Interface::OwnConstants) return {w * of.volume[j], 0.0};
+  if (of.blockId[i] != of.blockId[j]) return {0.5 * relative * w * of.volume[j], 0.5 * relative * w * of.volume[i]};
+  return {0.5 * (1.0 + relative) * w * of.volume[j], 0.5 * (relative - 1.0) * w * of.volume[i]};
+}
+
+NonlocalDiffusion::Cache NonlocalDiffusion::makeCache(const Call& call, const Quantities& of) const {
+  Cache made;
+  made.neighborhood = kernels::ChunkedNeighborhood(call.nOwned, call.ownedIds, call.neighborhoodList);
+  made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
+    values[0] = rateConstants(of, i, j, bond).own;
+  });
+  forEachBond(call, [&](int i, int j, std::size_t bond) {
+    if (of.blockId[i] == of.blockId[j] && (of.relative.empty() || of.relative[bond] == 1.0)) return;
+    const double neighbor = rateConstants(of, i, j, bond).neighbor;
+    if (neighbor != 0.0) made.sharedBonds.push_back({{i, j, bond}, neighbor});
+  });
+  if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
+  return made;
 }
 
 DamageViews NonlocalDiffusion::cuts(DataManager& dataManager) const {
   return stopsAtBrokenBonds_ ? damageViews(dataManager, fields_.bondDamage, fields_.damage) : DamageViews();
 }
 
-void NonlocalDiffusion::addInterfaceFlux(const Cache& cache, const double* x, const double* volume,
-                                         const double* concentration, const double* bondDamage, double* rate) const {
-  for (const auto& [i, j, bond] : cache.interfaceBonds) {
-    if (bondDamage != nullptr && bondDamage[bond] >= 1.0) continue;
-    rate[j] +=
-        0.5 * weight(ReferenceBond(x, i, j), volume[i], volume[j]) * volume[i] * (concentration[i] - concentration[j]);
-  }
-}
-
 void NonlocalDiffusion::computeFluxDivergence(const Call& call, DataManager& dataManager) const {
-  const double* x = fields_.modelCoordinates.of(dataManager);
-  const double* volume = fields_.volume.of(dataManager);
   const double* concentration = fields_.concentration.of(dataManager);
   double* rate = fields_.rate.of(dataManager);
   const int nPoints = fields_.concentration.length(dataManager);
   std::fill(rate, rate + nPoints, 0.0);
 
-  const double* blockId = fields_.blockId.of(dataManager);
-  Cache& cache = caches_.of(call, x, [&](const Call& c) {
-    Cache made;
-    made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
-    const std::vector<double> fitted = fittedWeights(c, x);
-    made.weights = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
-      values[0] = (isShared(blockId, i, j) ? 0.5 : 1.0) * rateConstant(x, volume, i, j, fitted, bond);
-    });
-    if (interface_ == Interface::Balanced) made.interfaceBonds = findInterfaceBonds(c, blockId);
-    if (stopsAtBrokenBonds_) made.alive = kernels::AliveBonds(made.neighborhood);
-    return made;
-  });
+  Cache& cache = caches_.of(call, fields_.modelCoordinates.of(dataManager),
+                            [&](const Call& c) { return makeCache(c, quantities(c, dataManager)); });
   const auto [bondDamage, damage] = cuts(dataManager);
   const bool isCut = bondDamage != nullptr;
   if (isCut) cache.alive.refresh(cache.neighborhood, bondDamage, damage);
   cache.concentration.copy(concentration, nPoints);
   kernels::addFluxDivergence(cache.neighborhood, cache.weights, isCut ? &cache.alive : nullptr, cache.concentration[0],
                              rate);
-  addInterfaceFlux(cache, x, volume, concentration, bondDamage, rate);
+  for (const auto& [ends, rateConstant] : cache.sharedBonds)
+    if (!isCut || bondDamage[ends.bond] < 1.0)
+      rate[ends.neighbor] += rateConstant * (concentration[ends.point] - concentration[ends.neighbor]);
 }
 
 void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManager,
                                         PeridigmNS::SerialMatrix& jacobian) const {
-  const double* x = fields_.modelCoordinates.of(dataManager);
-  const double* volume = fields_.volume.of(dataManager);
   const double* bondDamage = cuts(dataManager).bondDamage;
-  const double* blockId = fields_.blockId.of(dataManager);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   const UnknownPlace place = unknownPlace(fields_.diffusingField);
   if (!place.isUnknown) return;
-  const std::vector<double> fitted = fittedWeights(call, x);
+  const Quantities of = quantities(call, dataManager);
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
-    const bool isInterface = isShared(blockId, i, j);
-    const double w = (isInterface ? 0.5 : 1.0) * rateConstant(x, volume, i, j, fitted, bond) * volume[i];
+    const RateConstants constants = rateConstants(of, i, j, bond);
     const int row = place.row(map.GID(i)), column = place.row(map.GID(j));
-    jacobian.addValue(row, row, -w);
-    jacobian.addValue(row, column, w);
-    if (!isInterface) return;
-    jacobian.addValue(column, column, -w);
-    jacobian.addValue(column, row, w);
+    const double own = constants.own * of.volume[i], neighbor = constants.neighbor * of.volume[j];
+    jacobian.addValue(row, row, -own);
+    jacobian.addValue(row, column, own);
+    if (neighbor == 0.0) return;
+    jacobian.addValue(column, column, -neighbor);
+    jacobian.addValue(column, row, neighbor);
   });
 }
 

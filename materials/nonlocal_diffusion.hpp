@@ -12,11 +12,13 @@
 #include "damage_views.hpp"
 #include "diffusion_kernel.hpp"
 #include "point_arrays.hpp"
+#include "series_diffusivity.hpp"
 
 namespace pd {
 
 /// dC/dt = sum_j d kernel(|xi|) (C_j - C_i) (share of) V_j, constants in kernels/bond_constants.hpp. Fluxes are
-/// pairwise antisymmetric: the integral of C over the body changes through prescribed values alone.
+/// pairwise antisymmetric: the integral of C over the body changes through prescribed values alone. Where blocks differ
+/// in their diffusivity, d of a bond is that of the resistances along it (series_diffusivity.hpp).
 class NonlocalDiffusion {
  public:
   struct Fields : FieldTable {
@@ -25,23 +27,25 @@ class NonlocalDiffusion {
     FieldHandle blockId = reads(pd::fields::blockId());
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
-    FieldHandle concentration, rate;
+    FieldHandle concentration, diffusivity, rate;
     std::string diffusingField;
     explicit Fields(const std::string& label) : diffusingField(label) {
+      diffusivity = writes(diffusivityOf(label), Ghosts::AfterInitialize);
       concentration = reads(pd::fields::diffusingScalar(label));
       rate = adds(pd::fields::fluxDivergence(label));
     }
   };
 
-  /// Between blocks of different constants: the mean of both to both ends, or to each end what its own block says.
-  enum class Interface { Balanced, OwnConstants };
+  /// Of bonds between blocks: the resistances along them in series, the same flux to both ends; or to each end what its
+  /// own block says.
+  enum class Interface { Series, OwnConstants };
   /// What the flux of a bond is multiplied with: the (share of the) volume of the neighbour, or weights fitted to each
   /// neighbourhood (kernels/meshfree_quadrature.hpp), whose fluxes are not balanced.
   enum class Quadrature { Volumes, Fitted };
 
   static void declareParameters(ParameterDeclarations& declare);
   NonlocalDiffusion(const Teuchos::ParameterList& params, const BondFamily& family, const std::string& owner,
-                    Interface interface = Interface::Balanced, Quadrature quadrature = Quadrature::Volumes);
+                    Interface interface = Interface::Series, Quadrature quadrature = Quadrature::Volumes);
 
   const Fields& fields() const { return fields_; }
   void initialize(const Call& call, PeridigmNS::DataManager& dataManager);
@@ -55,27 +59,37 @@ class NonlocalDiffusion {
   }
 
  private:
+  /// A bond whose flux its point works out for both ends: rate_neighbor += rateConstant (C_point - C_neighbor).
+  struct SharedBond {
+    InterfaceBond ends;
+    double rateConstant;
+  };
   struct Cache {
     kernels::ChunkedNeighborhood neighborhood;
     kernels::BondConstants weights;
     kernels::AliveBonds alive;
     kernels::PointArrays concentration;
-    std::vector<InterfaceBond> interfaceBonds;
+    std::vector<SharedBond> sharedBonds;
+  };
+  /// What a neighbourhood multiplies and adds up, apart from C.
+  struct Quantities {
+    const double *x, *volume, *blockId;
+    std::vector<double> fitted;    ///< of fittedWeights()
+    std::vector<double> relative;  ///< of seriesDiffusivities(); empty: all 1
+  };
+  /// Rate constants of a bond, 1/s: with which its flux counts at its point, and at its neighbour as far as the point
+  /// sees to that.
+  struct RateConstants {
+    double own, neighbor;
   };
 
   /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
   double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
   /// [bonds] Fitted weights, m3; empty where volumes are taken. Throws std::invalid_argument.
   std::vector<double> fittedWeights(const Call& call, const double* x) const;
-  /// Rate constant of a bond, 1/s, as if all of it were the point's own. `fitted`: of fittedWeights().
-  double rateConstant(const double* x, const double* volume, int i, int j, const std::vector<double>& fitted,
-                      std::size_t bond) const;
-  bool isShared(const double* blockId, int i, int j) const {
-    return interface_ == Interface::Balanced && blockId[i] != blockId[j];
-  }
-  /// The neighbours' part of the flux of bonds between blocks. `bondDamage`: null where no bond is cut.
-  void addInterfaceFlux(const Cache& cache, const double* x, const double* volume, const double* concentration,
-                        const double* bondDamage, double* rate) const;
+  Quantities quantities(const Call& call, PeridigmNS::DataManager& dataManager) const;
+  RateConstants rateConstants(const Quantities& of, int i, int j, std::size_t bond) const;
+  Cache makeCache(const Call& call, const Quantities& of) const;
   /// Broken bonds, where they carry no flux.
   DamageViews cuts(PeridigmNS::DataManager& dataManager) const;
 

@@ -66,7 +66,7 @@ std::vector<std::string> CorrosionDissolution::runNotes() const {
 struct CorrosionDissolution::Views {
   int nPoints;
   const double *x, *volume, *concentration, *damage, *salt, *demand, *blockId = nullptr;
-  double *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
+  double *diffusivity, *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
       *dissolutionCorrection, *ph = nullptr;
 
   Views(const CorrosionDissolution& material, DataManager& dataManager) {
@@ -75,6 +75,7 @@ struct CorrosionDissolution::Views {
     x = fields.modelCoordinates.of(dataManager);
     volume = fields.volume.of(dataManager);
     concentration = fields.concentration.of(dataManager);
+    diffusivity = fields.diffusivity.of(dataManager);
     damage = fields.damage.of(dataManager);
     salt = fields.salt.of(dataManager);
     demand = fields.demand.of(dataManager);
@@ -116,9 +117,18 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
     const std::size_t phase = views.blockId == nullptr ? 0 : phases_.ofBlock(views.blockId[i]);
     views.solid[i] = views.concentration[i] > saturation_ ? phases_[phase].solidConcentration : 0.0;
     views.saturation[i] = saturation_;
+    views.diffusivity[i] = weights_.diffusivity();
     if (views.ph != nullptr) views.ph[i] = std::numeric_limits<double>::quiet_NaN();
     if (p % checkStride == 0) weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
   }
+}
+
+/// Points of blocks without ions are walls, which the diffusion correction is for.
+std::vector<double> CorrosionDissolution::relativeDiffusivities(const Call& call, const Views& views) const {
+  std::vector<double> diffusivity(views.diffusivity, views.diffusivity + views.nPoints);
+  std::replace(diffusivity.begin(), diffusivity.end(), 0.0, weights_.diffusivity());
+  return seriesDiffusivities(call, diffusivity.data(),
+                             [&](int i, int j) { return weights_.bond(views.x, i, j).mapped; });
 }
 
 CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, const Views& views,
@@ -127,8 +137,9 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     const PhaseGeometry bonds = geometry(views, views.damage);
     Cache made;
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
-    made.diffusion = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
-      *value = bonds.diffusionWeight(i, j) * views.volume[j];
+    const std::vector<double> relative = relativeDiffusivities(c, views);
+    made.diffusion = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t bond, double* value) {
+      *value = (relative.empty() ? 1.0 : relative[bond]) * bonds.diffusionWeight(i, j) * views.volume[j];
     });
     made.dissolution = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
       *value = bonds.dissolutionWeight(i, j) * views.volume[j];

@@ -4,8 +4,9 @@
 // do not dissolve (Saturation_Concentration 0) are walls. The rate of C is
 //   liquid i   sum_liquid d (a_i + a_j)/2 (C_j - C_i) V_j + sum_solid c b_j Q_i V_j
 //   solid i  - sum_liquid c b_i Q_j V_j
-// with weights d and c of the bonds (transport_weights.hpp), corrections a at walls and b of slanting fronts
-// (phase_geometry.hpp), and the flux of metal ions from the surface near liquid point j,
+// with weights d and c of the bonds (transport_weights.hpp; d between materials: series_diffusivity.hpp), corrections a
+// at walls and b of slanting fronts (phase_geometry.hpp), and the flux of metal ions from the surface near liquid point
+// j,
 //   Q_j = (1 - S_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
 // S: share of the surface under salt, B: further flux that a solver asks for; i and C_solid of the phase that the solid
 // end belongs to. Where phases meet, each gives of B what its pace is (solid_phases.hpp). A plane front passes Q
@@ -22,6 +23,7 @@
 #include "phase_geometry.hpp"
 #include "point_arrays.hpp"
 #include "run_notes.hpp"
+#include "series_diffusivity.hpp"
 #include "solid_phases.hpp"
 
 namespace pd {
@@ -32,7 +34,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle volume = reads(pd::fields::volume());
     FieldHandle damage = reads(pd::fields::damage());
-    FieldHandle concentration, rate;
+    FieldHandle concentration, diffusivity, rate;
     FieldHandle salt = reads(pd::fields::saltCoverage());
     FieldHandle demand = reads(pd::fields::dissolutionDemand());
     FieldHandle area = writes(pd::fields::interfaceAreaDensity());
@@ -49,6 +51,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     std::string label;  ///< of the concentration
     Fields(const std::string& concentrationField, bool hasAcidity, bool hasPhases) : label(concentrationField) {
       concentration = reads(pd::fields::ionConcentration(label));
+      diffusivity = writes(diffusivityOf(label), Ghosts::AfterInitialize);
       rate = adds(pd::fields::ionFluxDivergence(label));
       if (hasAcidity) ph = writes(pd::fields::pointScalar("pH", "1", "Of the electrolyte; no number in the metal."));
       if (hasPhases) blockId = reads(pd::fields::blockId());
@@ -106,6 +109,8 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   };
 
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
+  /// [bonds] In parts of the material's diffusivity; empty: all 1.
+  std::vector<double> relativeDiffusivities(const Call& call, const Views& views) const;
   PhaseGeometry geometry(const Views& views, const double* damage) const;
   void takeUpPhases(Cache& cache, const Views& views) const;
   void refreshAroundChanges(Cache& cache, const Views& views) const;

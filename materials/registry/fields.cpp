@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "diffusivity_field.hpp"
 #include "field_names.hpp"
 
 namespace pd {
@@ -168,7 +169,8 @@ std::vector<std::string> contestedFields(const std::vector<NamedTable>& plugins)
       for (std::size_t b = 0; b < plugins.size(); ++b) {
         const FieldUse* other = b == a ? nullptr : plugins[b].table.find(own.id);
         if (own.access != FieldAccess::Writes || other == nullptr || other->access == FieldAccess::Reads) continue;
-        if (other->access == FieldAccess::Writes && b < a) continue;  // said already
+        if (other->access == FieldAccess::Writes && (b < a || isDiffusivity(own.field)))
+          continue;  // said already; adds up
         messages.push_back("\"" + plugins[a].name + "\" and \"" + plugins[b].name + "\" both write the field \"" +
                            own.field.label + "\", which can have one writer in a block");
       }
