@@ -37,15 +37,12 @@ void BondMechanics::declareParameters(ParameterDeclarations& declare) {
       .oneOf({"Objective", "Linear"})
       .defaultTo("Objective");
   declare
-      .text(
-          "Surface Correction",
-          "Stiffness of bonds near free surfaces: None; Volume Method: 2 V0/(V_i + V_j) from family volumes; Energy "
-          "Method: from the strain energy of uniform strain along each axis. A cantilever six horizons high is 6 to 8 "
-          "% too "
-          "soft by None, 8 to 11 % too stiff by the Volume Method and right within 2 % by the Energy Method, on "
-          "squares, "
-          "turned squares and triangles. The latter two cost a pass over the bonds at the start and, near surfaces, a "
-          "constant of each bond in memory.")
+      .text("Surface Correction",
+            "Stiffness of bonds near free surfaces: None; Volume Method: 2 V0/(V_i + V_j) from family volumes; Energy "
+            "Method: from the strain energy of uniform strain along each axis. A cantilever six horizons high is 6 to "
+            "8 % too soft by None, 8 to 11 % too stiff by the Volume Method and right within 2 % by the Energy Method, "
+            "on squares, turned squares and triangles. The latter two cost a pass over the bonds at the start and, "
+            "near surfaces, a constant of each bond in memory.")
       .oneOf({"None", "Volume Method", "Energy Method"})
       .defaultTo("None")
       .from("Le & Bobaru, Comput. Mech. 61 (2018) 499; Madenci & Oterkus (2014)");

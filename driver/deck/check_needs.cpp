@@ -139,7 +139,7 @@ class NeedCheck {
   }
 
   /// Materials that give a field which a solver reads need what they make it from: but for their own scalars, which the
-  /// rest of the deck may leave as they are.
+  /// rest of the deck may leave as they are, and for bonds that nothing damages, which are whole.
   void needsOfMaterials(const FieldDescription& given) {
     for (const BlockParts& block : parts_.blocks)
       for (const RunPart& part : block.materials) {
@@ -147,7 +147,7 @@ class NeedCheck {
         if (use == nullptr || !isChange(*use)) continue;
         const std::vector<std::string> own = scalarsOf(part);
         forEachNeed(part, [&](const FieldDescription& field) {
-          if (!contains(own, field.label)) require(part, field);
+          if (!contains(own, field.label) && field.label != fields::bondDamage().label) require(part, field);
         });
       }
   }

@@ -133,6 +133,7 @@ class PluginCheck {
     const auto add = [&](const NamedPlugin& named, const auto& made) {
       addOrigins(*made);
       wholes.push_back({named.name, fieldsIn(*made)});
+      for (const FieldUse& use : wholes.back().table.uses()) usedLabels_.insert(use.field.label);
       return made->FieldIds();
     };
     const auto material = [&](NamedPlugin named) {
@@ -148,7 +149,9 @@ class PluginCheck {
       return DamageModelRegistry::self().create(named.plugin, named.parameters);
     };
     BlockParts& parts = parts_.blocks.back();
-    if (!horizon.dependsOnTime())
+    if (horizon.dependsOnTime())
+      isComplete_ = false;
+    else
       makeOfBlock(MaterialRegistry::self(), Kind::Material, node["Material"], parts.materials, material, add);
     if (!hasNone(node))
       makeOfBlock(DamageModelRegistry::self(), Kind::DamageModel, node["Damage Model"], parts.damageModels, damageModel,
@@ -269,11 +272,11 @@ class PluginCheck {
   void fieldOf(const Condition& condition) {
     const DeckNode given = condition.node()["Field"];
     const std::string& label = condition.field();
-    const bool isThere = FieldManager::self().hasField(label);  // damage models may leave No_Failure to a condition
+    const bool isThere = FieldManager::self().hasField(label);
     if (given && !isKnown(given)) return;
     const std::string start = given ? given.path() + ": " : condition.node().path() + ": ";
     const std::string place = given ? given.place() : condition.node().keyPlace();
-    if (isComplete_ && !isThere && labels_.count(label) == 0)
+    if (isComplete_ && labels_.count(label) == 0 && usedLabels_.count(label) == 0)
       mistakes_.add(place, start + "it acts on the field \"" + label +
                                "\", which no material, damage model or solver of this deck uses");
     else if (condition.width() == 1 && isThere &&
@@ -381,6 +384,7 @@ class PluginCheck {
                                             "Element_Id",        "Proc_Num",    "Horizon", "External_Force_Density"};
   RunParts parts_;
   std::set<std::string> labels_;                ///< all that is known
+  std::set<std::string> usedLabels_;            ///< by plug-ins of blocks, what they leave to conditions included
   std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
   RunContents run_;
   bool hasListedLabels_ = false;

@@ -190,7 +190,8 @@ class Translation {
       }
   }
 
-  /// Neighbourhoods of boxes and cylinders reach beyond the horizon, and everybody in them counts.
+  /// Neighbourhoods of boxes and cylinders reach beyond the horizon, and everybody in them counts; a bond between blocks
+  /// has to each of its ends the constants of that block.
   static void neighbourhoodsAsTheyAre(const Data& root) {
     const Data* materials = section(root, "Materials");
     if (materials == nullptr) return;
@@ -199,6 +200,8 @@ class Translation {
       for (const char* theirs : {"Elastic", "Elastic Bond Based", "Diffusion"})
         if (model != nullptr && model->scalar == theirs)
           setDefault(*materials, name, "Volume Correction", "Every Neighbor");
+      if (model != nullptr && model->scalar == "Diffusion")
+        setDefault(*materials, name, "Flux Between Blocks", "Own Constants");
     }
   }
 

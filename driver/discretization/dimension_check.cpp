@@ -25,7 +25,7 @@ std::string remedy(const ParameterDeclarations& declarations, int dimension, con
   return "set " + flags + (given.empty() ? "" : " in place of \"" + given + "\"");
 }
 
-void checkMaterial(const Deck& deck, const DeckNode& material, int dimension) {
+void checkMaterial(const Deck& deck, const DeckNode& material, int dimension, const std::string& mesh) {
   const DeckNode model = material["Material Model"];
   const auto* plugin = model.isScalar() ? MaterialRegistry::self().find(model.text()) : nullptr;
   if (plugin == nullptr) return;
@@ -43,19 +43,18 @@ void checkMaterial(const Deck& deck, const DeckNode& material, int dimension) {
   if (own == dimension) return;
   (deck.isPeridigmDeck() ? deck.warnings() : deck.mistakes())
       .add(given.empty() ? material.keyPlace() : material[given].place(),
-           material.path() + ": its constants are those of points that fill " + spaceOf(own) +
-               ", but the points of the mesh fill " + spaceOf(dimension) + "; " +
-               remedy(declarations, dimension, given));
+           material.path() + ": its constants are those of points that fill " + spaceOf(own) + ", but those of " +
+               mesh + " fill " + spaceOf(dimension) + "; " + remedy(declarations, dimension, given));
 }
 
 }  // namespace
 
-void checkDimensions(const Deck& deck, const std::map<int, DeckNode>& entries, int dimension) {
+void checkDimensions(const Deck& deck, const std::map<int, DeckNode>& entries, int dimension, const std::string& mesh) {
   std::set<std::string> seen;
   for (const auto& entry : entries)
     for (const DeckNode& name : entry.second["Material"].each())
       for (const DeckNode& part : materialParts(deck["Materials"][name.text()]))
-        if (seen.insert(part.path()).second) checkMaterial(deck, part, dimension);
+        if (seen.insert(part.path()).second) checkMaterial(deck, part, dimension, mesh);
 }
 
 }  // namespace pd

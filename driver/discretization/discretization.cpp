@@ -176,7 +176,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const double area = positiveLength(section, "Cross Section Area", mistakes);
   const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
   const std::vector<double> horizon = pointHorizons(points, entries, mistakes);
-  checkDimensions(deck, entries, d.dimension);
+  if (mistakes.empty()) checkDimensions(deck, entries, d.dimension, points.fileName);
   mistakes.report();
   const kernels::HorizonShape shape = horizonShape(deck, entries);
   const auto box = neighborBox(deck, horizon);

@@ -187,8 +187,9 @@ NodeSets readNodeSets(const Deck& deck, const Communicator& comm, const MeshPoin
     if (findNodeSet(nodeSets, name) != nullptr)
       deck.mistakes().add(node.keyPlace(), "another node set is called \"" + name + "\" too (upper and lower case, " +
                                                "blank and '_' are not told apart); rename one of them");
+    std::vector<int>& ids = nodeSets[name];  // there for those that name it, read or not
     try {
-      nodeSets[name] = reader.read(name, node);
+      ids = reader.read(name, node);
     } catch (const DeckError& error) {
       deck.mistakes().add("", error.what());
     }

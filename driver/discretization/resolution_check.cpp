@@ -73,7 +73,8 @@ void checkSpacing(const Deck& deck, const MeshPoints& points, const std::vector<
   std::sort(sampled.begin(), sampled.end(),
             [&](const Surroundings& a, const Surroundings& b) { return ratio(a) < ratio(b); });
   const Surroundings median = sampled[sampled.size() / 2];
-  const auto [smallest, largest] = std::minmax_element(spacing.begin(), spacing.end());
+  const auto smallest = std::min_element(spacing.begin(), spacing.end());
+  const auto largest = std::max_element(spacing.begin(), spacing.end());
   const Surroundings extreme = surroundingsOf(static_cast<int>(largest - spacing.begin()), points, rule);
   const Surroundings least = surroundingsOf(static_cast<int>(smallest - spacing.begin()), points, rule);
   if (ratio(median) > usualFactor || ratio(median) < 1.0 / usualFactor)

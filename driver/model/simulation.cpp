@@ -38,8 +38,6 @@ void logModel(Model& model, Output& output, const Deck& deck) {
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 
-}
-
 /// The loop over all stages and their increments.
 class Run {
  public:
@@ -173,7 +171,11 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   } else {
     restart.emplace(model, options.restartFile, resolved);
     firstStage = restart->findStage(setup.stages, setup.ofPlugins, setup.ofConditions);
-    for (const std::string& label : setup.advancedFields) model.requireFinite(label, restart->step());
+    try {
+      for (const std::string& label : setup.advancedFields) model.requireFinite(label, restart->step());
+    } catch (const RunError& error) {
+      throw RunError(fmt::format("\"{}\" is damaged: {}", options.restartFile, error.what()));
+    }
     setup.conditions->resume(restart->time());
     model.adoptState();
     for (const std::string& note : restart->notes()) output.log(note);

@@ -39,8 +39,8 @@ class ComputeSet::SymmetricBody : public WholeBody {
 
 ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm)
     : nodeSets_(Teuchos::rcp(new PeridigmNS::Discretization::NodeSets)),
-      discretization_(Teuchos::rcp(new PeridigmNS::Discretization(nodeSets_))),
       wholeBody_(Teuchos::rcp(new SymmetricBody)),
+      discretization_(Teuchos::rcp(new PeridigmNS::Discretization(nodeSets_))),
       globalData_(Teuchos::rcp(new Teuchos::ParameterList)) {
   globalData_->set("discretization", &discretization_);
   globalData_->set<Teuchos::RCP<const WholeBody>>("whole body", wholeBody_);

@@ -47,10 +47,12 @@ class ComputeSet {
 
   std::vector<Entry> entries_;
   std::vector<std::string> globalLabels_;
-  Teuchos::RCP<PeridigmNS::Discretization::NodeSets> nodeSets_;  ///< filled as the run starts
-  Teuchos::RCP<PeridigmNS::Discretization> discretization_;
   class SymmetricBody;
-  Teuchos::RCP<SymmetricBody> wholeBody_;  ///< so is this
+  // Filled as the run starts.
+  Teuchos::RCP<PeridigmNS::Discretization::NodeSets> nodeSets_;
+  Teuchos::RCP<SymmetricBody> wholeBody_;
+
+  Teuchos::RCP<PeridigmNS::Discretization> discretization_;
   Teuchos::RCP<Teuchos::ParameterList> globalData_;
 };
 

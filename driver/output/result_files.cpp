@@ -111,9 +111,10 @@ std::string resultPath(const std::string& folder, const std::string& name) {
 
 std::string obstacleOfPlace(const std::string& base, const std::string& folder) {
   std::error_code error;
-  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : fs::path(folder), error);
+  const fs::path root = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error);
   for (const fs::path& place : {fs::path(base).parent_path(), fs::path(base + endings::steps)}) {
-    const fs::path real = fs::weakly_canonical(place.empty() ? fs::path(".") : place, error);
+    // Absolute first: of a relative path nothing of which is there, the library leaves the path as it is.
+    const fs::path real = fs::weakly_canonical(fs::absolute(place.empty() ? "." : place), error);
     if (error) return "\"" + place.string() + "\": " + error.message();
     if (!isWithin(real, root))
       return fmt::format(

@@ -115,67 +115,16 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
   return {n, isClear};
 }
 
-/// Seen from a point, a front of the sum of curvatures K is where xi_n = h + K |xi_t|^2 / (2 (d - 1)), xi_n along the
-/// normal, xi_t across it. Under weights that factorize, with the deviation p of |xi_t|^2 from its mean and the density
-/// G of what lies at the front, sums over solid are sum p = -G K <p^2>/(2 (d - 1)) and sum xi_n = G <xi_n^2>; and from
-/// one to the other of two fronts a distance s apart the sum of 1 changes by G s. K is that of the front ahead, from
-/// whose area that of the boundary, s behind, differs by (1 + K s/(d - 1))^(d - 1).
-double PhaseGeometry::areaRatio(int point, const int* neighbors, const std::array<double, 3>& normal) const {
-  if (!followsLoss_ || weights_.dimension() == 1 || !weights_.isRound()) return 1.0;
-  struct Sums {
-    double count = 0.0, along = 0.0, across = 0.0;
-    void add(double weight, double n, double square) {
-      count += weight;
-      along += weight * n;
-      across += weight * square;
-    }
-  } all, left, solid;  // every point; what is left of the metal; points that are solid
-  const std::size_t own = phaseOf(point);
-  double alongSquare = 0.0, acrossSquare = 0.0, place[3] = {};
-  const auto add = [&](int i, double weight, double n, double square) {
-    all.add(weight, n, square);
-    alongSquare += weight * n * n;
-    acrossSquare += weight * square * square;
-    if (damage_[i] >= 1.0) return;
-    solid.add(weight, n, square);
-    left.add((1.0 - damage_[i]) * weight, n, square);
-  };
-  add(point, volume_[point], 0.0, 0.0);
-  for (std::size_t k = 0; k < bonds_.size(); ++k) {
-    if (damage_[neighbors[k]] < 1.0 && phaseOf(neighbors[k]) != own) continue;
-    const double weight = volume_[neighbors[k]] * weights_.fade(bonds_[k]);
-    const auto& r = bonds_[k].along;
-    const double n = r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
-    for (std::size_t d = 0; d < 3; ++d) place[d] += weight * (r[d] - n * normal[d]);
-    add(neighbors[k], weight, n, r[0] * r[0] + r[1] * r[1] + r[2] * r[2] - n * n);
-  }
-  constexpr double isCut = 0.05;  // horizons
-  const bool isAtSide = std::hypot(place[0], place[1], place[2]) > isCut * weights_.horizon() * all.count;
-  if (isAtSide || left.count == solid.count || left.along <= 0.0 || solid.along <= 0.0) return 1.0;
-  const double meanAcross = all.across / all.count, meanAlong = alongSquare / all.count;
-  const double spread = acrossSquare / all.count - meanAcross * meanAcross;
-  double curvature = -2.0 * (left.across - meanAcross * left.count) / spread * meanAlong / left.along;  // K/(d - 1)
-  const double ahead = 2.0 * meanAlong * (solid.count - left.count) / (solid.along + left.along);
-  // What a staircase of points makes of a plane front stays below this, and counts for next to nothing.
-  constexpr double chance = 0.1;  // of an inverse horizon
-  const int curved = weights_.dimension() - 1;
-  const double bend = curved * curvature * weights_.horizon() / chance;
-  curvature *= bend * bend / (1.0 + bend * bend);
-  constexpr double least = 0.5, most = 1.5;  // of points that hang by a corner
-  const double widening = 1.0 / std::max(1.0 + curvature * ahead, least);
-  return std::clamp(curved == 1 ? widening : widening * widening, least, most);
-}
-
 double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
   findBonds(point, neighbors, count);
   // What points have lost makes a front smooth that is a staircase of phases. But in metal of several phases one loses
   // more than the other, wherever the front is; and bonds that break at random leave a plane front uneven.
   const auto solidOf = [&](int i) {
     const double left = 1.0 - damage_[i];
-    return (followsLoss_ && blockId_ == nullptr) || left == 0.0 ? left : 1.0;
+    return followsLoss_ || left == 0.0 ? left : 1.0;
   };
   const std::array<double, 3> n = normal(point, neighbors, solidOf).direction;
-  const std::size_t own = phaseOf(point);
+  const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double passed[2] = {};
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
@@ -184,7 +133,7 @@ double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int
     if (weight == 0.0) continue;
     const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
     const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
-    const double share = mayDiffer ? phases_->keepsUp(own, phaseOf(j)) : 1.0;
+    const double share = mayDiffer ? phases_->keepsUp(own, phases_->ofBlock(blockId_[j])) : 1.0;
     passed[across > 0.0] += share * weight * volume_[j] * std::abs(across);
   }
   const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
@@ -192,7 +141,7 @@ double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int
   // order alone; a side before or behind it cuts one half. Of points that are no grid the halves differ by chance:
   // where the larger one counts, a front is slow.
   constexpr double isCut = 0.5, least = 0.1;  // the latter of points that hang by a corner
-  return areaRatio(point, neighbors, n) / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
+  return 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
 }
 
 }  // namespace pd

@@ -21,7 +21,7 @@ class PhaseGeometry {
         damage_(damage),
         phases_(phases),
         blockId_(blockId),
-        followsLoss_(followsLoss) {}
+        followsLoss_(followsLoss && blockId == nullptr) {}
 
   double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
   double dissolutionWeight(int i, int j) const { return dissolutionWeight(weights_.bond(x_, i, j), i, j); }
@@ -33,9 +33,9 @@ class PhaseGeometry {
   double diffusionCorrection(int point, const int* neighbors, int count) const;
 
   /// What the dissolution weights of a solid point must be multiplied by for a plane front of the direction that the
-  /// solid around it has: bonds of a grid pass up to 8 % more where a front slants; and for a curved one by
-  /// areaRatio(). Sides of the body, where bonds are missing, are made up for: the side that has more of them counts.
-  /// So are slower phases beside the point's, which such a front leaves behind.
+  /// solid around it has: bonds of a grid pass up to 8 % more where a front slants. Sides of the body, where bonds are
+  /// missing, are made up for: the side that has more of them counts. So are slower phases beside the point's, which
+  /// such a front leaves behind.
   double dissolutionCorrection(int point, const int* neighbors, int count) const;
 
  private:
@@ -50,13 +50,7 @@ class PhaseGeometry {
     std::array<double, 3> direction;  ///< unit vector from electrolyte to solid, along the axes of the horizon
     bool isClear;                     ///< false between walls that cancel, and where there is no solid
   };
-  /// Area of the front of what is left of the metal, in parts of that of the boundary of the phases, over which bonds
-  /// pass the flux: solid points have lost metal, so that the front is ahead of the boundary, and wider where it is
-  /// hollow, narrower where it bulges. 1 of plane fronts, at the sides of the body and of the point's phase, and where
-  /// `damage` says no loss.
-  double areaRatio(int point, const int* neighbors, const std::array<double, 3>& normal) const;  ///< after findBonds
   void findBonds(int point, const int* neighbors, int count) const;
-  std::size_t phaseOf(int point) const { return blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]); }
   template <class SolidOf>
   Normal normal(int point, const int* neighbors, SolidOf solidOf) const;  ///< after findBonds
 

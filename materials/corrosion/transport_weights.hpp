@@ -70,20 +70,16 @@ class TransportWeights {
   /// no direction out, in a box that fits into the neighbourhood. Where cells are long, fronts climb many rows from one
   /// column to the next, and the box is narrow and as high as it can be.
   double window(const Bond& bond) const {
-    for (std::size_t d = 0; d < 3; ++d)
+    double distance2 = 0.0;
+    for (std::size_t d = 0; d < 3; ++d) {
       if (std::abs(bond.mapped[d]) > window_[d]) return 0.0;
-    return fade(bond);
-  }
-  /// The same of all neighbours.
-  double fade(const Bond& bond) const {
-    const auto& r = bond.along;
-    return std::exp(-(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) * windowSharpness_);
+      distance2 += bond.along[d] * bond.along[d];
+    }
+    return std::exp(-distance2 * windowSharpness_);
   }
   /// Of mapped space along an axis of the horizon.
   double stretch(std::size_t axis) const { return shape_.isBall() ? 1.0 : shape_.radius() / shape_.halfAxis(axis); }
 
-  bool isRound() const { return shape_.isBall(); }  ///< the horizon
-  double horizon() const { return family_.horizon; }
   double diffusivity() const { return diffusivity_; }
   int dimension() const { return family_.dimension(); }
 

@@ -28,18 +28,18 @@ class Bilinear : public BondDamageModel {
         .atLeast(1.0)
         .defaultTo(3.0);
     declare
-        .real("Damage Increment", "1",
-              "Damage of a bond rises by at least so much, or to 1: static solvers find another equilibrium after each "
-              "rise.")
-        .strictlyBetween(0.0, 1.0)
-        .defaultTo(0.01);
+        .integer(
+            "Damage Levels",
+            "Damage of a bond rises in so many equal steps: static solvers find another equilibrium after each rise.")
+        .atLeast(1)
+        .defaultTo(64);
   }
   explicit Bilinear(const Teuchos::ParameterList& given) : BondDamageModel(given) {
     const Teuchos::ParameterList params = completed<Bilinear>(given, "damage model Bilinear");
     const double critical = criticalStretchFrom(params), root = std::sqrt(params.get<double>("Softening Ratio"));
     first_ = critical / root;
     last_ = critical * root;
-    increment_ = params.get<double>("Damage Increment");
+    levels_ = params.get<int>("Damage Levels");
   }
   std::string Name() const override { return "Bilinear"; }
   const Fields& fields() const override { return fields_; }
@@ -53,7 +53,7 @@ class Bilinear : public BondDamageModel {
       if (bondDamage[bond] >= 1.0) return;
       if (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0)) return;
       const double damage = damageAt(ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0);
-      if (damage < 1.0 && damage < bondDamage[bond] + increment_) return;
+      if (damage <= bondDamage[bond]) return;
       bondDamage[bond] = damage;
       hasChanged = true;
     });
@@ -64,11 +64,13 @@ class Bilinear : public BondDamageModel {
   double damageAt(double stretch) const {
     if (stretch <= first_) return 0.0;
     if (stretch >= last_) return 1.0;
-    return 1.0 - first_ / stretch * (last_ - stretch) / (last_ - first_);
+    const double damage = 1.0 - first_ / stretch * (last_ - stretch) / (last_ - first_);
+    return std::floor(damage * levels_) / levels_;
   }
 
   Fields fields_;
-  double first_, last_, increment_;
+  double first_, last_;
+  int levels_;
 };
 
 PD_REGISTER_DAMAGE_MODEL(Bilinear, "Bilinear", "Bonds soften linearly with their stretch before they break.")

@@ -1,4 +1,4 @@
-// Breakage by the energy of points: a criterion that lets a crack grow at its fracture energy on any lattice.
+// Breakage by the energy of points, so that the lattice does not hold a crack up.
 #ifndef PD_NODAL_ENERGY_HPP
 #define PD_NODAL_ENERGY_HPP
 
@@ -14,7 +14,7 @@
 
 namespace pd {
 
-/// Where single bonds break at their stretch or energy, a lattice holds a crack up until 1.2 to 1.8 times the fracture
+/// Where single bonds break at their stretch or energy, a lattice holds a crack up until 1.2 to 1.7 times the fracture
 /// energy is there, and bends it along its rows. Here a bond needs the energy of its neighbourhoods. With w the energy
 /// of an unbroken bond that is stretched, w_c what it takes to break (their sum over a plane is the fracture energy)
 /// and D the part of a point's sum of w_c that is broken,

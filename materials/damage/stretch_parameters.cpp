@@ -9,14 +9,11 @@ void declareCriticalStretch(ParameterDeclarations& declare) {
   declare.text("Damage Model", "Name of this model.");
   declare.real("Critical Stretch", "1", "Stretch (change of length / length) at which a bond breaks.").positive();
   declare
-      .real(
-          "Fracture Energy", "J/m2",
-          "Energy to open a unit area of crack, in place of the critical stretch; needs the constants below. It is the "
-          "work to break all bonds across a plane. A crack needs more: points hold it up, so that it grows at 1.2 to "
-          "1.8 "
-          "times this energy with 3 to 4 spacings a horizon, 1.2 with 5 or 6, and it bends along rows of points, by up "
-          "to "
-          "20 degrees. Nodal Energy does neither.")
+      .real("Fracture Energy", "J/m2",
+            "Energy to open a unit area of crack, in place of the critical stretch; needs the constants below. It is "
+            "the work to break all bonds across a plane. A crack needs more: points hold it up, so that it grows at "
+            "1.2 to 1.7 times this energy with 3 or 4 spacings a horizon, and it bends along rows of points, by 20 "
+            "degrees. Nodal Energy does neither.")
       .positive();
   declare.real("Young's Modulus", "Pa", "Young's modulus, for Fracture Energy.").positive();
   declare.real("Poisson's Ratio", "1", "Poisson's ratio, for Fracture Energy.").strictlyBetween(-1.0, 0.5);

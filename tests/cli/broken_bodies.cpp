@@ -133,8 +133,7 @@ std::vector<Broken> brokenBodies() {
         "side."}},
       {"SolidInAPlane",
        {{"    Plane Stress: true\n    Thickness: 1.0e-3\n", ""}},
-       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but the points of the "
-        "mesh "
+       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but those of mesh.txt "
         "fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\""}},
       {"LinearSolidInAPlane",
        {{"    Material Model: PDHE\n", "    Material Model: Elastic\n"},
@@ -146,13 +145,12 @@ std::vector<Broken> brokenBodies() {
         {"  Staggered:\n    Load Steps: 2\n    Diffusion:\n      Method: Euler\n      Sub Steps: 2\n    Mechanics:\n"
          "      Adaptive Dynamic Relaxation:\n        Iterations Per Load Step: 3\n",
          "  QuasiStatic: {}\n"}},
-       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but the points of the "
-        "mesh "
+       {"deck.yaml:20:3: Materials/Steel: its constants are those of points that fill space, but those of mesh.txt "
         "fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\""}},
       {"BarInAPlane",
        {{"    Plane Stress: true\n    Thickness: 1.0e-3\n", "    One Dimensional: true\n"}},
-       {"deck.yaml:25:22: Materials/Steel: its constants are those of points that fill a line, but the points of the "
-        "mesh fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\" in place of \"One Dimensional\""}},
+       {"deck.yaml:25:22: Materials/Steel: its constants are those of points that fill a line, but those of mesh.txt "
+        "fill a plane; set \"Plane Strain: true\" or \"Plane Stress: true\" in place of \"One Dimensional\""}},
       {"UnknownMaterialModel",
        {{"Material Model: PDHE", "Material Model: PDEH"}},
        {"deck.yaml:21:21: unknown Material Model \"PDEH\" in Materials/Steel (did you mean \"PDHE\"?)"}},

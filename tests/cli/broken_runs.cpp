@@ -42,12 +42,12 @@ std::vector<Broken> brokenRuns() {
         "deck.yaml:40:25: Boundary Conditions/Right Node Set/Box must be two corners"}},
       {"TableUnit",
        {{"[10.0, 1.0e-7]", "[10.0 kg, 1.0e-7]"}},
-       {"deck.yaml:51:34: Boundary Conditions/Pull/Value/Table[2][1] must be a number in s, not \"10.0 kg\": kg does "
+       {"deck.yaml:52:34: Boundary Conditions/Pull/Value/Table[2][1] must be a number in s, not \"10.0 kg\": kg does "
         "not "
         "convert to s"}},
       {"ConditionUnit",
        {{"    Coordinate: x\n    Value: 0.0\n", "    Coordinate: x\n    Value: 3 mmm\n"}},
-       {"deck.yaml:46:12: Boundary Conditions/Clamp/Value must be a number or a function of x, y, z, t in m, not \"3 "
+       {"deck.yaml:47:12: Boundary Conditions/Clamp/Value must be a number or a function of x, y, z, t in m, not \"3 "
         "mmm\": there is no unit \"mmm\""}},
       {"ConditionNotFinite",
        {{"\"1.0e-5*min(t/10, 1)\"", "\"1.0e-5*sqrt(0.004 - x)\""}},
@@ -371,7 +371,7 @@ std::vector<Broken> brokenRuns() {
        ""},
       {"MeshTinyVolume",
        {},
-       {"deck.yaml:1:1: volumes and coordinates do not fit: the volume 1e-300 m3 of the point mesh.txt:4 means a "
+       {"deck.yaml:2:3: volumes and coordinates do not fit: the volume 1e-300 m3 of the point mesh.txt:4 means a "
         "spacing "
         "of 3.162e-149 m (square root of volume / thickness), but the next point is 0.001 m away"},
        "0.002 -0.002 0.0 1 1.0e-300",

@@ -126,7 +126,7 @@ TEST(PeridigmDecks, AStepBeyondTheFinalTimeIsNotMade) {
       "Materials: {Rock: {Material Model: Elastic, Density: 2200.0, Bulk Modulus: 14.9e9, Shear Modulus: 8.94e9}}\n"
       "Blocks: {All: {Block Names: block_1, Material: Rock, Horizon: 1.5}}\n"
       "Solver: {Final Time: 1.0e-5, Verlet: {Fixed dt: 1.9e-4}}\n"
-      "Output: {Output Filename: NAME, Output Variables: [Global_Kinetic_Energy]}\n";
+      "Output: {Output Filename: result, Output Variables: [Global_Kinetic_Energy]}\n";
   EXPECT_EQ(run(ours, "deck.yaml", deck).exitCode, 0);
   EXPECT_NE(contentOf(ours.path("result.csv")).find("\n1,1e-05,"), std::string::npos);
 }

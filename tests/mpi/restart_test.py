@@ -107,7 +107,7 @@ class RestartTest(SceneTest):
         else:
             self.write_mesh(lattice([LENGTH, LENGTH / 2], SPACING), SPACING**2 * THICKNESS)
         deck["Output"].update({"Output Filename": "result", **output})
-        deck["Output Early"] = {"Output Filename": "early", "Final Output Step": EARLY, "Checkpoint Frequency": EARLY,
+        deck["Output2"] = {"Output Filename": "early", "Final Output Step": EARLY, "Checkpoint Frequency": EARLY,
                                 "Output Variables": ["Mean" if "Mean" in deck["Output"]["Output Variables"]
                                                      else "Dissolved"]}
         return deck

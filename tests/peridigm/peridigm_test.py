@@ -262,7 +262,7 @@ class SteadyDiffusion(InPeridigm):
         points = lattice([16e-3, 8e-3, 7e-3], SPACING)
         points += np.random.default_rng(5).uniform(-0.1, 0.1, points.shape) * SPACING
         self.write_mesh(points, SPACING ** 3, np.where(points[:, 0] < boundary, 1, 2))
-        materials = [{"Material Model": "Diffusion", "Coefficient": value, "Flux Between Blocks": "Own Constants"}
+        materials = [{"Material Model": "Diffusion", "Coefficient": value}
                      for value in coefficients]
         fields = ["Temperature", "Flux_Divergence"]
         self.compare(self.deck(materials, self.between_ends(points, 16e-3), STEADY, fields), 1e-10, fields)

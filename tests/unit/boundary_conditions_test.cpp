@@ -232,6 +232,7 @@ TEST_F(BoundaryConditionsTest, DamagedPointsBecomeSourcesForGood) {
 /// What conditions keep beside the fields is as before a step that is taken back, however often.
 TEST_F(BoundaryConditionsTest, AStepThatIsTakenBackLeavesNoTrace) {
   const Deck deck = deckWith(
+      "  Push: {Type: Initial Velocity, Node Set: Left Node Set, Value: 9.0}\n"
       "  Pull: {Type: Prescribed Displacement, Node Set: Right Node Set, Coordinate: x, Value: \"0.5*t^2\"}\n"
       "  Faces: {Type: Saturated Crack Faces, Field: Concentration, Value: \"1 + x + t\", Threshold: 0.4}\n");
   Model model = modelOf(deck);

@@ -139,11 +139,15 @@ TEST(Neighborhoods, ReachToTheHorizonAndNoFurtherInDecksOfPeridigm) {
 
 TEST(Neighborhoods, OnTheHorizonRoundingDecidesInDecksOfPeridigm) {
   std::string mesh;
-  for (int i = 0; i < 8; ++i) mesh += fmt::format("{:.17g} 0 0 1 0.1\n", 0.1 * i);
+  std::vector<double> x;
+  for (int i = 0; i < 8; ++i) {
+    mesh += fmt::format("{:.17g} 0 0 1 0.1\n", 0.1 * i);
+    x.push_back(std::stod(mesh.substr(mesh.rfind('\n', mesh.size() - 2) + 1)));  // rounded, as the mesh has it
+  }
   const pd::Discretization d = discretizeAsPeridigm(textFile, {"0.3"}, mesh);
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j) {
-      const double dx = 0.1 * j - 0.1 * i;
+      const double dx = x[j] - x[i];
       EXPECT_EQ(i != j && areNeighbors(d, i, j), i != j && dx * dx <= 0.3 * 0.3) << i << " " << j;
     }
   EXPECT_FALSE(areNeighbors(d, 0, 3));  // 0.1 * 3 > 0.3

@@ -161,12 +161,13 @@ TEST(Reference, WhatALineGoesOnWithStandsFurtherIn) {
     bool isAmongKeys = false;
     int nKeys = 0;
     for (std::string line; std::getline(lines, line);) {
-      EXPECT_LE(line.size(), 100u) << line;
       if (line.empty()) isAmongKeys = !isAmongKeys;
       if (line.find("Fields; it") != std::string::npos) isAmongKeys = false;
       if (!isAmongKeys || line.compare(0, 2, "  ") != 0 || line[2] == ' ') continue;
       ++nKeys;
-      EXPECT_TRUE(line.find(": ") != std::string::npos || line.find("Give ") == 2) << line;
+      EXPECT_LE(line.size(), 100u) << line;
+      const bool isOfSeveral = line.find("Give ") == 2 || line.find("\" needs \"") != std::string::npos;
+      EXPECT_TRUE(line.find(": ") != std::string::npos || isOfSeveral) << line;
     }
     EXPECT_GT(nKeys, 0) << topic;
   }

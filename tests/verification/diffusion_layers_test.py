@@ -59,7 +59,7 @@ class Layers(SceneTest):
             points = points[(np.abs(points[:, 0]) < 0.6) & (np.abs(points[:, 1]) < 0.2)]
             for ratio in (10.0, 100.0, 1e4):
                 flux = self.steady_flux(points, spacing**2, horizon, plate, ratio, ranks=2 if ratio == 100.0 else 1)
-                # Along the lattice exact; turned, layers meet at a staircase.
+                # Along the lattice exact; turned, layers meet at a staircase: seen +0.17 to +0.27 %.
                 self.assertAlmostEqual(flux, 1.0, delta=1e-7 if degrees == 0.0 else 5e-3, msg=(degrees, ratio))
 
     def test_steady_flux_in_a_solid(self):
@@ -71,7 +71,7 @@ class Layers(SceneTest):
     def test_two_layers_in_time(self):
         # From 1 in the first and 0 in the second: C at the interface is at once sqrt(D1)/(sqrt(D1) + sqrt(D2)).
         spacing, horizon, slow = 0.01, 0.03, 0.04
-        points = lattice([12.0], spacing, [-6.0])
+        points = lattice([6.0], spacing, [-3.0])
         self.write_mesh(points, spacing, np.where(points[:, 0] < 0, 1, 2))
         middle = 1.0 / (1.0 + np.sqrt(slow))
         exact = (f"x < 0 ? 1 - {1.0 - middle!r}*erfc(-x/(2*sqrt(max(t, 1e-9)))) "
@@ -80,7 +80,7 @@ class Layers(SceneTest):
                       "Start": {"Type": "Initial Concentration", "Node Set": "All Node Set", "Value": "x < 0 ? 1 : 0"}}
         material = {"Material Model": "PDHE", "One Dimensional": True, "Lattice Rescaling": True}
         deck = self.deck(horizon, material, [1.0, slow], conditions,
-                         {"Final Time": 1.0, "Diffusion": {"Method": "TR-BDF2", "Relative Tolerance": 1e-5}},
+                         {"Final Time": 0.25, "Diffusion": {"Method": "RKL", "Relative Tolerance": 1e-5}},
                          output={"Output Variables": ["Concentration"]},
                          Exact_Solution={"Layers": {"Field": "Concentration", "Value": exact}},
                          Compute_Class_Parameters={"Total": {"Compute Class": "Field_Integral", "Output Label": "Total",

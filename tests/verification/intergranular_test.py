@@ -36,7 +36,7 @@ class Layers(PhasesTest):
             self.make_lattice([40e-6, 8e-6], [-7e-6, 0.0])
             if blocks:
                 self.write_mesh(self.x, self.volume, 1 + (np.round(self.x.sum(axis=1) / SPACING).astype(int) % 3 == 0))
-            phases = [(2, STEEL["Current Density"], STEEL["Solid Concentration"])]
+            phases = [(2 if blocks else 1, STEEL["Current Density"], STEEL["Solid Concentration"])]
             deck = self.phases_deck(2, STEEL, phases, 120.0, 6)
             # Another order of the points of a matrix leaves what the tolerance of the linear systems does.
             deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
