@@ -190,8 +190,8 @@ class Translation {
       }
   }
 
-  /// Neighbourhoods of boxes and cylinders reach beyond the horizon, and everybody in them counts; a bond between blocks
-  /// has to each of its ends the constants of that block.
+  /// Neighbourhoods of boxes and cylinders reach beyond the horizon, and everybody in them counts; a bond between
+  /// blocks has to each of its ends the constants of that block.
   static void neighbourhoodsAsTheyAre(const Data& root) {
     const Data* materials = section(root, "Materials");
     if (materials == nullptr) return;

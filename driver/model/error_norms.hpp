@@ -20,8 +20,8 @@ namespace pd {
 /// The errors are absolute, and named so, where e is 0 everywhere. Empty without the section. Collective.
 class ErrorNorms {
  public:
-  /// Throws DeckError where there is no such node set or field, and with all exact values that are not finite at the end of
-  /// the run.
+  /// Throws DeckError where there is no such node set or field, and with all exact values that are not finite at the
+  /// end of the run.
   ErrorNorms(const Deck& deck, Model& model);
   std::vector<std::pair<std::string, double>> evaluate(double t) const;
 

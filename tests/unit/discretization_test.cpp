@@ -112,7 +112,8 @@ pd::Discretization discretizeAsPeridigm(const std::string& section, const std::v
                                         const std::string& mesh = "") {
   std::string deck = "Peridigm:\n  Discretization:\n" + section + "  Blocks:\n";
   for (std::size_t b = 0; b < horizons.size(); ++b)
-    deck += fmt::format("    Block {0}: {{Block Names: block_{0}, Material: None, Horizon: {1}}}\n", b + 1, horizons[b]);
+    deck +=
+        fmt::format("    Block {0}: {{Block Names: block_{0}, Material: None, Horizon: {1}}}\n", b + 1, horizons[b]);
   const SceneFiles files("peridigm_discretization");
   files.write("mesh.txt", mesh);
   return pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
@@ -130,8 +131,7 @@ TEST(Neighborhoods, ReachToTheHorizonAndNoFurtherInDecksOfPeridigm) {
       std::sscanf(offset, "%lf %lf", &x, &y);
       mesh += fmt::format("{:.17g} {:.17g} 0 {} 1.0\n", x, y + 10.0 * (block - 1), block);
     }
-  const pd::Discretization d =
-      discretizeAsPeridigm(textFile, {"1.0", "0.999999999999", "1.000000000001"}, mesh);
+  const pd::Discretization d = discretizeAsPeridigm(textFile, {"1.0", "0.999999999999", "1.000000000001"}, mesh);
   EXPECT_THAT(globalNeighbors(d, 0), testing::ElementsAre(1, 2));  // exactly at the horizon: in
   EXPECT_THAT(globalNeighbors(d, 5), testing::IsEmpty());
   EXPECT_THAT(globalNeighbors(d, 10), testing::ElementsAre(11, 12));
@@ -154,8 +154,8 @@ TEST(Neighborhoods, OnTheHorizonRoundingDecidesInDecksOfPeridigm) {
 }
 
 TEST(Neighborhoods, PartialNeighborsThatADeckOfPeridigmAsksForKeepTheTolerance) {
-  const pd::Discretization d = discretizeAsPeridigm(textFile + "    Include Partial Neighbors: true\n", {"3.0"},
-                                                    latticeMesh(11, 1, 1));
+  const pd::Discretization d =
+      discretizeAsPeridigm(textFile + "    Include Partial Neighbors: true\n", {"3.0"}, latticeMesh(11, 1, 1));
   EXPECT_EQ(globalNeighbors(d, 5).size(), 6u);  // 3.5 spacings, where the ramp is at 0
 }
 
