@@ -48,6 +48,7 @@ int main() {
   // Expressions are read here, too, by the library that the plug-ins bring along.
   Teuchos::ParameterList electrolyte;
   electrolyte.set("Material Model", std::string("Corrosion Dissolution"));
+  electrolyte.set("Horizon", 1.0e-5);
   electrolyte.set("Diffusivity", 8.6e-10);
   electrolyte.set("Solid Concentration", 142900.0);
   electrolyte.set("Saturation Concentration", 4000.0);
