@@ -3,6 +3,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(PD_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/peridynamic_degradation)
+# Where programs look for pd_multigrid: in the build, and beside bin/.
+set(PD_LIBRARY_DIR ${PROJECT_BINARY_DIR}/driver)
+set(CMAKE_BUILD_RPATH ${PD_LIBRARY_DIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
 set(PD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/PeridynamicDegradation)
 
 # pd_export(target ...)
