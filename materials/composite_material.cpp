@@ -15,7 +15,7 @@ using PeridigmNS::DataManager;
 
 namespace {
 
-const std::string owner = "material Combined";
+const std::string combinedMaterial = "material Combined";
 const std::string probeLength = "Finite Difference Probe Length";
 
 int forceField() { return fields::forceDensity().id(); }
@@ -37,7 +37,8 @@ void CompositeMaterial::declareParameters(ParameterDeclarations& declare) {
 }
 
 CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Material(given) {
-  const Teuchos::ParameterList params = completedParts<CompositeMaterial>(MaterialRegistry::self(), given, owner);
+  const Teuchos::ParameterList params =
+      completedParts<CompositeMaterial>(MaterialRegistry::self(), given, combinedMaterial);
   for (const std::string& name : params.get<Teuchos::Array<std::string>>(partsKey)) {
     Teuchos::ParameterList list(params.sublist(name));
     const auto model = list.get<std::string>("Material Model");
@@ -53,7 +54,7 @@ CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Mate
     fields_.include(part.table);
     tables.push_back({part.name, part.table});
   }
-  throwAll(owner, contestedFields(tables));
+  throwAll(combinedMaterial, contestedFields(tables));
   checkDensities();
   bringBonds();
   findSharedSums();
@@ -71,7 +72,8 @@ void CompositeMaterial::checkDensities() const {
       continue;  // static solvers need none
     }
     if (first != nullptr && own != density)
-      throwAll(owner, {"\"" + first->name + "\" and \"" + part.name + "\" differ in Density, but are one body"});
+      throwAll(combinedMaterial,
+               {"\"" + first->name + "\" and \"" + part.name + "\" differ in Density, but are one body"});
     first = &part;
     density = own;
   }
@@ -93,7 +95,7 @@ void CompositeMaterial::bringBonds() {
                          "\" has dissolved it would go on carrying load; choose another material");
     fields_.bringBondDamage();
   }
-  throwAll(owner, messages);
+  throwAll(combinedMaterial, messages);
 }
 
 void CompositeMaterial::findSharedSums() {
@@ -117,7 +119,7 @@ double CompositeMaterial::Density() const {
         continue;
       }
     }
-  throw std::invalid_argument(owner + ": no part has a Density, which this solver needs");
+  throw std::invalid_argument(combinedMaterial + ": no part has a Density, which this solver needs");
 }
 
 double CompositeMaterial::BulkModulus() const {
@@ -138,7 +140,7 @@ double CompositeMaterial::lookupMaterialProperty(const std::string keyname) cons
     } catch (const std::exception&) {
       continue;
     }
-  throw std::invalid_argument(owner + ": no part has a property \"" + keyname + "\"");
+  throw std::invalid_argument(combinedMaterial + ": no part has a property \"" + keyname + "\"");
 }
 
 std::vector<int> CompositeMaterial::FieldIdsForSynchronizationAfterInitialize() const {

@@ -6,6 +6,7 @@
 #include "../../materials/registry/plugins.hpp"
 #include "../solvers/solver.hpp"
 #include "deck_parameters.hpp"
+#include "names.hpp"
 #include "run_parts.hpp"
 
 namespace pd {
@@ -21,10 +22,6 @@ const FieldUse* useOf(const FieldTable& table, const std::string& label) {
   const auto found =
       std::find_if(uses.begin(), uses.end(), [&](const FieldUse& use) { return use.field.label == label; });
   return found == uses.end() ? nullptr : &*found;
-}
-
-bool contains(const std::vector<std::string>& labels, const std::string& label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
 /// The scalars whose rates the part gives.

@@ -19,7 +19,7 @@
 
 namespace pd {
 
-using Kind = DeckNode::Data::Kind;
+using NodeKind = DeckNode::Data::Kind;
 
 // ---- values ----
 
@@ -101,13 +101,13 @@ namespace {
 /// `"abc"`, "a list", ... as a user would call the value in a message.
 std::string shown(const DeckNode::Data& node) {
   switch (node.kind) {
-    case Kind::Null:
+    case NodeKind::Null:
       return "nothing";
-    case Kind::Sequence:
+    case NodeKind::Sequence:
       return "a list";
-    case Kind::Map:
+    case NodeKind::Map:
       return "a section";
-    case Kind::Scalar:
+    case NodeKind::Scalar:
       break;
   }
   return (node.xmlType.empty() ? "" : "the " + node.xmlType + " ") + "\"" + shortened(node.scalar) + "\"";
@@ -125,9 +125,15 @@ const DeckNode::Data& checked(const std::shared_ptr<const DeckNode::Data>& data)
 
 }  // namespace
 
-bool DeckNode::isMap() const { return data_ && (data_->kind == Kind::Map || data_->kind == Kind::Null); }
-bool DeckNode::isSequence() const { return data_ && data_->kind == Kind::Sequence; }
-bool DeckNode::isScalar() const { return data_ && data_->kind == Kind::Scalar; }
+DeckNode required(const DeckNode& section, const std::string& key) {
+  const DeckNode value = section[key];
+  if (!value) throw DeckError(section.place() + ": " + section.path() + " needs " + key);
+  return value;
+}
+
+bool DeckNode::isMap() const { return data_ && (data_->kind == NodeKind::Map || data_->kind == NodeKind::Null); }
+bool DeckNode::isSequence() const { return data_ && data_->kind == NodeKind::Sequence; }
+bool DeckNode::isScalar() const { return data_ && data_->kind == NodeKind::Scalar; }
 bool DeckNode::isQuoted() const { return data_ && data_->isQuoted; }
 bool DeckNode::isPeridigms() const { return data_ && data_->isPeridigms; }
 std::string DeckNode::xmlType() const { return data_ ? data_->xmlType : ""; }
@@ -172,28 +178,28 @@ void DeckNode::becomes(const std::string& number) const {
 
 double DeckNode::real() const {
   const Data& node = checked(data_);
-  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseReal(node.scalar) : std::nullopt;
+  const auto value = node.kind == NodeKind::Scalar && !node.isQuoted ? parseReal(node.scalar) : std::nullopt;
   if (!value) refuse(node, "a finite number");
   return *value;
 }
 
 int DeckNode::integer() const {
   const Data& node = checked(data_);
-  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseInteger(node.scalar) : std::nullopt;
+  const auto value = node.kind == NodeKind::Scalar && !node.isQuoted ? parseInteger(node.scalar) : std::nullopt;
   if (!value) refuse(node, "an integer");
   return *value;
 }
 
 bool DeckNode::flag() const {
   const Data& node = checked(data_);
-  const auto value = node.kind == Kind::Scalar && !node.isQuoted ? parseFlag(node.scalar) : std::nullopt;
+  const auto value = node.kind == NodeKind::Scalar && !node.isQuoted ? parseFlag(node.scalar) : std::nullopt;
   if (!value) refuse(node, "true or false");
   return *value;
 }
 
 std::string DeckNode::text() const {
   const Data& node = checked(data_);
-  if (node.kind != Kind::Scalar) refuse(node, "text");
+  if (node.kind != NodeKind::Scalar) refuse(node, "text");
   return node.scalar;
 }
 
@@ -290,14 +296,14 @@ void applyOverride(DeckNode::Data& root, const std::string& text) {
   if (equals == std::string::npos || parts.empty() || hasEmptyPart)
     throw DeckError(source + ": write it as path=value, as in --set \"Solver/Final Time=1.0\"");
   auto value = readYaml(text.substr(equals + 1), source, false);
-  if (!value || value->kind == Kind::Null) throw DeckError(source + ": there is no value after \"=\"");
+  if (!value || value->kind == NodeKind::Null) throw DeckError(source + ": there is no value after \"=\"");
 
   if (parts.size() > 1 && parts.front() == "Peridigm") parts.erase(parts.begin());
   DeckNode::Data* parent = &root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) parent = requireEntry(*parent, parts[i], source);
-  if (parent->kind == Kind::Scalar || parent->kind == Kind::Sequence)
+  if (parent->kind == NodeKind::Scalar || parent->kind == NodeKind::Sequence)
     throw DeckError(source + ": " + parent->path + " is a value, not a section; set it itself");
-  parent->kind = Kind::Map;
+  parent->kind = NodeKind::Map;
   for (auto& entry : parent->entries)
     if (entry.first == parts.back()) {
       entry.second = value;
@@ -312,8 +318,8 @@ Deck Deck::read(const std::string& fileName, const std::vector<std::string>& ove
   const bool isXml = std::filesystem::path(fileName).extension() == ".xml";
   const std::string text = readFile(fileName);
   std::shared_ptr<DeckNode::Data> root = isXml ? readXml(text, fileName) : readYaml(text, fileName, true);
-  if (!root || root->kind == Kind::Null) throw DeckError(fileName + ": is empty");
-  if (root->kind != Kind::Map)
+  if (!root || root->kind == NodeKind::Null) throw DeckError(fileName + ": is empty");
+  if (root->kind != NodeKind::Map)
     throw DeckError(root->placeOf(root->line, root->column) +
                     ": a deck is a list of sections, as in \"Solver:\" with its keys indented below it");
   Deck deck;
@@ -322,7 +328,7 @@ Deck Deck::read(const std::string& fileName, const std::vector<std::string>& ove
   if (root->entries.size() == 1 && root->entries.front().first == "Peridigm") {
     deck.isPeridigmDeck_ = true;
     root = root->entries.front().second;
-    if (root->kind != Kind::Map)
+    if (root->kind != NodeKind::Map)
       throw DeckError(root->placeOf(root->line, root->column) + ": Peridigm must hold the sections of the deck");
   }
   root->setPath("");

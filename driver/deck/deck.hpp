@@ -77,6 +77,9 @@ class DeckError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The entry `key` of a section. Throws DeckError where there is none.
+DeckNode required(const DeckNode& section, const std::string& key);
+
 /// Mistakes found so far; thrown together.
 class Mistakes {
  public:

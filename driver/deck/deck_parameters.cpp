@@ -9,15 +9,12 @@
 
 #include "deck_data.hpp"
 #include "function.hpp"
+#include "names.hpp"
 #include "quantity.hpp"
 
 namespace pd {
 
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// Reads the entries of one section that are declared.
 class SectionReader {

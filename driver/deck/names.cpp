@@ -20,6 +20,10 @@ bool hasBlankEnd(const std::string& text) { return text.front() == ' ' || text.b
 
 }  // namespace
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool hasControlCharacter(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }

@@ -1,8 +1,9 @@
-// Names in decks that become names of files and of columns.
+// Names in decks, above all those that become names of files and of columns.
 #ifndef PD_NAMES_HPP
 #define PD_NAMES_HPP
 
 #include <string>
+#include <vector>
 
 namespace pd {
 
@@ -15,6 +16,8 @@ std::string complaintOfFileName(const std::string& name);
 /// attribute in XDMF. Refused is what numpy.genfromtxt, which knows no quotes, cannot tell from the rest of the
 /// heading.
 std::string complaintOfLabel(const std::string& label);
+
+bool contains(const std::vector<std::string>& names, const std::string& name);
 
 /// Line breaks, tabs and their like.
 bool hasControlCharacter(const std::string& text);

@@ -21,7 +21,7 @@ using tinyxml2::XMLNode;
 
 const std::vector<std::string> scalarTypes{"int", "double", "bool", "string"};
 
-std::string trimmed(const std::string& text) {
+std::string withoutBlanks(const std::string& text) {
   const char* blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
@@ -95,7 +95,7 @@ class XmlReader {
         entry(*element, into);
       else if (const tinyxml2::XMLText* text = child->ToText())
         mistakes_.add(place(text->GetLineNum()),
-                      "\"" + trimmed(text->Value()).substr(0, 40) +
+                      "\"" + withoutBlanks(text->Value()).substr(0, 40) +
                           "\" stands outside of elements; a comment is written <!-- ... -->");
     }
   }
@@ -109,7 +109,7 @@ class XmlReader {
       return;
     }
     const XMLAttribute* name = element.FindAttribute("name");
-    if (name == nullptr || trimmed(name->Value()).empty()) {
+    if (name == nullptr || withoutBlanks(name->Value()).empty()) {
       mistakes_.add(place(line), "this <" + kind + "> has no name; write <" + kind + " name=\"...\">");
       return;
     }
@@ -149,7 +149,7 @@ class XmlReader {
                       "parameter \"" + name + "\" has no " + key + "; write <Parameter name=\"" + name +
                           "\" type=\"...\" value=\"...\"/> with one of the types " + quotedList(scalarTypes));
     if (type == nullptr || value == nullptr) return nullptr;
-    const std::string typeName = trimmed(type->Value());
+    const std::string typeName = withoutBlanks(type->Value());
     const bool isArray = typeName.rfind("Array(", 0) == 0 && typeName.back() == ')';
     const std::string plain = plainType(isArray ? typeName.substr(6, typeName.size() - 7) : typeName);
     if (plain.empty()) {
@@ -171,7 +171,7 @@ class XmlReader {
     auto node = make(Data::Kind::Scalar, line, keyLine);
     node->xmlType = type;
     node->isQuoted = type == "string";
-    node->scalar = type == "string" ? given : trimmed(given);
+    node->scalar = type == "string" ? given : withoutBlanks(given);
     if (type == "bool" && (node->scalar == "1" || node->scalar == "0"))
       node->scalar = node->scalar == "1" ? "true" : "false";
     const bool hasForm = type == "string" || (type == "int" && parseInteger(node->scalar)) ||
@@ -187,14 +187,14 @@ class XmlReader {
 
   /// "{1.0, 2.0}" as its items.
   std::vector<std::string> itemsOf(const std::string& given, const std::string& name, int line) {
-    const std::string text = trimmed(given);
+    const std::string text = withoutBlanks(given);
     if (text.size() < 2 || text.front() != '{' || text.back() != '}') {
       mistakes_.add(place(line), "parameter \"" + name + "\": the value of an array is written \"{..., ...}\"");
       return {};
     }
     std::vector<std::string> items;
     std::istringstream stream(text.substr(1, text.size() - 2));
-    for (std::string item; std::getline(stream, item, ',');) items.push_back(trimmed(item));
+    for (std::string item; std::getline(stream, item, ',');) items.push_back(withoutBlanks(item));
     return items;
   }
 

@@ -94,12 +94,6 @@ class BoxFilter : public BondFilter {
 
 // ---- reading ----
 
-DeckNode required(const DeckNode& node, const std::string& key) {
-  const DeckNode value = node[key];
-  if (!value) throw DeckError(node.place() + ": " + node.path() + " needs " + key);
-  return value;
-}
-
 double positive(const DeckNode& node, const std::string& key) {
   const DeckNode value = required(node, key);
   if (!(value.real() > 0.0)) throw DeckError(value.place() + ": " + value.path() + " must be greater than 0 m");

@@ -27,7 +27,7 @@ namespace pd {
 
 namespace {
 
-constexpr int maximumListed = 10;  ///< points in one message
+constexpr int maximumListedPoints = 10;  ///< points in one message
 /// Points closer than this fraction of the horizon must be meant to be one: rounding of a mesh generator is far below,
 /// any spacing far above.
 constexpr double closest = 1e-6;
@@ -97,15 +97,15 @@ std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, c
   std::string lines;
   int count = 0;
   for (int i = 0; i < d.nOwned; ++i) {
-    if (d.neighborhoodList[d.neighborhoodStart[i]] != 0 || ++count > maximumListed) continue;
+    if (d.neighborhoodList[d.neighborhoodStart[i]] != 0 || ++count > maximumListedPoints) continue;
     lines += fmt::format("{}: the point ({:g}, {:g}, {:g}) has no neighbours within its horizon of {:g} m; {}\n",
                          points.place(d.globalIds[i]), d.x[3 * i], d.x[3 * i + 1], d.x[3 * i + 2], d.horizon[i],
                          filters.empty() ? "choose a larger Horizon (3 to 6 spacings) or remove the point"
                                          : "choose a larger Horizon, or set `Count In Damage: true` on the bond filter "
                                            "that takes its bonds away");
   }
-  if (count > maximumListed)
-    lines += fmt::format("{}: {} more points without neighbours\n", points.fileName, count - maximumListed);
+  if (count > maximumListedPoints)
+    lines += fmt::format("{}: {} more points without neighbours\n", points.fileName, count - maximumListedPoints);
   return lines;
 }
 
@@ -113,7 +113,7 @@ std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, c
 std::string coincidingPoints(const MeshPoints& body, const Discretization& d) {
   std::string lines;
   int count = 0;
-  for (int i = 0; i < d.nOwned && count < maximumListed; ++i) {
+  for (int i = 0; i < d.nOwned && count < maximumListedPoints; ++i) {
     const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
     for (int k = 1; k <= *entry; ++k) {
       const int j = entry[k];

@@ -16,7 +16,7 @@ Point meanOf(const double* nodes, const int* members, int count) {
   return mean;
 }
 
-ElementGeometry tetrahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
+ElementGeometry tetrahedronBetween(const Point& p0, const Point& p1, const Point& p2, const Point& p3) {
   Point a, b, c;
   ElementGeometry result;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -39,7 +39,7 @@ constexpr int hexahedronFaces[6][4] = {{1, 0, 4, 5}, {2, 1, 5, 6}, {3, 2, 6, 7},
 }  // namespace
 
 ElementGeometry tetrahedron(const double* nodes) {
-  return tetrahedron(pointAt(nodes, 0), pointAt(nodes, 1), pointAt(nodes, 2), pointAt(nodes, 3));
+  return tetrahedronBetween(pointAt(nodes, 0), pointAt(nodes, 1), pointAt(nodes, 2), pointAt(nodes, 3));
 }
 
 ElementGeometry hexahedron(const double* nodes) {
@@ -51,7 +51,7 @@ ElementGeometry hexahedron(const double* nodes) {
     const Point faceCenter = meanOf(nodes, face, 4);
     for (int k = 0; k < 4; ++k) {
       const ElementGeometry part =
-          tetrahedron(pointAt(nodes, face[k]), pointAt(nodes, face[(k + 1) % 4]), faceCenter, center);
+          tetrahedronBetween(pointAt(nodes, face[k]), pointAt(nodes, face[(k + 1) % 4]), faceCenter, center);
       result.volume += part.volume;
       result.isInverted = result.isInverted || part.isInverted;
       for (std::size_t d = 0; d < 3; ++d) moment[d] += part.volume * part.centroid[d];

@@ -20,7 +20,7 @@ namespace pd {
 
 namespace {
 
-constexpr int maximumListed = 10;  ///< bad elements
+constexpr int maximumListedElements = 10;  ///< bad elements
 
 enum class ElementKind { Sphere, Tetrahedron, Hexahedron, Other };
 
@@ -118,8 +118,8 @@ class ExodusReader {
     }
     if (first != nElements_) throw std::runtime_error("its blocks do not hold all of its elements");
     refuseSameIds(numbers);
-    if (nBad_ > maximumListed)
-      problems += fmt::format("{}: {} more elements of no volume\n", points_.fileName, nBad_ - maximumListed);
+    if (nBad_ > maximumListedElements)
+      problems += fmt::format("{}: {} more elements of no volume\n", points_.fileName, nBad_ - maximumListedElements);
   }
 
   void refuseSameIds(std::vector<int> numbers) {
@@ -181,7 +181,7 @@ class ExodusReader {
     std::copy(element.centroid.begin(), element.centroid.end(), points_.x.begin() + 3 * point);
     points_.volume[at] = element.volume;
     if (element.volume > 0.0 && std::isfinite(element.volume) && !element.isInverted) return;
-    if (++nBad_ > maximumListed) return;
+    if (++nBad_ > maximumListedElements) return;
     const char* const fault = element.isInverted ? "the element is inverted" : "the element has no volume";
     const char* const cause = kind == ElementKind::Sphere
                                   ? "the second attribute of a sphere is its volume"

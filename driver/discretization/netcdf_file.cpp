@@ -16,7 +16,7 @@ void require(int status, const std::string& what) {
 }
 
 /// Up to the first zero, without blanks at the end.
-std::string trimmed(const std::string& text) {
+std::string textWithin(const std::string& text) {
   const std::string result = text.substr(0, text.find('\0'));
   const std::size_t last = result.find_last_not_of(' ');
   return last == std::string::npos ? "" : result.substr(0, last + 1);
@@ -130,7 +130,7 @@ std::vector<std::string> NetcdfFile::texts(const std::string& variable) const {
   if (!characters.empty()) require(nc_get_var_text(file_, id, characters.data()), variable);
   std::vector<std::string> names;
   for (std::size_t row = 0; row < shape[0]; ++row)
-    names.push_back(trimmed(characters.substr(row * shape[1], shape[1])));
+    names.push_back(textWithin(characters.substr(row * shape[1], shape[1])));
   return names;
 }
 
@@ -141,7 +141,7 @@ std::string NetcdfFile::textAttribute(const std::string& variable, const std::st
   if (nc_inq_att(file_, id, attribute.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return "";
   std::string text(length, '\0');
   require(nc_get_att_text(file_, id, attribute.c_str(), text.data()), attribute);
-  return trimmed(text);
+  return textWithin(text);
 }
 
 }  // namespace pd

@@ -12,8 +12,6 @@ namespace pd {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 const char* const boxName = "TensorProduct3DMeshGenerator";
 const char* const cylinderName = "TensorProductCylinderMeshGenerator";
 
@@ -24,12 +22,6 @@ struct Cells {
   double size() const { return length / static_cast<double>(count); }
   double center(long long i) const { return start + (static_cast<double>(i) + 0.5) * size(); }
 };
-
-DeckNode required(const DeckNode& section, const std::string& key) {
-  const DeckNode value = section[key];
-  if (!value) throw DeckError(section.place() + ": " + section.path() + " needs " + key);
-  return value;
-}
 
 double length(const DeckNode& section, const std::string& key) {
   const DeckNode value = required(section, key);
@@ -96,6 +88,7 @@ MeshPoints makeCylinder(const Deck& deck, const DeckNode& generator) {
     throw DeckError(innerNode.place() + ": " + innerNode.path() + " must be 0 or more and less than the Outer Radius");
   const Cells r{count(generator, "Number Points Radius"), inner, outer - inner};
   const double meanRadius = 0.5 * (inner + outer), axisLength = length(generator, "Cylinder Length");
+  constexpr double pi = 3.14159265358979323846;
   const Cells angle{static_cast<long long>(2.0 * pi / (r.size() / meanRadius)) + 1, 0.0, 2.0 * pi};
   const Cells z{static_cast<long long>(axisLength / r.size()) + 1, required(generator, "Z Origin").real(), axisLength};
   const double xCenter = required(generator, "Ring Center x").real(),

@@ -12,7 +12,7 @@ namespace pd {
 
 namespace {
 
-constexpr int maximumListed = 20;  ///< mistakes of one file
+constexpr int maximumListedMistakes = 20;  ///< mistakes of one file
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -70,12 +70,13 @@ std::string_view DataLines::word() {
 }
 
 FileMistakes::~FileMistakes() {
-  if (count_ > maximumListed)
-    mistakes_.add(fileName_, std::to_string(count_ - maximumListed) + " more mistakes of this file are not listed");
+  if (count_ > maximumListedMistakes)
+    mistakes_.add(fileName_,
+                  std::to_string(count_ - maximumListedMistakes) + " more mistakes of this file are not listed");
 }
 
 void FileMistakes::add(int line, const std::string& message) {
-  if (++count_ <= maximumListed) mistakes_.add(fileName_ + ":" + std::to_string(line), message);
+  if (++count_ <= maximumListedMistakes) mistakes_.add(fileName_ + ":" + std::to_string(line), message);
 }
 
 std::string quoted(std::string_view word) {

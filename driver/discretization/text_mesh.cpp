@@ -15,7 +15,7 @@ namespace pd {
 namespace {
 
 constexpr std::size_t nColumns = 5;
-constexpr std::array<const char*, nColumns> columnNames = {"x", "y", "z", "the block number", "the volume"};
+constexpr std::array<const char*, nColumns> columnsOfPoints = {"x", "y", "z", "the block number", "the volume"};
 
 constexpr double largestValue = 1e100;  ///< squares of distances stay far from overflow
 
@@ -29,9 +29,9 @@ std::string readRow(DataLines& lines, Row& row) {
     if (count >= nColumns || !problem.empty()) continue;
     const std::optional<double> value = parseReal(std::string(word));
     if (!value)
-      problem = std::string(columnNames[count]) + " is " + quoted(word) + ", not a finite number";
+      problem = std::string(columnsOfPoints[count]) + " is " + quoted(word) + ", not a finite number";
     else if (std::abs(*value) > largestValue)
-      problem = std::string(columnNames[count]) + " is " + quoted(word) + ", too large to be meant";
+      problem = std::string(columnsOfPoints[count]) + " is " + quoted(word) + ", too large to be meant";
     else
       row[count] = *value;
   }

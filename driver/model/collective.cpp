@@ -48,6 +48,12 @@ void collectively(const Communicator& comm, const std::function<void()>& work) {
   throw RunError(all);
 }
 
+void onRoot(const Communicator& comm, const std::function<void()>& work) {
+  collectively(comm, [&] {
+    if (comm.isRoot()) work();
+  });
+}
+
 std::string outOfMemory(const std::string& what) {
   rlimit limit{};
   double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

@@ -17,6 +17,9 @@ namespace pd {
 /// each once. Collective.
 void collectively(const Communicator& comm, const std::function<void()>& work);
 
+/// The same where rank 0 alone works.
+void onRoot(const Communicator& comm, const std::function<void()>& work);
+
 /// Runs `work` inside a hot loop, where agreement of all ranks would cost too much. An exception becomes RunError on
 /// one rank; on several it is printed and the whole job is aborted with exit code 3.
 template <class Work>

@@ -16,16 +16,6 @@
 
 namespace pd {
 
-namespace {
-
-void onRoot(const Communicator& comm, const std::function<void()>& work) {
-  collectively(comm, [&] {
-    if (comm.isRoot()) work();
-  });
-}
-
-}  // namespace
-
 FieldWriter::FieldWriter(const std::string& baseName, const GlobalOrder& order, const double* coordinates,
                          const int* blockIds, const double* volumes, int firstStep)
     : baseName_(baseName), folder_(baseName + endings::steps), order_(order) {

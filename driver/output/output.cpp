@@ -66,12 +66,6 @@ void addObstaclesOfFiles(const Deck& deck, const std::string& folder, Mistakes& 
     for (const std::string& obstacle : obstaclesOfFiles(path)) mistakes.add(place, obstacle);
 }
 
-void onRoot(const Communicator& comm, const std::function<void()>& work) {
-  collectively(comm, [&] {
-    if (comm.isRoot()) work();
-  });
-}
-
 }  // namespace
 
 struct Output::Implementation {

@@ -22,26 +22,26 @@ namespace {
 
 /// A kind of files, in the order in which they are removed: what lists others comes first. The units
 /// of a history are its mark, so that they go last of the two.
-struct Kind {
+struct FileKind {
   std::string ending;
   std::string mark;  ///< in the first bytes; empty of HDF5 files
 };
 
-const std::vector<Kind>& kindsOfRuns() {
-  static const std::vector<Kind> all = {{endings::xdmf, "<!-- written by pdrun -->"},
-                                        {endings::index, ""},
-                                        {endings::report, "\"writer\": \"pdrun\""},
-                                        {endings::checkpoint, ""},
-                                        {endings::history, "step,time"},
-                                        {endings::units, "\"dc:creator\": \"pdrun\""},
-                                        {endings::resolved, "with all defaults written out by pdrun"},
-                                        {endings::log, "pdrun "}};
+const std::vector<FileKind>& kindsOfRuns() {
+  static const std::vector<FileKind> all = {{endings::xdmf, "<!-- written by pdrun -->"},
+                                            {endings::index, ""},
+                                            {endings::report, "\"writer\": \"pdrun\""},
+                                            {endings::checkpoint, ""},
+                                            {endings::history, "step,time"},
+                                            {endings::units, "\"dc:creator\": \"pdrun\""},
+                                            {endings::resolved, "with all defaults written out by pdrun"},
+                                            {endings::log, "pdrun "}};
   return all;
 }
 
-const std::vector<Kind>& kindsOfStudies() {
+const std::vector<FileKind>& kindsOfStudies() {
   static const std::string software("Software\0pdstudy", 16);  // as PNG files say it
-  static const std::vector<Kind> all = {
+  static const std::vector<FileKind> all = {
       {endings::errors, software}, {endings::histories, software}, {endings::table, ",overrides,results"}};
   return all;
 }
@@ -51,10 +51,10 @@ bool endsWith(const std::string& text, const std::string& ending) {
 }
 
 /// Of endings that end alike the longest.
-const Kind* kindOf(const std::string& fileName) {
-  const Kind* found = nullptr;
-  for (const std::vector<Kind>* kinds : {&kindsOfRuns(), &kindsOfStudies()})
-    for (const Kind& kind : *kinds)
+const FileKind* kindOf(const std::string& fileName) {
+  const FileKind* found = nullptr;
+  for (const std::vector<FileKind>* kinds : {&kindsOfRuns(), &kindsOfStudies()})
+    for (const FileKind& kind : *kinds)
       if (endsWith(fileName, kind.ending) && (found == nullptr || kind.ending.size() > found->ending.size()))
         found = &kind;
   return found;
@@ -133,7 +133,7 @@ std::string obstacleOfPlace(const std::string& base, const std::string& folder) 
 
 std::vector<std::string> obstaclesOfFiles(const std::string& base) {
   std::vector<std::string> found;
-  for (const Kind& kind : kindsOfRuns()) addObstacleOf(base + kind.ending, found);
+  for (const FileKind& kind : kindsOfRuns()) addObstacleOf(base + kind.ending, found);
   forEachEntry(base + endings::steps, [&](const fs::path& path) {
     if (isNamedAsOfSteps(path)) addObstacleOf(path, found);
   });
@@ -142,14 +142,14 @@ std::vector<std::string> obstaclesOfFiles(const std::string& base) {
 
 std::vector<std::string> obstaclesOfStudy(const std::string& base) {
   std::vector<std::string> found;
-  for (const Kind& kind : kindsOfStudies()) addObstacleOf(base + kind.ending, found);
+  for (const FileKind& kind : kindsOfStudies()) addObstacleOf(base + kind.ending, found);
   return found;
 }
 
 void removeReport(const std::string& base) { removeWithUnfinished(base + endings::report); }
 
 void removeResults(const std::string& base) {
-  for (const Kind& kind : kindsOfRuns()) removeWithUnfinished(base + kind.ending);
+  for (const FileKind& kind : kindsOfRuns()) removeWithUnfinished(base + kind.ending);
   const fs::path steps = base + endings::steps;
   std::vector<fs::path> removed;
   forEachEntry(steps, [&](const fs::path& path) {
@@ -160,7 +160,7 @@ void removeResults(const std::string& base) {
 }
 
 void removeStudyResults(const std::string& base) {
-  for (const Kind& kind : kindsOfStudies()) removeWithUnfinished(base + kind.ending);
+  for (const FileKind& kind : kindsOfStudies()) removeWithUnfinished(base + kind.ending);
   const fs::path folder = base + endings::runs;
   std::set<fs::path> runs;
   forEachEntry(folder, [&](const fs::path& path) {
@@ -185,7 +185,7 @@ bool isOfPdrun(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(path, error))) return false;
   const std::string name = path.string();
-  const Kind* kind = kindOf(name);
+  const FileKind* kind = kindOf(name);
   if (kind == nullptr) return false;
   if (fs::file_size(path, error) == 0) return true;  // nothing in it can be lost, and a kill may have left it so
   if (kind->mark.empty()) return isMarkedHdf5(name);

@@ -3,6 +3,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(PD_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/peridynamic_degradation)
+# Where programs look for pd_multigrid: in the build, and beside bin/.
+set(PD_LIBRARY_DIR ${PROJECT_BINARY_DIR}/driver)
+set(CMAKE_BUILD_RPATH ${PD_LIBRARY_DIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
 set(PD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/PeridynamicDegradation)
 
 # pd_export(target ...)
@@ -19,13 +23,18 @@ set(PD_PRECOMPILED_HEADERS
     <algorithm> <array> <cmath> <fstream> <functional> <limits> <map> <memory> <numeric> <optional> <set> <sstream>
     <stdexcept> <string> <utility> <vector> <Teuchos_Array.hpp> <Teuchos_ParameterList.hpp> <Teuchos_RCP.hpp>)
 
+# Sources of a library go to the compiler eight at a time, which takes a third of its time and finds names that two of
+# them use for different things.
+set(PD_SOURCES_AT_A_TIME 8 CACHE STRING "Sources of a library that are compiled as one; 1: each by itself")
+
 # pd_add_library(name SOURCES a.cpp ... [FOLDERS of headers that are included by their names ...])
 # A library of which a program gets everything. Plug-ins register themselves and are named by nobody: of a plain archive,
 # name_archive, the linker would leave them out.
 function(pd_add_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;FOLDERS" ${ARGN})
   add_library(${name}_archive STATIC ${arg_SOURCES})
-  set_target_properties(${name}_archive PROPERTIES OUTPUT_NAME ${name})
+  set_target_properties(${name}_archive PROPERTIES OUTPUT_NAME ${name} UNITY_BUILD ON
+                                                   UNITY_BUILD_BATCH_SIZE ${PD_SOURCES_AT_A_TIME})
   target_link_libraries(${name}_archive PUBLIC pd_options)
   target_precompile_headers(${name}_archive PRIVATE ${PD_PRECOMPILED_HEADERS})
   foreach(folder ${PROJECT_SOURCE_DIR} ${arg_FOLDERS})

@@ -4,6 +4,7 @@
 
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
+#include <utility>
 
 #include "launch.hpp"
 
@@ -17,11 +18,17 @@ namespace {
 /// makes none unless it is asked to (and a file must have a kind). What the user has set stays.
 void leaveOutSharedFilePointers() { setenv("OMPI_MCA_sharedfp", "individual", 0); }
 
-/// A process alone would start a daemon (orted) that could start others, which nothing here asks for. What the user has
-/// set stays.
-void startNoDaemon() {
-  if (!isWithinJob()) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+/// A process alone would start a daemon (orted) that could start others, and load what carries messages over networks,
+/// neither of which anything here asks for. What the user has set stays.
+void keepToItself() {
+  if (isWithinJob()) return;
+  for (const auto& [name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_pml", "ob1"),
+                                    std::pair("OMPI_MCA_btl", "self")})
+    setenv(name, value, 0);
 }
+
+/// Open MPI asks hwloc what the machine is like, which would look for graphics cards too: at ten X servers, and OpenCL.
+void leaveOutGraphicsCards() { setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so", 0); }
 
 /// HDF5 locks each file that one process opens, which some network file systems do not know. Here no file changes once
 /// it has its name, and runs that would write the same ones keep each other out (driver/output/result_lock.hpp).
@@ -31,7 +38,8 @@ void leaveOutFileLocks() { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0); }
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
   leaveOutSharedFilePointers();
-  startNoDaemon();
+  keepToItself();
+  leaveOutGraphicsCards();
   leaveOutFileLocks();
   Tpetra::initialize(&argc, &argv);
 }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "../deck/names.hpp"
+
 namespace pd {
 
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool hasRule(const ParameterDeclarations& declarations, const ParameterDeclarations::Rule& rule) {
   const auto& rules = declarations.rules();

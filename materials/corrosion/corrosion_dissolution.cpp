@@ -19,7 +19,7 @@ namespace {
 
 constexpr double faraday = 96485.33212;  ///< C/mol, CODATA 2018 (exact since 2019 to these digits)
 constexpr int checkStride = 8;           ///< a mesh that is no grid is none nearly everywhere
-constexpr const char* owner = "material Corrosion Dissolution";
+constexpr const char* corrosionDissolution = "material Corrosion Dissolution";
 
 bool has(DataManager& dataManager, const char* label, Field::Step step) {
   FieldManager& fields = FieldManager::self();
@@ -43,19 +43,19 @@ void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
 }
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
-    : CorrosionDissolution(given, completed<CorrosionDissolution>(given, owner)) {}
+    : CorrosionDissolution(given, completed<CorrosionDissolution>(given, corrosionDissolution)) {}
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params)
     : Material(given),
-      weights_(params, owner),
+      weights_(params, corrosionDissolution),
       saturation_(params.get<double>("Saturation Concentration")),
       chargeNumber_(params.get<double>("Charge Number")),
-      phases_(params, saturation_, owner),
-      acidity_(params, saturation_, owner),
+      phases_(params, saturation_, corrosionDissolution),
+      acidity_(params, saturation_, corrosionDissolution),
       fields_(params.get<std::string>("Concentration Field"), acidity_.isGiven(), phases_.count() > 1) {}
 
 double CorrosionDissolution::Density() const {
-  throw std::invalid_argument(std::string(owner) + " has no mechanics, which this solver needs");
+  throw std::invalid_argument(std::string(corrosionDissolution) + " has no mechanics, which this solver needs");
 }
 
 std::vector<std::string> CorrosionDissolution::runNotes() const {

@@ -14,7 +14,7 @@ using PeridigmNS::DataManager;
 
 namespace {
 
-const std::string owner = "damage model Combined";
+const std::string combinedDamageModel = "damage model Combined";
 
 /// A field's values at NP1, kept to be compared with what a model makes of them.
 class Worst {
@@ -52,7 +52,7 @@ class CompositeDamageModel : public DamageModel, public FieldUser, public StepLi
 
   explicit CompositeDamageModel(const Teuchos::ParameterList& given) : DamageModel(given) {
     const Teuchos::ParameterList params =
-        completedParts<CompositeDamageModel>(DamageModelRegistry::self(), given, owner);
+        completedParts<CompositeDamageModel>(DamageModelRegistry::self(), given, combinedDamageModel);
     std::vector<NamedTable> tables;
     for (const std::string& name : params.get<Teuchos::Array<std::string>>(partsKey)) {
       const Teuchos::ParameterList& list = params.sublist(name);
@@ -63,7 +63,7 @@ class CompositeDamageModel : public DamageModel, public FieldUser, public StepLi
       const auto* own = dynamic_cast<const BondDamageModel*>(part.get());
       (own == nullptr ? foreign_ : own->marksLiquid() ? liquefying_ : breaking_).push_back(part.get());
     }
-    throwAll(owner, contestedFields(tables));
+    throwAll(combinedDamageModel, contestedFields(tables));
   }
 
   std::string Name() const override { return "Combined"; }

@@ -7,7 +7,7 @@ namespace pd {
 
 namespace {
 
-constexpr const char* owner = "damage model Hydrogen Critical Stretch";
+constexpr const char* hydrogenCriticalStretch = "damage model Hydrogen Critical Stretch";
 
 }  // namespace
 
@@ -19,7 +19,7 @@ class HydrogenCriticalStretch : public CriticalStretch {
   }
 
   explicit HydrogenCriticalStretch(const Teuchos::ParameterList& given)
-      : HydrogenCriticalStretch(completed<HydrogenCriticalStretch>(given, owner), IsCompleted()) {}
+      : HydrogenCriticalStretch(completed<HydrogenCriticalStretch>(given, hydrogenCriticalStretch), IsCompleted()) {}
 
   static FieldTable describeFields() { return Fields("Concentration"); }
 
@@ -34,7 +34,8 @@ class HydrogenCriticalStretch : public CriticalStretch {
  private:
   struct IsCompleted {};
   HydrogenCriticalStretch(const Teuchos::ParameterList& params, IsCompleted)
-      : CriticalStretch(params, Fields(HydrogenDegradation::fieldOf(params))), degradation_(params, owner) {
+      : CriticalStretch(params, Fields(HydrogenDegradation::fieldOf(params))),
+        degradation_(params, hydrogenCriticalStretch) {
     degradation_.applyTo(law_);
   }
 

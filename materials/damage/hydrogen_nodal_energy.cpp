@@ -7,7 +7,7 @@ namespace pd {
 
 namespace {
 
-constexpr const char* owner = "damage model Hydrogen Nodal Energy";
+constexpr const char* hydrogenNodalEnergy = "damage model Hydrogen Nodal Energy";
 
 }  // namespace
 
@@ -19,7 +19,7 @@ class HydrogenNodalEnergy : public NodalEnergy {
   }
 
   explicit HydrogenNodalEnergy(const Teuchos::ParameterList& given)
-      : HydrogenNodalEnergy(completed<HydrogenNodalEnergy>(given, owner), IsCompleted()) {}
+      : HydrogenNodalEnergy(completed<HydrogenNodalEnergy>(given, hydrogenNodalEnergy), IsCompleted()) {}
 
   static FieldTable describeFields() { return Fields("Concentration"); }
 
@@ -34,7 +34,8 @@ class HydrogenNodalEnergy : public NodalEnergy {
  private:
   struct IsCompleted {};
   HydrogenNodalEnergy(const Teuchos::ParameterList& params, IsCompleted)
-      : NodalEnergy(params, Fields(HydrogenDegradation::fieldOf(params)), owner), hydrogen_(params, owner) {
+      : NodalEnergy(params, Fields(HydrogenDegradation::fieldOf(params)), hydrogenNodalEnergy),
+        hydrogen_(params, hydrogenNodalEnergy) {
     hydrogen_.applyTo(degradation_);
   }
 

@@ -18,7 +18,7 @@ namespace {
 using Names = std::map<std::string, double*>;
 
 constexpr std::size_t maximumLength = 10000;  // characters of a function
-constexpr int maximumDepth = 40;              // of nested statements
+constexpr int maximumNesting = 40;            // of nested statements
 
 double besselI0(double x) { return std::cyl_bessel_i(0.0, std::fabs(x) < 700.0 ? std::fabs(x) : 700.0); }
 
@@ -239,7 +239,7 @@ class BodyReader {
   }
 
   void statement(std::vector<Statement>& into, int depth) {
-    if (depth > maximumDepth) refuse("it is nested too deeply");
+    if (depth > maximumNesting) refuse("it is nested too deeply");
     if (accept(';')) return;
     if (accept('{')) {
       into.push_back(block(depth));

@@ -8,7 +8,7 @@ namespace pd::kernels {
 namespace {
 
 /// Constants of a bond of a uniform chunk: xi, w, V_j, |xi|.
-struct UniformBond {
+struct UniformSolidBond {
   static constexpr int width = 6;
   const double* c;
   PD_EACH_BOND double xi(int d) const { return c[d]; }
@@ -17,12 +17,12 @@ struct UniformBond {
   PD_EACH_BOND double length() const { return c[5]; }
 };
 struct OfUniform {
-  PD_EACH_BOND UniformBond operator()(const double* c) const { return {c}; }
+  PD_EACH_BOND UniformSolidBond operator()(const double* c) const { return {c}; }
 };
 
 /// The same of one bond a lane.
 template <class Bond>
-struct BondOfLanes {
+struct SolidBondOfLanes {
   Bond bond;  ///< GatheredBond<3>, or a reference to one that is kept
   PD_EACH_BOND Vector xi(int d) const { return bond.xi[d]; }
   PD_EACH_BOND Vector eta(int d) const { return bond.eta[d]; }
@@ -31,8 +31,8 @@ struct BondOfLanes {
   PD_EACH_BOND Vector length() const { return bond.length; }
 };
 struct OfLanes {
-  PD_EACH_BOND BondOfLanes<const GatheredBond<3>&> operator()(const GatheredBond<3>& bond) const { return {bond}; }
-  PD_EACH_BOND BondOfLanes<GatheredBond<3>> operator()(GatheredBond<3>&& bond) const { return {bond}; }
+  PD_EACH_BOND SolidBondOfLanes<const GatheredBond<3>&> operator()(const GatheredBond<3>& bond) const { return {bond}; }
+  PD_EACH_BOND SolidBondOfLanes<GatheredBond<3>> operator()(GatheredBond<3>&& bond) const { return {bond}; }
 };
 
 struct CurrentBond {
@@ -116,14 +116,14 @@ SolidConstants solidConstants(Geometry geometry, double bulkModulus, double shea
 BondConstants solidCoefficients(const ChunkedNeighborhood& neighborhood,
                                 const std::function<void(int, int, std::size_t, double*)>& geometry) {
   // From the rounded xi: else an undeformed bond would be strained by as much as the tolerance.
-  const DerivedConstants length{UniformBond::width,
+  const DerivedConstants length{UniformSolidBond::width,
                                 [](double* c) { c[5] = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]); }};
   return BondConstants(neighborhood, 5, geometry, BondConstants::Keep::OnlyUniform, 1e-12, length);
 }
 
 void addSolidForce(const ChunkedNeighborhood& neighborhood, const SolidBondData& data, const AliveBonds& alive,
                    const BondPoints& points, const double* weightedVolume, double* dilatation, PointArrays& force) {
-  forEachChunkOfBonds<3, UniformBond::width, false>(
+  forEachChunkOfBonds<3, UniformSolidBond::width, false>(
       neighborhood, data.influence, data.coefficients, alive, points, force, OfUniform(), OfLanes(),
       [&](auto isWhole, const Chunk& chunk, const auto& bondsOf) {
         addForceOfChunk<decltype(isWhole)::value>(neighborhood, chunk, data, alive.of(chunk), bondsOf, weightedVolume,

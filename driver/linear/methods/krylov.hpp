@@ -1,4 +1,4 @@
-// Preconditioners (Ifpack2, MueLu) and Krylov methods (Belos).
+// Preconditioners (Ifpack2; MueLu through multigrid.hpp) and Krylov methods (Belos).
 // No header of the plug-in interface here: Amesos2 and MueLu include Epetra's headers, with which its Epetra_Comm.h
 // does not go together.
 #ifndef PD_KRYLOV_HPP

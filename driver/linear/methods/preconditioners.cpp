@@ -1,11 +1,10 @@
 #include <Ifpack2_Factory.hpp>
-#include <MueLu_CreateTpetraPreconditioner.hpp>
-#include <Teuchos_oblackholestream.hpp>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "krylov.hpp"
+#include "multigrid.hpp"
 
 namespace pd {
 
@@ -95,38 +94,6 @@ Teuchos::RCP<tpetra::Operator> makeIncompleteLu(const Teuchos::RCP<const tpetra:
   result->initialize();
   result->compute();
   return result;
-}
-
-Teuchos::ParameterList symmetricGaussSeidel(int sweeps) {
-  Teuchos::ParameterList list;
-  list.set("relaxation: type", "Symmetric Gauss-Seidel");
-  list.set("relaxation: sweeps", sweeps);
-  list.set("relaxation: use l1", true);  // across ranks it is a Jacobi step, which may be too long without this
-  return list;
-}
-
-/// Smoothed aggregation. The smoother is Gauss-Seidel since it is definite wherever the matrix is; Chebyshev's is not
-/// where the largest eigenvalue is underestimated, as happens at crack tips. On several ranks the coarsest level is
-/// smoothed too, since a direct solve fails there (direct_solver.hpp).
-Teuchos::RCP<tpetra::Operator> makeMultigrid(const Teuchos::RCP<tpetra::Matrix>& matrix, int width,
-                                             const Teuchos::RCP<tpetra::MultiVector>& nullspace) {
-  // Its verbosity covers not all that it prints.
-  MueLu::VerboseObject::SetMueLuOStream(Teuchos::fancyOStream(Teuchos::rcp(new Teuchos::oblackholestream)));
-  Teuchos::ParameterList list;
-  list.set("verbosity", "none");
-  list.set("number of equations", width);
-  list.set("multigrid algorithm", "sa");
-  list.set("smoother: type", "RELAXATION");
-  list.sublist("smoother: params") = symmetricGaussSeidel(1);
-  list.set("coarse: max size", 500);
-  if (matrix->getComm()->getSize() == 1) {
-    list.set("coarse: type", "KLU2");
-  } else {
-    list.set("coarse: type", "RELAXATION");
-    list.sublist("coarse: params") = symmetricGaussSeidel(10);
-  }
-  list.sublist("user data").set("Nullspace", nullspace);
-  return MueLu::CreateTpetraPreconditioner(Teuchos::RCP<tpetra::Operator>(matrix), list);
 }
 
 }  // namespace

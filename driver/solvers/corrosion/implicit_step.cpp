@@ -9,7 +9,7 @@ namespace pd {
 
 namespace {
 
-const double gamma = 1.0 - std::sqrt(0.5);
+const double gammaOfSdirk = 1.0 - std::sqrt(0.5);
 
 }  // namespace
 
@@ -50,23 +50,23 @@ bool ImplicitStep::takeEulerStep(Model& model, const Fields& fields, double h) {
 bool ImplicitStep::takeTwoStages(Simulation& simulation, const Fields& fields, double t, double h) {
   Model& model = simulation.model;
   order_ = 2;
-  setBoundary(simulation, t + gamma * h);
+  setBoundary(simulation, t + gammaOfSdirk * h);
   StageEquation stage = equation(model, fields);
-  stage.begin(before_, gamma * h, std::vector<double>(ids_.size(), 0.0));
+  stage.begin(before_, gammaOfSdirk * h, std::vector<double>(ids_.size(), 0.0));
   if (!solver_->solve(stage)) return false;
   finishStage(stage, first_);
 
   std::vector<double> start(ids_.size()), least(ids_.size());
   for (std::size_t k = 0; k < ids_.size(); ++k) {
-    start[k] = before_[k] + (1.0 - gamma) * h * first_.liquid[k];
-    least[k] = -(1.0 - gamma) / gamma * first_.dissolution[k];
+    start[k] = before_[k] + (1.0 - gammaOfSdirk) * h * first_.liquid[k];
+    least[k] = -(1.0 - gammaOfSdirk) / gammaOfSdirk * first_.dissolution[k];
   }
   setBoundary(simulation, t + h);
-  stage.begin(start, gamma * h, least);
+  stage.begin(start, gammaOfSdirk * h, least);
   if (!solver_->solve(stage)) return false;
   finishStage(stage, second_);
 
-  const auto mean = [](double a, double b) { return (1.0 - gamma) * a + gamma * b; };
+  const auto mean = [](double a, double b) { return (1.0 - gammaOfSdirk) * a + gammaOfSdirk * b; };
   for (std::size_t k = 0; k < ids_.size(); ++k) {
     const int i = ids_[k];
     rate_[k] = mean(first_.liquid[k], second_.liquid[k]);
@@ -115,8 +115,8 @@ bool ImplicitStep::advance(Simulation& simulation, const Fields& fields, double 
 double ImplicitStep::error(std::size_t k, double lastRate, double h) const {
   if (order_ == 1) return 0.5 * h * (rate_[k] - lastRate);
   const double constant = (3.0 * std::sqrt(2.0) - 4.0) / 6.0;
-  const double early = (first_.liquid[k] - lastRate) / gamma;
-  const double late = (second_.liquid[k] - first_.liquid[k]) / (1.0 - gamma);
+  const double early = (first_.liquid[k] - lastRate) / gammaOfSdirk;
+  const double late = (second_.liquid[k] - first_.liquid[k]) / (1.0 - gammaOfSdirk);
   return 2.0 * constant * h * (late - early);
 }
 

@@ -13,7 +13,7 @@ namespace pd {
 
 namespace {
 
-constexpr int maximumIterations = 20;
+constexpr int maximumStageIterations = 20;
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
       largestResidual_ = std::max(largestResidual_, now / (largest * volume));
       return;
     }
-    if (iteration == maximumIterations || !std::isfinite(now))
+    if (iteration == maximumStageIterations || !std::isfinite(now))
       throw RunError(fmt::format(
           "Diffusion: the implicit step to t = {:.6g} s does not converge: relative residual {:.3g} after {} "
           "iterations, "
