@@ -10,8 +10,8 @@
 #include "alive_bonds.hpp"
 #include "bond_family.hpp"
 #include "fields.hpp"
-#include "linear_bonds.hpp"
 #include "lattice_stability.hpp"
+#include "linear_bonds.hpp"
 #include "point_arrays.hpp"
 #include "two_parameter_bond.hpp"
 

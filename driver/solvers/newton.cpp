@@ -120,8 +120,8 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
       tangentIsNew = true;
     }
     // Nothing is gained by solving the linear problem better than the load step needs.
-    const LinearSolveReport report =
-        solveLinear(simulation, dt, externalForce, std::clamp(0.3 * std::max(asked, roundOff_) / balance.free, 1e-12, 0.1));
+    const LinearSolveReport report = solveLinear(
+        simulation, dt, externalForce, std::clamp(0.3 * std::max(asked, roundOff_) / balance.free, 1e-12, 0.1));
     if (!report.hasConverged && !(report.relativeResidual < 0.5)) {
       if (improveTangent(Tangent::Assembled)) continue;
       outcome.trouble =

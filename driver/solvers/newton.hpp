@@ -18,8 +18,8 @@ struct NewtonSettings {
   double relativeTolerance = 1e-6;  ///< 0: not a criterion
   double absoluteTolerance = 0.0;   ///< N; 0: not a criterion
   std::string linearSolver = "CG";
-  std::string preconditioner;  ///< empty: Two Level where it fits, else Multigrid
-  bool hasSmallStrain = false;  ///< forces are those of the springs of the reference configuration (LinearBonds)
+  std::string preconditioner;    ///< empty: Two Level where it fits, else Multigrid
+  bool hasSmallStrain = false;   ///< forces are those of the springs of the reference configuration (LinearBonds)
   double linearTolerance = 0.0;  ///< 0: as tight as the step needs
   int maximumLinearIterations = 2000;
   bool logsLinearSolves = false;
@@ -113,7 +113,7 @@ class Newton {
   std::unique_ptr<SpringTangent> springs_;
   Tangent tangent_ = Tangent::Springs;
   bool hasChosen_ = false, usesSprings_ = false;
-  double nonlinearity_ = 1e-3;  ///< what a step leaves of the residual that solves the linear problem exactly
+  double nonlinearity_ = 1e-3;           ///< what a step leaves of the residual that solves the linear problem exactly
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;

@@ -266,7 +266,8 @@ LinearSolveReport Newton::solveLinear(Simulation& simulation, double dt, const s
     report = solveByDifferences(simulation, dt, externalForce, tolerance);
     ++nDifferenceSolves;
   } else {
-    report = system_->solve(residual_.data(), step_.data(), settings_.linearSolver, preconditionerName(), tolerance, most);
+    report =
+        system_->solve(residual_.data(), step_.data(), settings_.linearSolver, preconditionerName(), tolerance, most);
   }
   nLinearIterations += report.iterations;
   if (report.method != settings_.linearSolver) ++nGmresFallbacks;
@@ -295,11 +296,11 @@ LinearSolveReport Newton::solveByDifferences(Simulation& simulation, double dt,
     const double part = largest > 0.0 ? 1e-6 * model.discretization().shortestBond / largest : 0.0;
     for (std::size_t i = 0; i < origin.size(); ++i) displacement[i] = origin[i] + part * x[i];
     evaluate(simulation, dt, externalForce);
-    for (std::size_t i = 0; i < origin.size(); ++i)
-      y[i] = part > 0.0 ? (atOrigin[i] - residual_[i]) / part : 0.0;
+    for (std::size_t i = 0; i < origin.size(); ++i) y[i] = part > 0.0 ? (atOrigin[i] - residual_[i]) / part : 0.0;
   };
-  const LinearSolveReport report = springs_->solve(right.data(), step_.data(), std::max(tolerance, 1e-6),
-                                                   std::min(settings_.maximumLinearIterations, mostDifferences), product);
+  const LinearSolveReport report =
+      springs_->solve(right.data(), step_.data(), std::max(tolerance, 1e-6),
+                      std::min(settings_.maximumLinearIterations, mostDifferences), product);
   std::copy(origin.begin(), origin.end(), displacement);
   residual_ = right;
   return report;

@@ -53,8 +53,7 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
             "bonds are springs (PDHE, Elastic, Elastic Bond Based).")
       .defaultTo("Finite")
       .oneOf({"Finite", "Small Strain"});
-  LinearSolverSettings::declareParameters(declare,
-                                          {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
   declare
       .real("Damped Newton Diagonal Scale Factor", "1",
             "The diagonal of the tangent is multiplied by this: shorter, safer Newton steps.")

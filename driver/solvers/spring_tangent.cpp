@@ -58,8 +58,8 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
     if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
     const auto list = block.getNeighborhoodData();
     if (list->NumOwnedPoints() == 0) continue;
-    const LinearSprings own = bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()},
-                                            *block.getDataManager());
+    const LinearSprings own =
+        bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
     if (!own.across.empty()) all.across.resize(nBonds, 0.0);
     std::size_t from = 0;
     const int* at = list->NeighborhoodList();
@@ -79,14 +79,13 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
   }
   // Other ranks may have blocks of another kind.
   if (model.comm().any(!all.across.empty())) all.across.resize(nBonds, 0.0);
-  return SpringNetwork(points, all.family, all.along, all.across, all.dilatational);
+  return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
 }
 
 SpringTangent::SpringTangent(Model& model)
     : model_(model),
       network_(networkOf(model)),
-      stiffness_(network_, model.exchange(),
-                 model.comm().size() > 1 || !model.discretization().symmetry.empty()),
+      stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
       seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()) {
   for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})

@@ -59,8 +59,8 @@ class SpringTangent {
   std::vector<char> isHeld_;
   std::vector<double> seenDamage_;  ///< [nOwned] Damage when its bonds were last read; NaN: never
   bool bondsAreKnown_ = false, smootherIsCurrent_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
-  int nChanges_ = 0;         ///< of bonds or held points since the coarse level was made
-  double freshRate_ = 0.0;   ///< decades of the residual an iteration when it was new
+  int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
+  double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
   PointVector<double> right_, solution_, full_, image_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace pd {
 
-/// The second derivative of a strain energy at the reference configuration, bond by bond. With the difference eta of the
-/// displacements of both ends of an unbroken bond xi = |xi| n, the energy of point i is
+/// The second derivative of a strain energy at the reference configuration, bond by bond. With the difference eta of
+/// the displacements of both ends of an unbroken bond xi = |xi| n, the energy of point i is
 ///   W_i = 1/2 sum_j [ along_ij (n.eta)^2 + across_ij (|eta|^2 - (n.eta)^2) ] + C_i(s_i),
 /// where the whole family counts by
 ///   Rotation    s_i = sum_j across_ij xi x eta,  C_i = -1/2 s_i.A_i^-1 s_i,  A_i = sum_j across_ij (|xi|^2 1 - xi xi)

@@ -60,9 +60,8 @@ class Assembly {
   }
 
   BlockMatrix run() {
-    network_.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-      addSpring(i, j, xi, c);
-    });
+    network_.forEachSpring(
+        [&](int i, int j, const double* xi, const SpringConstants<double>& c) { addSpring(i, j, xi, c); });
     addDiagonal();
     for (const SpringOperator::Addition& addition : stiffness_.additions()) {
       const Modes& modes = modesOf(addition.point);
@@ -183,7 +182,8 @@ class Assembly {
     const PointVector<double>& response = stiffness_.response<double>();
     for (int i = 0; i < nOwned; ++i) {
       std::vector<Share>& family = families[static_cast<std::size_t>(i)];
-      std::sort(family.begin(), family.end(), [](const Share& x, const Share& y) { return x.modes.piece < y.modes.piece; });
+      std::sort(family.begin(), family.end(),
+                [](const Share& x, const Share& y) { return x.modes.piece < y.modes.piece; });
       std::array<std::array<double, 3>, 3> c{};
       for (std::size_t p = 0; p < width; ++p)
         for (std::size_t q = p; q < width; ++q)

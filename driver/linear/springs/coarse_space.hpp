@@ -16,18 +16,18 @@ class CoarseSpace {
  public:
   /// Modes of a piece at a point: `n` unknowns from `first` on, in the numbers of all ranks.
   struct PointModes {
-    int piece = -1, first = 0, n = 0;                   ///< piece -1: none
-    std::array<std::array<double, 12>, 3> values{};     ///< [component][mode]
-    std::array<int, 12> component{};  ///< of each mode, the one that is not zero; of images any may be
-    bool isTurned = false;            ///< of an image
+    int piece = -1, first = 0, n = 0;                ///< piece -1: none
+    std::array<std::array<double, 12>, 3> values{};  ///< [component][mode]
+    std::array<int, 12> component{};                 ///< of each mode, the one that is not zero; of images any may be
+    bool isTurned = false;                           ///< of an image
   };
 
   /// Pieces of at most `mostPoints`. Collective.
   CoarseSpace(const Communicator& comm, const SpringOperator& stiffness, int mostPoints);
 
-  int nUnknowns() const { return nUnknowns_; }            ///< of all ranks
-  int nOwnUnknowns() const { return base_.back(); }       ///< of this one
-  int firstUnknown() const { return firstUnknown_; }      ///< of this rank
+  int nUnknowns() const { return nUnknowns_; }        ///< of all ranks
+  int nOwnUnknowns() const { return base_.back(); }   ///< of this one
+  int firstUnknown() const { return firstUnknown_; }  ///< of this rank
   int nPieces() const { return static_cast<int>(base_.size()) - 1; }
   /// Of an owned point, or of a ghost or an image after exchange().
   PointModes modesAt(int point) const;
@@ -48,15 +48,15 @@ class CoarseSpace {
 
   int dimension_, nShapes_, nOwned_;
   const Discretization& points_;
-  std::vector<int> order_;                       ///< owned points, box by box
-  std::vector<std::size_t> boxes_;               ///< where boxes end in order_
-  std::vector<int> pieceOfPoint_;                ///< [nOwned]
-  std::vector<int> members_;                     ///< points of the pieces, one piece after another
-  std::vector<std::size_t> start_{0};            ///< [pieces + 1] into members_
-  std::vector<int> base_{0};                     ///< [pieces + 1] first unknown of this rank's
-  std::vector<std::array<int, 3>> nModes_;       ///< [pieces] of each component
-  PointVector<float> modes_;                     ///< [D (D + 1)][nOwned]
-  std::vector<double> exchanged_;                ///< [nPoints][exchangedWidth]
+  std::vector<int> order_;                  ///< owned points, box by box
+  std::vector<std::size_t> boxes_;          ///< where boxes end in order_
+  std::vector<int> pieceOfPoint_;           ///< [nOwned]
+  std::vector<int> members_;                ///< points of the pieces, one piece after another
+  std::vector<std::size_t> start_{0};       ///< [pieces + 1] into members_
+  std::vector<int> base_{0};                ///< [pieces + 1] first unknown of this rank's
+  std::vector<std::array<int, 3>> nModes_;  ///< [pieces] of each component
+  PointVector<float> modes_;                ///< [D (D + 1)][nOwned]
+  std::vector<double> exchanged_;           ///< [nPoints][exchangedWidth]
   int firstUnknown_ = 0, nUnknowns_ = 0, firstPiece_ = 0;
 };
 

@@ -14,12 +14,16 @@ class PointVector {
  public:
   PointVector() = default;
   PointVector(int nPoints, int nComponents)
-      : nPoints_(nPoints), nComponents_(nComponents), values_(std::size_t(nPoints) * std::size_t(nComponents), Real(0)) {}
+      : nPoints_(nPoints),
+        nComponents_(nComponents),
+        values_(std::size_t(nPoints) * std::size_t(nComponents), Real(0)) {}
 
   int nPoints() const { return nPoints_; }
   int nComponents() const { return nComponents_; }
   Real* operator[](int component) { return values_.data() + std::size_t(component) * std::size_t(nPoints_); }
-  const Real* operator[](int component) const { return values_.data() + std::size_t(component) * std::size_t(nPoints_); }
+  const Real* operator[](int component) const {
+    return values_.data() + std::size_t(component) * std::size_t(nPoints_);
+  }
   void zero() { std::fill(values_.begin(), values_.end(), Real(0)); }
 
  private:

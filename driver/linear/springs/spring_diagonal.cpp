@@ -81,7 +81,8 @@ std::vector<SpringOperator::Addition> stiffeningOfLoosePoints(const SpringOperat
     for (const int a : axes)
       for (const int b : axes) own.push_back(diagonal[place(d, a, b)][point]);
     // Most points are far from it, as their determinants tell without eigenvalues.
-    if (axes.size() == 2 && own[0] * own[3] - own[1] * own[2] > 2.0 * negligible * std::pow(own[0] + own[3], 2)) continue;
+    if (axes.size() == 2 && own[0] * own[3] - own[1] * own[2] > 2.0 * negligible * std::pow(own[0] + own[3], 2))
+      continue;
     if (axes.size() == 1 && own[0] > 0.0) continue;
     if (axes.size() == 3) {
       const double determinant = own[0] * (own[4] * own[8] - own[5] * own[7]) -

@@ -84,8 +84,7 @@ class Loops {
       const SpringPattern& pattern = network_.patterns()[static_cast<std::size_t>(run.pattern)];
       const auto inBlocks = [&](auto width) {
         constexpr int n = decltype(width)::value * lanes;
-        for (int at = 0; at < run.count; at += n)
-          work(width, run.first + std::min(at, run.count - n), pattern);
+        for (int at = 0; at < run.count; at += n) work(width, run.first + std::min(at, run.count - n), pattern);
       };
       if (run.count >= most * lanes)
         inBlocks(std::integral_constant<int, most>());

@@ -38,9 +38,9 @@ std::size_t SpringList::bytes() const {
 /// The springs of a point.
 struct SpringNetwork::Row {
   int point = 0;
-  bool isInside = true;              ///< of owned points that have this one as a neighbour, too
-  std::vector<int> reverse;          ///< position of this point in the neighbour's list; -1: in none on this rank
-  std::vector<double> xi;            ///< [neighbours][D]
+  bool isInside = true;      ///< of owned points that have this one as a neighbour, too
+  std::vector<int> reverse;  ///< position of this point in the neighbour's list; -1: in none on this rank
+  std::vector<double> xi;    ///< [neighbours][D]
   std::vector<SpringConstants<double>> constants;
 };
 
@@ -48,7 +48,10 @@ struct SpringNetwork::Row {
 class SpringNetwork::RowReader {
  public:
   RowReader(const SpringNetwork& network, const std::vector<double>& along, const std::vector<double>& across)
-      : network_(network), along_(along), across_(across), cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
+      : network_(network),
+        along_(along),
+        across_(across),
+        cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
 
   const Row& next() {
     row_.point = next_++;
@@ -58,9 +61,7 @@ class SpringNetwork::RowReader {
   }
 
  private:
-  std::size_t firstBond(int point) const {
-    return network_.listStart(point) - static_cast<std::size_t>(point);
-  }
+  std::size_t firstBond(int point) const { return network_.listStart(point) - static_cast<std::size_t>(point); }
 
   /// Lists are sorted: this point's place in a neighbour's list comes after those of the points before.
   void findReverse() {
@@ -113,10 +114,13 @@ class SpringNetwork::RowReader {
   Row row_;
 };
 
-SpringNetwork::SpringNetwork(const Discretization& points, Family family, const std::vector<double>& along,
-                             const std::vector<double>& across, const std::vector<double>& dilatational, bool findsRuns)
+SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& points, Family family,
+                             const std::vector<double>& along, const std::vector<double>& across,
+                             const std::vector<double>& dilatational, bool findsRuns)
     : points_(points),
-      family_(points.dimension == 1 ? Family::None : family), hasAcross_(!across.empty()), dilatational_(dilatational) {
+      family_(points.dimension == 1 ? Family::None : family),
+      hasAcross_(!across.empty()),
+      dilatational_(dilatational) {
   lengthUnit_ = points.shortestBond > 0.0 ? points.shortestBond : 1.0;
   stiffnessUnit_ = 0.0;
   for (std::size_t b = 0; b < along.size(); ++b) {
@@ -124,6 +128,8 @@ SpringNetwork::SpringNetwork(const Discretization& points, Family family, const 
     stiffnessUnit_ = std::max(stiffnessUnit_, std::abs(along[b]));
     hasNegative_ = hasNegative_ || least < 0.0;
   }
+  stiffnessUnit_ = comm.max(stiffnessUnit_);
+  hasNegative_ = comm.any(hasNegative_);
   if (stiffnessUnit_ == 0.0) stiffnessUnit_ = 1.0;
   const int d = points.dimension;
   places_ = {PointVector<double>(points.nPoints, d), PointVector<float>(points.nPoints, d)};

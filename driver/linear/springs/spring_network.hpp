@@ -75,15 +75,15 @@ struct SpringRun {
 /// a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs,
 /// `corrections` take away: they act on their rows alone.
 ///
-/// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and whatever
-/// it is made of.
+/// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
+/// whatever it is made of.
 class SpringNetwork {
  public:
   using Family = LinearSprings::Family;
 
   /// `along`, `across` (empty: none) [bonds, in the order of the discretization] N/m, `dilatational` [nOwned] 1/(N m):
-  /// LinearSprings. Refers to `points`.
-  SpringNetwork(const Discretization& points, Family family, const std::vector<double>& along,
+  /// LinearSprings. Refers to `points`. Collective.
+  SpringNetwork(const Communicator& comm, const Discretization& points, Family family, const std::vector<double>& along,
                 const std::vector<double>& across, const std::vector<double>& dilatational, bool findsRuns = true);
 
   /// Takes up the bond damage of the owned points `changed`; damageOf(point): of its bonds, in the order of its list.
@@ -97,7 +97,7 @@ class SpringNetwork {
   }
   bool hasAcross() const { return hasAcross_; }
   bool hasNegative() const { return hasNegative_; }        ///< some spring pushes where it should pull
-  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m
+  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m, the same on all ranks
   double lengthUnit() const { return lengthUnit_; }        ///< m
   const std::vector<double>& dilatational() const { return dilatational_; }
 

@@ -138,8 +138,7 @@ template <class Real>
 void SpringOperator::apply(PointVector<Real>& x, PointVector<Real>& y) {
   applyToAll(x, y);
   for (const Addition& addition : additions_)
-    y[addition.component][addition.point] +=
-        static_cast<Real>(addition.value) * x[addition.component][addition.point];
+    y[addition.component][addition.point] += static_cast<Real>(addition.value) * x[addition.component][addition.point];
   zeroHeld(y);
 }
 

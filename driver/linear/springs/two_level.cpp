@@ -106,7 +106,8 @@ void TwoLevel::estimateLargest() {
     for (int i = 0; i < nOwned_; ++i) {
       // Anything rough that every number of ranks makes alike.
       const auto id = static_cast<unsigned>(network.points().globalIds[static_cast<std::size_t>(i)]);
-      direction_[c][i] = static_cast<float>((id * 2654435761U + static_cast<unsigned>(c) * 40503U) >> 8 & 1023U) - 512.0F;
+      direction_[c][i] =
+          static_cast<float>((id * 2654435761U + static_cast<unsigned>(c) * 40503U) >> 8 & 1023U) - 512.0F;
     }
   stiffness_.zeroHeld(direction_);
   double estimate = 0.0;
