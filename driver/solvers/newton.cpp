@@ -12,6 +12,8 @@ namespace {
 
 // A tangent is made anew where it reduces the residual by less than this in one iteration.
 constexpr double goodReduction = 0.3;
+// In a row, with products by difference quotients: then the matrix is made after all.
+constexpr int mostPoorSteps = 3;
 
 }  // namespace
 
@@ -101,6 +103,7 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
   NewtonOutcome outcome;
   Balance balance = evaluate(simulation, dt, externalForce);
   bool tangentIsNew = false;
+  int nPoorSteps = 0;
   for (int iteration = 0;; ++iteration) {
     outcome.residuals.push_back(balance.free);
     outcome.scale = std::max(balance.scale, largestScale);
@@ -134,7 +137,9 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
     learn(reduction, report.relativeResidual);
     const bool isUseless = reduction >= 1.0 && tangentIsNew;
     tangentIsNew = false;
-    if (reduction > goodReduction && !improveTangent(isUseless ? Tangent::Assembled : Tangent::Differences)) {
+    nPoorSteps = reduction > goodReduction && tangent_ == Tangent::Differences ? nPoorSteps + 1 : 0;
+    const bool needsMatrix = isUseless || nPoorSteps == mostPoorSteps;
+    if (reduction > goodReduction && !improveTangent(needsMatrix ? Tangent::Assembled : Tangent::Differences)) {
       if (isUseless) {
         outcome.trouble = "no step along Newton's direction brings the forces nearer to balance";
         return outcome;

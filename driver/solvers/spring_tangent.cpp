@@ -197,6 +197,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     product(flat.data(), flatImage.data());
     for (int c = 0; c < dimension; ++c)
       for (std::size_t i = 0; i < n; ++i) to[c][i] = flatImage[3 * i + static_cast<std::size_t>(c)] / unit;
+    stiffness_.addAdditions(from, to);
     stiffness_.zeroHeld(to);
   };
   const ConjugateGradientsResult result = conjugateGradients(

@@ -106,7 +106,7 @@ class Loops {
         for (int m = 0; m < M::width; ++m) sum[w][m] = Real(0);
       }
       const Real* gives = tables.own.data();
-      for (const int offset : pattern.offsets) {
+      for (const int offset : tables.offsets) {
         for (int w = 0; w < width; ++w) {
           Vector eta[D];
           for (int d = 0; d < D; ++d) eta[d] = load(x[d] + first + w * lanes + offset) - own[w][d];
@@ -132,7 +132,7 @@ class Loops {
       for (int m = 0; m < M::width; ++m) ownResponse[w][m] = load(t[m] + first + w * lanes);
     }
     const Real *k = tables.stiffness.data(), *gives = tables.own.data(), *takes = tables.others.data();
-    for (const int offset : pattern.offsets) {
+    for (const int offset : tables.offsets) {
       for (int w = 0; w < width; ++w) {
         Vector eta[D];
         for (int d = 0; d < D; ++d) eta[d] = load(x[d] + first + w * lanes + offset) - own[w][d];

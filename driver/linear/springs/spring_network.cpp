@@ -173,6 +173,8 @@ void fill(const SpringPattern& pattern, int dimension, SpringPattern::Tables<Rea
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
     const SpringConstants<double>& c = pattern.constants[k];
+    if (!c.acts()) continue;
+    tables.offsets.push_back(pattern.offsets[k]);
     const double* xi = &pattern.xi[k * d];
     for (std::size_t a = 0; a < d; ++a) {
       for (std::size_t b = a; b < d; ++b)
@@ -235,6 +237,7 @@ void SpringNetwork::makeLists(RowReader reader) {
     if (isInRun(i)) continue;
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
+      if (!row.constants[k].acts()) continue;
       if (j < points_.nOwned && isInRun(j))
         add(singles_, i, j, 1.0F, row.constants[k]);
       else if (j > i || row.reverse[k] < 0)
@@ -280,7 +283,7 @@ void SpringNetwork::makeCorrections() {
     for (int i = run.first; i < run.first + run.count; ++i) {
       if (aliveOfPoint_[static_cast<std::size_t>(i)].empty()) continue;
       for (std::size_t k = 0; k < pattern.offsets.size(); ++k)
-        if (const float left = alive(i, static_cast<int>(k)); left != 1.0F)
+        if (const float left = alive(i, static_cast<int>(k)); left != 1.0F && pattern.constants[k].acts())
           add(corrections_, i, i + pattern.offsets[k], left - 1.0F, pattern.constants[k]);
     }
   }

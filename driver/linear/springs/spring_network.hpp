@@ -18,6 +18,8 @@ namespace pd {
 template <class Real>
 struct SpringConstants {
   Real radial, across, own, others;
+  /// False of a neighbour beyond the reach of the material.
+  bool acts() const { return radial != 0 || across != 0 || own != 0 || others != 0; }
 };
 
 /// The same of many springs; columns that nothing needs are empty.
@@ -56,6 +58,7 @@ struct SpringPattern {
   /// As the loops want it.
   template <class Real>
   struct Tables {
+    std::vector<int> offsets;       ///< of neighbours within the reach of the material
     std::vector<Real> stiffness;    ///< [neighbours][D (D + 1)/2] upper triangle of radial xi xi^T + across 1
     std::vector<Real> own, others;  ///< [neighbours][D] what the spring gives to the two families, times xi
   };
@@ -169,7 +172,8 @@ void SpringNetwork::forEachSpring(const Visit& visit) const {
         const int j = i + pattern.offsets[k];
         if (j < i && isInRun(j)) continue;
         const float share = alive(i, static_cast<int>(k));
-        if (share != 0.0F) visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
+        if (share != 0.0F && pattern.constants[k].acts())
+          visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
       }
   }
   for (std::size_t r = 0; r < pairs_.rows.size(); ++r)

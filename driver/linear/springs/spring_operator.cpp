@@ -135,10 +135,15 @@ void SpringOperator::applyToAll(PointVector<Real>& x, PointVector<Real>& y) {
 }
 
 template <class Real>
-void SpringOperator::apply(PointVector<Real>& x, PointVector<Real>& y) {
-  applyToAll(x, y);
+void SpringOperator::addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const {
   for (const Addition& addition : additions_)
     y[addition.component][addition.point] += static_cast<Real>(addition.value) * x[addition.component][addition.point];
+}
+
+template <class Real>
+void SpringOperator::apply(PointVector<Real>& x, PointVector<Real>& y) {
+  applyToAll(x, y);
+  addAdditions(x, y);
   zeroHeld(y);
 }
 
@@ -146,6 +151,7 @@ template void SpringOperator::applyToAll(PointVector<double>&, PointVector<doubl
 template void SpringOperator::applyToAll(PointVector<float>&, PointVector<float>&);
 template void SpringOperator::apply(PointVector<double>&, PointVector<double>&);
 template void SpringOperator::apply(PointVector<float>&, PointVector<float>&);
+template void SpringOperator::addAdditions(const PointVector<double>&, PointVector<double>&) const;
 template void SpringOperator::zeroHeld(PointVector<double>&) const;
 template void SpringOperator::zeroHeld(PointVector<float>&) const;
 

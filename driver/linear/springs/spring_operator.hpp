@@ -48,6 +48,8 @@ class SpringOperator {
   void apply(PointVector<Real>& x, PointVector<Real>& y);
 
   template <class Real>
+  void addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const;
+  template <class Real>
   void zeroHeld(PointVector<Real>& x) const;
 
  private:
