@@ -11,6 +11,7 @@
 #include "bond_family.hpp"
 #include "fields.hpp"
 #include "lattice_stability.hpp"
+#include "linear_bonds.hpp"
 #include "point_arrays.hpp"
 #include "two_parameter_bond.hpp"
 
@@ -49,6 +50,9 @@ class BondMechanics {
   /// Adds d(force)/d(displacement), each row times the volume of its point, where the displacement is unknown.
   void computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                        PeridigmNS::SerialMatrix& jacobian) const;
+  /// Of small displacements (LinearBonds).
+  LinearSprings springs(const Call& call, PeridigmNS::DataManager& dataManager) const;
+  LinearSprings::Family springFamily() const;
   /// Bonds were put back: all are read again.
   void forgetBonds() const {
     caches_.forEach([](Cache& cache) { cache.alive.forget(); });

@@ -191,6 +191,24 @@ void BondMechanics::computeStoredElasticEnergyDensity(const Call& call, Peridigm
   });
 }
 
+LinearSprings::Family BondMechanics::springFamily() const {
+  const bool rotates = form_ == kernels::TangentialForm::Objective && constants_.tangential != 0.0;
+  return rotates && family_.dimension() > 1 ? LinearSprings::Family::Rotation : LinearSprings::Family::None;
+}
+
+LinearSprings BondMechanics::springs(const Call& call, PeridigmNS::DataManager& dataManager) const {
+  const Views views(*this, dataManager);
+  LinearSprings result;
+  result.family = springFamily();
+  forEachBond(call, [&](int i, int j, std::size_t) {
+    const ReferenceBond bond(views.x, i, j);
+    const double g = 0.5 * strength(views, bond, i, j) * views.volume[i] * views.volume[j] / bond.length;
+    result.along.push_back(constants_.normal * g);
+    if (constants_.tangential != 0.0) result.across.push_back(constants_.tangential * g);
+  });
+  return result;
+}
+
 void BondMechanics::computeJacobian(const Call& call, PeridigmNS::DataManager& dataManager,
                                     PeridigmNS::SerialMatrix& jacobian) const {
   if (!unknownPlace(fields::displacement().label).isUnknown) return;

@@ -270,6 +270,17 @@ void CompositeMaterial::computeJacobian(const double dt, const int numOwnedPoint
                                      jacobianType);
 }
 
+const LinearBonds* CompositeMaterial::springPart() const {
+  const LinearBonds* found = nullptr;
+  for (const Part& part : parts_) {
+    if (!part.hasForce()) continue;
+    const auto* bonds = dynamic_cast<const LinearBonds*>(part.material.get());
+    if (found != nullptr || bonds == nullptr || !bonds->hasSprings()) return nullptr;
+    found = bonds;
+  }
+  return found;
+}
+
 void CompositeMaterial::stepAccepted(const Call& call, DataManager& data, double time, double dt) const {
   for (const Part& part : parts_) tellStepAccepted(*part.material, call, data, time, dt);
 }

@@ -8,6 +8,7 @@
 
 #include "Peridigm_Material.hpp"
 #include "fields.hpp"
+#include "linear_bonds.hpp"
 #include "parameters.hpp"
 #include "run_notes.hpp"
 #include "separate_rates.hpp"
@@ -22,7 +23,8 @@ class CompositeMaterial : public PeridigmNS::Material,
                           public FieldUser,
                           public StepListener,
                           public RunNotes,
-                          public SeparateRates {
+                          public SeparateRates,
+                          public LinearBonds {
  public:
   static constexpr const char* partsKey = "Materials";
   static void declareParameters(ParameterDeclarations& declare);
@@ -62,6 +64,12 @@ class CompositeMaterial : public PeridigmNS::Material,
   void computeRate(int rateField, double dt, const Call& call, PeridigmNS::DataManager& data) const override;
   void stepAccepted(const Call& call, PeridigmNS::DataManager& data, double time, double dt) const override;
   void stepTakenBack() const override;
+  /// Those of the one part that has forces.
+  bool hasSprings() const override { return springPart() != nullptr; }
+  LinearSprings::Family springFamily() const override { return springPart()->springFamily(); }
+  LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const override {
+    return springPart()->springs(call, data);
+  }
 
  private:
   struct Part {
@@ -75,6 +83,8 @@ class CompositeMaterial : public PeridigmNS::Material,
     void bringBondDamage() { reads(pd::fields::bondDamage()); }
   };
 
+  /// Null where several parts have forces, or the one has no springs.
+  const LinearBonds* springPart() const;
   void checkDensities() const;
   /// Bond_Damage where a part dissolves what another one loads.
   void bringBonds();

@@ -188,6 +188,21 @@ void Elastic::computeStoredElasticEnergyDensity(const double, const int numOwned
   });
 }
 
+LinearSprings Elastic::springs(const Call& call, DataManager& data) const {
+  const Views views(*this, data);
+  LinearSprings result;
+  result.family = springFamily();
+  forEachBond(call, [&](int i, int j, std::size_t) {
+    const ReferenceBond bond(views.x, i, j);
+    result.along.push_back(constants_.deviatoric * influence(bond, views.volume[i], views.volume[j]) * views.volume[i] *
+                           views.volume[j] / views.weightedVolume[i]);
+  });
+  // The energy volumetric/(2 D) theta^2 V_i, with theta = D s/(V_i deviatoric).
+  const double factor = constants_.volumetric * constants_.dimension / (constants_.deviatoric * constants_.deviatoric);
+  for (int p = 0; p < call.nOwned; ++p) result.dilatational.push_back(factor / views.volume[call.ownedIds[p]]);
+  return result;
+}
+
 PD_REGISTER_MATERIAL(Elastic, "Elastic", "Linear peridynamic solid: ordinary state-based elasticity.")
 
 }  // namespace pd

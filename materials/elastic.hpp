@@ -9,6 +9,7 @@
 #include "Peridigm_Material.hpp"
 #include "bond_family.hpp"
 #include "fields.hpp"
+#include "linear_bonds.hpp"
 #include "linear_peridynamic_solid.hpp"
 #include "step_listener.hpp"
 
@@ -16,7 +17,7 @@ namespace pd {
 
 /// Ordinary state-based elasticity, in plane stress, plane strain or 3D, for any Poisson's ratio (formulas:
 /// kernels/linear_peridynamic_solid.hpp).
-class Elastic : public PeridigmNS::Material, public FieldUser, public StepListener {
+class Elastic : public PeridigmNS::Material, public FieldUser, public StepListener, public LinearBonds {
  public:
   struct Fields : FieldTable {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -51,6 +52,8 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   void computeStoredElasticEnergyDensity(const double, const int numOwnedPoints, const int* ownedIDs,
                                          const int* neighborhoodList,
                                          PeridigmNS::DataManager& dataManager) const override;
+  LinearSprings::Family springFamily() const override { return LinearSprings::Family::Dilatation; }
+  LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const override;
   void stepTakenBack() const override {
     caches_.forEach([](Cache& cache) { cache.alive.forget(); });
   }

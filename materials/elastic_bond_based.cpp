@@ -11,7 +11,7 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 /// One elastic constant is given; Poisson's ratio is that of bond-based peridynamics.
-class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public StepListener {
+class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public StepListener, public LinearBonds {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
     declare.text("Material Model", "Name of this model.").defaultTo("Elastic Bond Based");
@@ -79,6 +79,8 @@ class ElasticBondBased : public PeridigmNS::Material, public FieldUser, public S
       mechanics_.computeJacobian({numOwnedPoints, ownedIDs, neighborhoodList}, dataManager, jacobian);
   }
   void stepTakenBack() const override { mechanics_.forgetBonds(); }
+  LinearSprings::Family springFamily() const override { return mechanics_.springFamily(); }
+  LinearSprings springs(const Call& call, DataManager& data) const override { return mechanics_.springs(call, data); }
 
  private:
   static Teuchos::ParameterList checked(const Teuchos::ParameterList& given) {

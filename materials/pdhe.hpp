@@ -8,6 +8,7 @@
 
 #include "Peridigm_Material.hpp"
 #include "bond_mechanics.hpp"
+#include "linear_bonds.hpp"
 #include "nonlocal_diffusion.hpp"
 #include "step_listener.hpp"
 
@@ -15,7 +16,7 @@ namespace pd {
 
 /// Mechanics where Young's Modulus is given, diffusion where Diffusivity is; at least one of them. The embrittlement
 /// itself, the critical stretch that falls with hydrogen, is the damage model Hydrogen Critical Stretch.
-class PDHE : public PeridigmNS::Material, public FieldUser, public StepListener {
+class PDHE : public PeridigmNS::Material, public FieldUser, public StepListener, public LinearBonds {
  public:
   static FieldTable describeFields();
 
@@ -46,6 +47,11 @@ class PDHE : public PeridigmNS::Material, public FieldUser, public StepListener 
                        PeridigmNS::DataManager& dataManager, PeridigmNS::SerialMatrix& jacobian,
                        JacobianType jacobianType = FULL_MATRIX) const override;
   void stepTakenBack() const override;
+  bool hasSprings() const override { return mechanics_.has_value(); }
+  LinearSprings::Family springFamily() const override { return mechanics_->springFamily(); }
+  LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const override {
+    return mechanics_->springs(call, data);
+  }
 
  private:
   double density_ = 0.0;

@@ -291,8 +291,10 @@ void Model::initialize() {
 std::vector<std::string> Model::notes() const {
   std::string own;
   for (Block& block : *blocks_)
-    if (const auto* notes = dynamic_cast<const RunNotes*>(block.getMaterialModel().get()))
-      for (const std::string& line : notes->runNotes()) own += line + "\n";
+    forEachPlugin(block, [&](const auto& plugin) {
+      if (const auto* notes = dynamic_cast<const RunNotes*>(&plugin))
+        for (const std::string& line : notes->runNotes()) own += line + "\n";
+    });
   std::istringstream lines(comm_.gather(own));
   std::vector<std::string> found;
   for (std::string line; std::getline(lines, line);)

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../deck/sections.hpp"
+#include "../solvers/event_solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
 #include "restart.hpp"
@@ -71,30 +72,44 @@ class Run {
         }
       });
       time_ = advance(s, start, done, nSteps);
+      if (isOver_) break;
       firstStep_ += nSteps;
     }
     return time_;
   }
 
  private:
-  /// The increments of a stage after the first `done`, from time `start`. Returns the time at their end.
+  /// The increments of a stage after the first `done`, from time `start`. Returns the time at their end. An increment
+  /// that ends early with an event is a step of its own, and the rest of it another.
   double advance(std::size_t stageNumber, double start, int done, int nSteps) {
     Model& model = simulation_.model;
     Stage& stage = stages_[stageNumber];
-    for (int increment = done + 1; increment <= nSteps; ++increment) {
+    auto* events = dynamic_cast<EventSolver*>(stage.solver.get());
+    for (int increment = done + 1; increment <= nSteps && !isOver_; ++increment) {
       const int step = firstStep_ + increment;
-      const double end = stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
+      const double planned = stage.solver->incrementEnd(increment, nSteps, stage.startTime, stage.endTime);
+      double end = planned;
       orAbortUnlessShared([&] {
         try {
-          stage.solver->advance(simulation_, start, end - start);
+          if (events != nullptr)
+            end = events->advanceToEvent(simulation_, start, planned);
+          else
+            stage.solver->advance(simulation_, start, planned - start);
         } catch (const RunError&) {
           requireFinite(step);  // a solver that met a value that is no number knows neither its place nor the step
           throw;
         }
       });
       requireFinite(step);
+      if (events != nullptr && !events->reasonToStop().empty()) {
+        isOver_ = true;
+        simulation_.output.log(stage.name + ": " + events->reasonToStop() + "; the run ends");
+      } else if (end < planned) {
+        --increment;
+        ++firstStep_;
+      }
       fillHostFields(model, simulation_.conditions, end);
-      const bool isLast = stageNumber + 1 == stages_.size() && increment == nSteps;
+      const bool isLast = isOver_ || (stageNumber + 1 == stages_.size() && increment == nSteps);
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
       if (simulation_.output.isCheckpointDue(step, isLast))
         simulation_.output.checkpoint(model, {step, end, stage.name, stage.solver->restartState(), deck_, {}}, isLast);
@@ -127,7 +142,8 @@ class Run {
   const std::vector<std::string>& labels_;  ///< of fields that must stay finite
   const Communicator& comm_;
   std::string deck_;
-  int firstStep_ = 0;  ///< increments of the stages before
+  int firstStep_ = 0;    ///< increments of the stages before, and early ends of increments
+  bool isOver_ = false;  ///< a solver has found that nothing is left to do
   double time_ = 0.0;
 };
 

@@ -1,5 +1,7 @@
 #include "linear_solver_settings.hpp"
 
+#include <algorithm>
+
 #include "declarations.hpp"
 
 namespace pd {
@@ -12,7 +14,15 @@ void LinearSolverSettings::declareParameters(ParameterDeclarations& declare,
             "on one rank). CG where nothing is given.")
       .oneOf({"CG", "GMRES", "Direct"});
   declare.text("Belos Linear Solver", "Peridigm's name of Linear Solver.").oneOf({"BlockCG", "BlockGMRES"});
-  declare.text("Preconditioner", "Of CG and GMRES.").defaultTo("Multigrid").oneOf(preconditioners);
+  if (std::find(preconditioners.begin(), preconditioners.end(), "Two Level") == preconditioners.end())
+    declare.text("Preconditioner", "Of CG and GMRES.").defaultTo("Multigrid").oneOf(preconditioners);
+  else
+    declare
+        .text("Preconditioner",
+              "Of CG and GMRES. Two Level (of CG): no matrix is made; the bonds of the undeformed body are springs, "
+              "whose affine displacements, piece by piece, are solved for exactly. Where nothing is given: Two Level "
+              "for CG where all materials give such springs (PDHE, Elastic, Elastic Bond Based), else Multigrid.")
+        .oneOf(preconditioners);
   declare
       .real("Linear Tolerance", "1",
             "Relative residual of the linear solves. As tight as the load step's tolerance needs where none is given.")
@@ -28,7 +38,7 @@ void LinearSolverSettings::declareParameters(ParameterDeclarations& declare,
 
 LinearSolverSettings::LinearSolverSettings(const Teuchos::ParameterList& parameters)
     : method(either<std::string>(parameters, "Linear Solver", "Belos Linear Solver", "CG")),
-      preconditioner(parameters.get<std::string>("Preconditioner")),
+      preconditioner(parameters.isParameter("Preconditioner") ? parameters.get<std::string>("Preconditioner") : ""),
       tolerance(either(parameters, "Linear Tolerance", "Belos Relative Tolerance", 0.0)),
       maximumIterations(either(parameters, "Maximum Linear Iterations", "Belos Maximum Iterations", 2000)),
       logs(parameters.get<bool>("Belos Print Status")) {

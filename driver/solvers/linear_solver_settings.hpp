@@ -11,7 +11,7 @@
 namespace pd {
 
 struct LinearSolverSettings {
-  std::string method, preconditioner;  ///< as LinearSystem::solve() has them
+  std::string method, preconditioner;  ///< as LinearSystem::solve() has them; preconditioner empty: none is given
   double tolerance;                    ///< 0: as tight as the solver needs
   int maximumIterations;
   bool logs;

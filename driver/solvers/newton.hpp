@@ -9,6 +9,7 @@
 #include "../linear/linear_system.hpp"
 #include "../model/simulation.hpp"
 #include "mechanics.hpp"
+#include "spring_tangent.hpp"
 
 namespace pd {
 
@@ -16,7 +17,9 @@ struct NewtonSettings {
   int maximumIterations = 50;
   double relativeTolerance = 1e-6;  ///< 0: not a criterion
   double absoluteTolerance = 0.0;   ///< N; 0: not a criterion
-  std::string linearSolver = "CG", preconditioner = "Multigrid";
+  std::string linearSolver = "CG";
+  std::string preconditioner;    ///< empty: Two Level where it fits, else Multigrid
+  bool hasSmallStrain = false;   ///< forces are those of the springs of the reference configuration (LinearBonds)
   double linearTolerance = 0.0;  ///< 0: as tight as the step needs
   int maximumLinearIterations = 2000;
   bool logsLinearSolves = false;
@@ -44,8 +47,13 @@ class Newton {
 
   /// `isHeld` [3 nOwned]. A tangent of other held degrees of freedom is dropped.
   void hold(const std::vector<char>& isHeld);
-  /// For when bonds have broken.
-  void dropTangent() { hasTangent_ = false; }
+  /// For when bonds have broken, or have been put back.
+  void dropTangent();
+  /// Forgets how far tangents, and what they are kept with, have proved good: what follows is what follows from the
+  /// state of the model alone. For the start of an increment, where a run may be taken up from a checkpoint.
+  void startAfresh(Model& model);
+  /// Throws RunError where the settings ask for springs, and the materials have none.
+  void requireSprings(Model& model) const;
   /// Makes the tangent at the present displacements, if there is none.
   void prepareTangent(Simulation& simulation, double dt);
 
@@ -66,24 +74,46 @@ class Newton {
   double largestLinearResidual = 0.0;
   int nStiffenedPoints = 0;  ///< of the last tangent, on this rank: points free to move along some direction
   bool stoppedAtRoundOff = false;
+  long long nSpringSolves = 0, nDifferenceSolves = 0;  ///< linear solves without a matrix: by springs, by differences
+  const SpringTangent* springs() const { return springs_.get(); }
   bool couplesFamilies() const { return couplesFamilies_; }
 
  private:
   struct Balance {
     double free = 0.0, scale = 0.0;  ///< N
   };
+  /// What the linear solves are made with: springs of the reference configuration; difference quotients of the forces
+  /// about the present displacements, for which the former are the preconditioner; or the matrix of the tangent.
+  enum class Tangent { Springs, Differences, Assembled };
+
   Balance evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce);
+  void chooseTangent(Model& model);
+  void makeTangent(Simulation& simulation, double dt);
+  /// Goes over to a better kind. False where there is none.
+  bool improveTangent(Tangent better);
+  void learn(double reduction, double linearResidual);
+  void setRoundOff(Model& model, double normOfDiagonal);
+  void springForce(Model& model);
+  void completeSmallStrain(Model& model, double dt);
+  std::string preconditionerName() const;
+  LinearSolveReport solveByDifferences(Simulation& simulation, double dt, const std::vector<double>& externalForce,
+                                       double tolerance);
   void assemble(Simulation& simulation, double dt);
   void assembleOnce(Simulation& simulation, double dt);
   bool someFamilyIsCoupled(Model& model, double dt) const;
   void stiffenLoosePoints(Model& model);
   void damp(Model& model);
-  LinearSolveReport solveLinear(Simulation& simulation, double tolerance);
+  LinearSolveReport solveLinear(Simulation& simulation, double dt, const std::vector<double>& externalForce,
+                                double tolerance);
   double search(Simulation& simulation, double dt, const std::vector<double>& externalForce, Balance& balance);
 
   Fields fields_;
   NewtonSettings settings_;
   std::unique_ptr<LinearSystem> system_;
+  std::unique_ptr<SpringTangent> springs_;
+  Tangent tangent_ = Tangent::Springs;
+  bool hasChosen_ = false, usesSprings_ = false;
+  double nonlinearity_ = 1e-3;           ///< what a step leaves of the residual that solves the linear problem exactly
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;

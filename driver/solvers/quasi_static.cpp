@@ -28,6 +28,7 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   settings.linearTolerance = linear.tolerance;
   settings.maximumLinearIterations = linear.maximumIterations;
   settings.logsLinearSolves = linear.logs;
+  settings.hasSmallStrain = parameters.get<std::string>("Kinematics") == "Small Strain";
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
   return settings;
@@ -44,7 +45,15 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
             "tolerance is given. What rounding of coordinates makes of the forces is always enough.")
       .strictlyBetween(0.0, 1.0);
   declare.real("Absolute Tolerance", "N", "Norm of the unbalanced force that is enough.").positive();
-  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
+  declare
+      .text("Kinematics",
+            "Finite: the forces that materials compute from the present places of the points. Small Strain: those of "
+            "the reference configuration, in proportion to the displacements; one linear solve is one equilibrium, "
+            "and bonds do not turn. For bodies that strain and turn by a few parts in a thousand, of materials whose "
+            "bonds are springs (PDHE, Elastic, Elastic Bond Based).")
+      .defaultTo("Finite")
+      .oneOf({"Finite", "Small Strain"});
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
   declare
       .real("Damped Newton Diagonal Scale Factor", "1",
             "The diagonal of the tangent is multiplied by this: shorter, safer Newton steps.")
@@ -81,7 +90,10 @@ QuasiStatic::QuasiStatic(const Teuchos::ParameterList& given)
       maximumHalvings_(parameters_.get<int>("Maximum Load Step Reductions")),
       newton_(newtonSettings(parameters_)) {}
 
-void QuasiStatic::initialize(Simulation& simulation) { requireMechanics(simulation.model, "QuasiStatic"); }
+void QuasiStatic::initialize(Simulation& simulation) {
+  requireMechanics(simulation.model, "QuasiStatic");
+  newton_.requireSprings(simulation.model);
+}
 
 void QuasiStatic::rehearse(Simulation& simulation, double t, double dt) {
   findLooseParts(simulation);
@@ -212,6 +224,7 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
   simulation.model.fieldAtN("Displacement");  // kept from now on: where each part of the load step starts
   takeUpBreakage(simulation);
+  newton_.startAfresh(simulation.model);
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);

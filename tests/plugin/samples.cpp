@@ -170,6 +170,19 @@ std::vector<Sample> damageSamples() {
   const auto model = [](const std::vector<PartSample>& parts) {
     return combined("Damage Models", "Damage Model", parts);
   };
+  Teuchos::ParameterList life;
+  life.set("Initiation Coefficient", 60.0);
+  life.set("Initiation Exponent", 2.0);
+  life.set("Growth Coefficient", 200.0);
+  life.set("Growth Exponent", 2.0);
+  life.set("Growth Damage", 0.25);
+  life.set("Cycles Per Step", 2.0);
+  const Teuchos::ParameterList initiation = [&] {
+    Teuchos::ParameterList list = with(with(life, "Load Ratio", -0.5), "Critical Stretch", 0.09);
+    list.remove("Growth Coefficient");
+    list.remove("Growth Exponent");
+    return list;
+  }();
   const Sample wearAndTear{
       "BreakageAndDissolution", "Combined", 2,
       model({{"Breakage", "Critical Stretch", stretch}, {"Dissolution", "Dissolution", Teuchos::ParameterList()}})};
@@ -186,6 +199,8 @@ std::vector<Sample> damageSamples() {
       nodal("NodalEnergyOfASolid", "Nodal Energy", 3, withText(elastic(0.2), "Volume Correction", "Ramp To Horizon")),
       nodal("NodalEnergyWithHydrogen", "Hydrogen Nodal Energy", 2, coverage),
       {"Bilinear", "Bilinear", 2, stretch},
+      {"RemainingLife", "Remaining Life", 2, life},
+      {"RemainingLifeBeforeACrack", "Remaining Life", 3, initiation},
       dissolution,
       {"TwoLimits", "Combined", 2,
        model({{"Steel", "Critical Stretch", with(stretch, "Critical Compressive Stretch", 0.06)},

@@ -1,0 +1,42 @@
+// Displacements and forces of points, one contiguous array a component.
+#ifndef PD_POINT_VECTOR_HPP
+#define PD_POINT_VECTOR_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace pd {
+
+/// Values of owned points, then of ghosts and images.
+template <class Real>
+class PointVector {
+ public:
+  PointVector() = default;
+  PointVector(int nPoints, int nComponents)
+      : nPoints_(nPoints),
+        nComponents_(nComponents),
+        values_(std::size_t(nPoints) * std::size_t(nComponents), Real(0)) {}
+
+  int nPoints() const { return nPoints_; }
+  int nComponents() const { return nComponents_; }
+  Real* operator[](int component) { return values_.data() + std::size_t(component) * std::size_t(nPoints_); }
+  const Real* operator[](int component) const {
+    return values_.data() + std::size_t(component) * std::size_t(nPoints_);
+  }
+  void zero() { std::fill(values_.begin(), values_.end(), Real(0)); }
+
+ private:
+  int nPoints_ = 0, nComponents_ = 0;
+  std::vector<Real> values_;
+};
+
+/// work(values of a, values of b, ...) component by component, over the first `n` points.
+template <class Work, class First, class... Rest>
+void forEachComponent(const Work& work, First& first, Rest&... rest) {
+  for (int c = 0; c < first.nComponents(); ++c) work(first[c], rest[c]...);
+}
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,281 @@
+#include "spring_kernels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <experimental/simd>
+#include <type_traits>
+
+namespace pd {
+
+namespace {
+
+namespace stdx = std::experimental;
+using Family = SpringNetwork::Family;
+
+/// xi x eta (Rotation) or xi.eta (Dilatation), the s of a bond, and the gradient of t.s by eta.
+template <int D, Family family>
+struct Measure {
+  static constexpr int width = family == Family::None ? 0 : (family == Family::Rotation && D == 3 ? 3 : 1);
+
+  template <class V, class W>
+  static void add(const W* xi, const V* eta, V* s) {
+    if constexpr (family == Family::Dilatation) {
+      for (int d = 0; d < D; ++d) s[0] += xi[d] * eta[d];
+    } else if constexpr (family == Family::Rotation && D == 2) {
+      s[0] += xi[0] * eta[1] - xi[1] * eta[0];
+    } else if constexpr (family == Family::Rotation && D == 3) {
+      s[0] += xi[1] * eta[2] - xi[2] * eta[1];
+      s[1] += xi[2] * eta[0] - xi[0] * eta[2];
+      s[2] += xi[0] * eta[1] - xi[1] * eta[0];
+    }
+  }
+  template <class V, class W>
+  static void addGradient(const W* xi, const V* t, V* force) {
+    if constexpr (family == Family::Dilatation) {
+      for (int d = 0; d < D; ++d) force[d] += xi[d] * t[0];
+    } else if constexpr (family == Family::Rotation && D == 2) {
+      force[0] -= xi[1] * t[0];
+      force[1] += xi[0] * t[0];
+    } else if constexpr (family == Family::Rotation && D == 3) {
+      force[0] += t[1] * xi[2] - t[2] * xi[1];
+      force[1] += t[2] * xi[0] - t[0] * xi[2];
+      force[2] += t[0] * xi[1] - t[1] * xi[0];
+    }
+  }
+};
+
+template <class Real, int D, Family family, bool hasAcross>
+class Loops {
+ public:
+  explicit Loops(const SpringNetwork& network) : network_(network) {}
+
+  void addFamilies(const PointVector<Real>& x, PointVector<Real>& s) const {
+    forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
+      addFamiliesOfBlock<decltype(width)::value>(first, pattern, x, s);
+    });
+    addFamiliesOfList<true>(network_.pairs(), x, s);
+    addFamiliesOfList<false>(network_.singles(), x, s);
+    addFamiliesOfList<false>(network_.corrections(), x, s);
+  }
+  void forces(const PointVector<Real>& x, const PointVector<Real>& t, PointVector<Real>& y) const {
+    y.zero();
+    forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
+      forcesOfBlock<decltype(width)::value>(first, pattern, x, t, y);
+    });
+    addForcesOfList<true>(network_.pairs(), x, t, y);
+    addForcesOfList<false>(network_.singles(), x, t, y);
+    addForcesOfList<false>(network_.corrections(), x, t, y);
+  }
+
+ private:
+  using Vector = stdx::native_simd<Real>;
+  static constexpr int lanes = static_cast<int>(Vector::size());
+  using M = Measure<D, family>;
+  static constexpr int nStiffness = D * (D + 1) / 2;
+  static constexpr std::size_t nArrays = M::width > 0 ? M::width : 1;
+
+  static Vector load(const Real* from) { return Vector(from, stdx::element_aligned); }
+
+  /// work(number of vectors, first point, pattern): blocks of a run may overlap, since they write what they compute.
+  template <class Work>
+  void forEachBlockOfRuns(const Work& work) const {
+    constexpr int most = D < 3 ? 4 : 2;
+    for (const SpringRun& run : network_.runs()) {
+      const SpringPattern& pattern = network_.patterns()[static_cast<std::size_t>(run.pattern)];
+      const auto inBlocks = [&](auto width) {
+        constexpr int n = decltype(width)::value * lanes;
+        for (int at = 0; at < run.count; at += n) work(width, run.first + std::min(at, run.count - n), pattern);
+      };
+      if (run.count >= most * lanes)
+        inBlocks(std::integral_constant<int, most>());
+      else if (run.count >= 2 * lanes)
+        inBlocks(std::integral_constant<int, 2>());
+      else
+        inBlocks(std::integral_constant<int, 1>());
+    }
+  }
+
+  template <int width>
+  void addFamiliesOfBlock(int first, const SpringPattern& pattern, const PointVector<Real>& x,
+                          PointVector<Real>& s) const {
+    if constexpr (M::width > 0) {
+      const auto& tables = std::get<SpringPattern::Tables<Real>>(pattern.tables);
+      Vector own[width][D], sum[width][nArrays];
+      for (int w = 0; w < width; ++w) {
+        for (int d = 0; d < D; ++d) own[w][d] = load(x[d] + first + w * lanes);
+        for (int m = 0; m < M::width; ++m) sum[w][m] = Real(0);
+      }
+      const Real* gives = tables.own.data();
+      for (const int offset : tables.offsets) {
+        for (int w = 0; w < width; ++w) {
+          Vector eta[D];
+          for (int d = 0; d < D; ++d) eta[d] = load(x[d] + first + w * lanes + offset) - own[w][d];
+          M::add(gives, eta, sum[w]);
+        }
+        gives += D;
+      }
+      for (int w = 0; w < width; ++w)
+        for (int m = 0; m < M::width; ++m) sum[w][m].copy_to(s[m] + first + w * lanes, stdx::element_aligned);
+    }
+  }
+
+  template <int width>
+  void forcesOfBlock(int first, const SpringPattern& pattern, const PointVector<Real>& x, const PointVector<Real>& t,
+                     PointVector<Real>& y) const {
+    const auto& tables = std::get<SpringPattern::Tables<Real>>(pattern.tables);
+    Vector own[width][D], sum[width][D], ownResponse[width][nArrays];
+    for (int w = 0; w < width; ++w) {
+      for (int d = 0; d < D; ++d) {
+        own[w][d] = load(x[d] + first + w * lanes);
+        sum[w][d] = Real(0);
+      }
+      for (int m = 0; m < M::width; ++m) ownResponse[w][m] = load(t[m] + first + w * lanes);
+    }
+    const Real *k = tables.stiffness.data(), *gives = tables.own.data(), *takes = tables.others.data();
+    for (const int offset : tables.offsets) {
+      for (int w = 0; w < width; ++w) {
+        Vector eta[D];
+        for (int d = 0; d < D; ++d) eta[d] = load(x[d] + first + w * lanes + offset) - own[w][d];
+        if constexpr (D == 1) {
+          sum[w][0] += k[0] * eta[0];
+        } else if constexpr (D == 2) {
+          sum[w][0] += k[0] * eta[0];
+          sum[w][1] += k[1] * eta[0];
+          sum[w][0] += k[1] * eta[1];
+          sum[w][1] += k[2] * eta[1];
+        } else {
+          sum[w][0] += k[0] * eta[0];
+          sum[w][1] += k[1] * eta[0];
+          sum[w][2] += k[2] * eta[0];
+          sum[w][0] += k[1] * eta[1];
+          sum[w][1] += k[3] * eta[1];
+          sum[w][2] += k[4] * eta[1];
+          sum[w][0] += k[2] * eta[2];
+          sum[w][1] += k[4] * eta[2];
+          sum[w][2] += k[5] * eta[2];
+        }
+        if constexpr (M::width > 0) {
+          Vector other[nArrays];
+          for (int m = 0; m < M::width; ++m) other[m] = load(t[m] + first + w * lanes + offset);
+          M::addGradient(gives, ownResponse[w], sum[w]);
+          M::addGradient(takes, other, sum[w]);
+        }
+      }
+      k += nStiffness;
+      gives += D;
+      takes += D;
+    }
+    for (int w = 0; w < width; ++w)
+      for (int d = 0; d < D; ++d) (-sum[w][d]).copy_to(y[d] + first + w * lanes, stdx::element_aligned);
+  }
+
+  template <bool actsOnBoth>
+  void addFamiliesOfList(const SpringList& list, const PointVector<Real>& x, PointVector<Real>& s) const {
+    if constexpr (M::width > 0) {
+      const PointVector<Real>& places = network_.places<Real>();
+      const SpringColumns<Real>& c = list.in<Real>();
+      const int nOwned = network_.points().nOwned;
+      for (std::size_t r = 0; r < list.rows.size(); ++r) {
+        const int i = list.rows[r];
+        std::array<Real, nArrays> sum{};
+        for (std::size_t k = list.start[r]; k < list.start[r + 1]; ++k) {
+          const int j = list.other[k];
+          std::array<Real, D> xi, eta;
+          for (int d = 0; d < D; ++d) {
+            xi[d] = list.alive[k] * (places[d][j] - places[d][i]);
+            eta[d] = x[d][j] - x[d][i];
+          }
+          std::array<Real, nArrays> bond{};
+          M::add(xi.data(), eta.data(), bond.data());
+          for (int m = 0; m < M::width; ++m) sum[m] += c.own[k] * bond[m];
+          if (actsOnBoth && j < nOwned)
+            for (int m = 0; m < M::width; ++m) s[m][j] += c.others[k] * bond[m];
+        }
+        for (int m = 0; m < M::width; ++m) s[m][i] += sum[m];
+      }
+    }
+  }
+
+  template <bool actsOnBoth>
+  void addForcesOfList(const SpringList& list, const PointVector<Real>& x, const PointVector<Real>& t,
+                       PointVector<Real>& y) const {
+    const PointVector<Real>& places = network_.places<Real>();
+    const SpringColumns<Real>& c = list.in<Real>();
+    const int nOwned = network_.points().nOwned;
+    for (std::size_t r = 0; r < list.rows.size(); ++r) {
+      const int i = list.rows[r];
+      std::array<Real, D> sum{};
+      for (std::size_t k = list.start[r]; k < list.start[r + 1]; ++k) {
+        const int j = list.other[k];
+        std::array<Real, D> xi, eta, force;
+        Real along = 0;
+        for (int d = 0; d < D; ++d) {
+          xi[d] = places[d][j] - places[d][i];
+          eta[d] = x[d][j] - x[d][i];
+          along += xi[d] * eta[d];
+        }
+        along *= c.radial[k];
+        for (int d = 0; d < D; ++d) force[d] = along * xi[d];
+        if constexpr (hasAcross)
+          for (int d = 0; d < D; ++d) force[d] += c.across[k] * eta[d];
+        if constexpr (M::width > 0) {
+          std::array<Real, nArrays> response;
+          const bool hasOther = j < nOwned;
+          for (int m = 0; m < M::width; ++m)
+            response[m] = c.own[k] * t[m][i] + (hasOther ? c.others[k] * t[m][j] : Real(0));
+          M::addGradient(xi.data(), response.data(), force.data());
+        }
+        for (int d = 0; d < D; ++d) {
+          force[d] *= list.alive[k];
+          sum[d] += force[d];
+          if (actsOnBoth) y[d][j] += force[d];
+        }
+      }
+      for (int d = 0; d < D; ++d) y[d][i] -= sum[d];
+    }
+  }
+
+  const SpringNetwork& network_;
+};
+
+/// work(loops of this network).
+template <class Real, int D, class Work>
+void inDimension(const SpringNetwork& network, const Work& work) {
+  if (network.family() == Family::Rotation && D > 1)
+    work(Loops<Real, D, Family::Rotation, true>(network));
+  else if (network.family() == Family::Dilatation)
+    work(Loops<Real, D, Family::Dilatation, false>(network));
+  else if (network.hasAcross())
+    work(Loops<Real, D, Family::None, true>(network));
+  else
+    work(Loops<Real, D, Family::None, false>(network));
+}
+
+template <class Real, class Work>
+void withLoops(const SpringNetwork& network, const Work& work) {
+  if (network.dimension() == 1) return inDimension<Real, 1>(network, work);
+  if (network.dimension() == 2) return inDimension<Real, 2>(network, work);
+  inDimension<Real, 3>(network, work);
+}
+
+}  // namespace
+
+template <class Real>
+void addSpringFamilies(const SpringNetwork& network, const PointVector<Real>& x, PointVector<Real>& families) {
+  withLoops<Real>(network, [&](const auto& loops) { loops.addFamilies(x, families); });
+}
+
+template <class Real>
+void springForces(const SpringNetwork& network, const PointVector<Real>& x, const PointVector<Real>& responses,
+                  PointVector<Real>& y) {
+  withLoops<Real>(network, [&](const auto& loops) { loops.forces(x, responses, y); });
+}
+
+template void addSpringFamilies(const SpringNetwork&, const PointVector<double>&, PointVector<double>&);
+template void addSpringFamilies(const SpringNetwork&, const PointVector<float>&, PointVector<float>&);
+template void springForces(const SpringNetwork&, const PointVector<double>&, const PointVector<double>&,
+                           PointVector<double>&);
+template void springForces(const SpringNetwork&, const PointVector<float>&, const PointVector<float>&,
+                           PointVector<float>&);
+
+}  // namespace pd

@@ -1,0 +1,299 @@
+#include "spring_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pd {
+
+namespace {
+
+// Runs shorter than a vector is wide gain nothing.
+constexpr int shortestRun = 16;
+// Constants that differ by less, relative to the largest of a neighbourhood, are those of one pattern.
+constexpr double patternTolerance = 1e-10;
+// Patterns that a new run is compared with.
+constexpr std::size_t nRemembered = 64;
+
+}  // namespace
+
+void SpringList::add(int point, int neighbor, float unbroken, const SpringConstants<double>& c, bool hasAcross,
+                     bool hasFamily) {
+  if (rows.empty() || rows.back() != point) {
+    rows.push_back(point);
+    start.push_back(other.size());
+  }
+  other.push_back(neighbor);
+  alive.push_back(unbroken);
+  std::get<0>(columns).add(c, hasAcross, hasFamily);
+  std::get<1>(columns).add(c, hasAcross, hasFamily);
+  start.back() = other.size();
+}
+
+std::size_t SpringList::bytes() const {
+  const SpringColumns<double>& c = in<double>();
+  return rows.size() * (sizeof(int) + sizeof(std::size_t)) + other.size() * (sizeof(int) + sizeof(float)) +
+         (c.radial.size() + c.across.size() + c.own.size() + c.others.size()) * (sizeof(double) + sizeof(float));
+}
+
+/// The springs of a point.
+struct SpringNetwork::Row {
+  int point = 0;
+  bool isInside = true;      ///< of owned points that have this one as a neighbour, too
+  std::vector<int> reverse;  ///< position of this point in the neighbour's list; -1: in none on this rank
+  std::vector<double> xi;    ///< [neighbours][D]
+  std::vector<SpringConstants<double>> constants;
+};
+
+/// Reads the rows of points 0, 1, 2 ... one after another.
+class SpringNetwork::RowReader {
+ public:
+  RowReader(const SpringNetwork& network, const std::vector<double>& along, const std::vector<double>& across)
+      : network_(network),
+        along_(along),
+        across_(across),
+        cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
+
+  const Row& next() {
+    row_.point = next_++;
+    findReverse();
+    readConstants();
+    return row_;
+  }
+
+ private:
+  std::size_t firstBond(int point) const { return network_.listStart(point) - static_cast<std::size_t>(point); }
+
+  /// Lists are sorted: this point's place in a neighbour's list comes after those of the points before.
+  void findReverse() {
+    const int i = row_.point, n = network_.nNeighbors(i);
+    row_.reverse.assign(static_cast<std::size_t>(n), -1);
+    row_.isInside = true;
+    for (int k = 0; k < n; ++k) {
+      const int j = network_.neighbors(i)[k];
+      if (j < network_.points_.nOwned) {
+        int& place = cursor_[static_cast<std::size_t>(j)];
+        while (place < network_.nNeighbors(j) && network_.neighbors(j)[place] < i) ++place;
+        if (place < network_.nNeighbors(j) && network_.neighbors(j)[place] == i)
+          row_.reverse[static_cast<std::size_t>(k)] = place;
+      }
+      row_.isInside = row_.isInside && row_.reverse[static_cast<std::size_t>(k)] >= 0;
+    }
+  }
+
+  void readConstants() {
+    const int i = row_.point, n = network_.nNeighbors(i), d = network_.dimension();
+    const PointVector<double>& x = network_.places<double>();
+    row_.xi.resize(static_cast<std::size_t>(n * d));
+    row_.constants.resize(static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k) {
+      const int j = network_.neighbors(i)[k], back = row_.reverse[static_cast<std::size_t>(k)];
+      double length2 = 0.0;
+      for (int c = 0; c < d; ++c) {
+        const double difference = x[c][j] - x[c][i];
+        row_.xi[static_cast<std::size_t>(k * d + c)] = difference;
+        length2 += difference * difference;
+      }
+      const std::size_t own = firstBond(i) + static_cast<std::size_t>(k);
+      const std::size_t other = back < 0 ? own : firstBond(j) + static_cast<std::size_t>(back);
+      const double hasOther = back < 0 ? 0.0 : 1.0, perUnit = 1.0 / network_.stiffnessUnit_;
+      const double along = along_[own] + hasOther * along_[other];
+      const double across = across_.empty() ? 0.0 : across_[own] + hasOther * across_[other];
+      SpringConstants<double>& constants = row_.constants[static_cast<std::size_t>(k)];
+      constants = {perUnit * (along - across) / length2, perUnit * across, 0.0, 0.0};
+      if (network_.family_ == Family::None) continue;
+      const std::vector<double>& gives = network_.family_ == Family::Rotation ? across_ : along_;
+      constants.own = perUnit * gives[own];
+      constants.others = perUnit * hasOther * gives[other];
+    }
+  }
+
+  const SpringNetwork& network_;
+  const std::vector<double>&along_, &across_;
+  std::vector<int> cursor_;
+  int next_ = 0;
+  Row row_;
+};
+
+SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& points, Family family,
+                             const std::vector<double>& along, const std::vector<double>& across,
+                             const std::vector<double>& dilatational, bool findsRuns)
+    : points_(points),
+      family_(points.dimension == 1 ? Family::None : family),
+      hasAcross_(!across.empty()),
+      dilatational_(dilatational) {
+  lengthUnit_ = points.shortestBond > 0.0 ? points.shortestBond : 1.0;
+  stiffnessUnit_ = 0.0;
+  for (std::size_t b = 0; b < along.size(); ++b) {
+    const double least = hasAcross_ ? std::min(along[b], across[b]) : along[b];
+    stiffnessUnit_ = std::max(stiffnessUnit_, std::abs(along[b]));
+    hasNegative_ = hasNegative_ || least < 0.0;
+  }
+  stiffnessUnit_ = comm.max(stiffnessUnit_);
+  hasNegative_ = comm.any(hasNegative_);
+  if (stiffnessUnit_ == 0.0) stiffnessUnit_ = 1.0;
+  const int d = points.dimension;
+  places_ = {PointVector<double>(points.nPoints, d), PointVector<float>(points.nPoints, d)};
+  for (int c = 0; c < d; ++c) {
+    double middle = 0.0;
+    for (int i = 0; i < points.nOwned; ++i) middle += points.x[static_cast<std::size_t>(3 * i + c)] / points.nOwned;
+    for (int i = 0; i < points.nPoints; ++i) {
+      const double place = (points.x[static_cast<std::size_t>(3 * i + c)] - middle) / lengthUnit_;
+      std::get<0>(places_)[c][i] = place;
+      std::get<1>(places_)[c][i] = static_cast<float>(place);
+    }
+  }
+  const auto nOwned = static_cast<std::size_t>(points.nOwned);
+  runOfPoint_.assign(nOwned, -1);
+  aliveOfPoint_.resize(nOwned);
+  if (findsRuns) findRuns(RowReader(*this, along, across));
+  makeLists(RowReader(*this, along, across));
+}
+
+bool SpringNetwork::follows(const Row& row, const SpringPattern& pattern) const {
+  const std::size_t n = row.constants.size();
+  if (!row.isInside || n != pattern.offsets.size()) return false;
+  for (std::size_t k = 0; k < n; ++k)
+    if (neighbors(row.point)[k] - row.point != pattern.offsets[k]) return false;
+  // Lengths are near 1 by their unit, stiffnesses at most.
+  for (std::size_t k = 0; k < row.xi.size(); ++k)
+    if (std::abs(row.xi[k] - pattern.xi[k]) > patternTolerance) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const SpringConstants<double>&a = row.constants[k], &b = pattern.constants[k];
+    const double difference = std::max({std::abs(a.radial - b.radial), std::abs(a.across - b.across),
+                                        std::abs(a.own - b.own), std::abs(a.others - b.others)});
+    if (difference > patternTolerance) return false;
+  }
+  return true;
+}
+
+namespace {
+
+template <class Real>
+void fill(const SpringPattern& pattern, int dimension, SpringPattern::Tables<Real>& tables) {
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
+    const SpringConstants<double>& c = pattern.constants[k];
+    if (!c.acts()) continue;
+    tables.offsets.push_back(pattern.offsets[k]);
+    const double* xi = &pattern.xi[k * d];
+    for (std::size_t a = 0; a < d; ++a) {
+      for (std::size_t b = a; b < d; ++b)
+        tables.stiffness.push_back(static_cast<Real>(c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0)));
+      tables.own.push_back(static_cast<Real>(c.own * xi[a]));
+      tables.others.push_back(static_cast<Real>(c.others * xi[a]));
+    }
+  }
+}
+
+}  // namespace
+
+void SpringNetwork::endRun(SpringRun& run, SpringPattern& pattern) {
+  if (run.count >= shortestRun) {
+    if (run.pattern < 0) {
+      run.pattern = static_cast<int>(patterns_.size());
+      fill(pattern, dimension(), std::get<0>(pattern.tables));
+      fill(pattern, dimension(), std::get<1>(pattern.tables));
+      patterns_.push_back(std::move(pattern));
+    }
+    for (int i = run.first; i < run.first + run.count; ++i)
+      runOfPoint_[static_cast<std::size_t>(i)] = static_cast<int>(runs_.size());
+    runs_.push_back(run);
+  }
+  run = {0, 0, -1};
+  pattern = {};
+}
+
+void SpringNetwork::findRuns(RowReader reader) {
+  SpringRun run{0, 0, -1};
+  SpringPattern pattern;  // of the present run, where it is new
+  const auto patternOf = [&](const SpringRun& r) -> const SpringPattern& {
+    return r.pattern < 0 ? pattern : patterns_[static_cast<std::size_t>(r.pattern)];
+  };
+  for (int i = 0; i < points_.nOwned; ++i) {
+    const Row& row = reader.next();
+    if (run.count > 0 && follows(row, patternOf(run))) {
+      ++run.count;
+      continue;
+    }
+    endRun(run, pattern);
+    if (!row.isInside || row.constants.empty()) continue;
+    run = {i, 1, -1};
+    const std::size_t first = patterns_.size() > nRemembered ? patterns_.size() - nRemembered : 0;
+    for (std::size_t p = patterns_.size(); p-- > first && run.pattern < 0;)
+      if (follows(row, patterns_[p])) run.pattern = static_cast<int>(p);
+    if (run.pattern >= 0) continue;
+    for (std::size_t k = 0; k < row.constants.size(); ++k) pattern.offsets.push_back(neighbors(i)[k] - i);
+    pattern.constants = row.constants;
+    pattern.xi = row.xi;
+  }
+  endRun(run, pattern);
+}
+
+void SpringNetwork::makeLists(RowReader reader) {
+  pairRow_.assign(static_cast<std::size_t>(points_.nOwned), -1);
+  singleRow_ = pairRow_;
+  for (int i = 0; i < points_.nOwned; ++i) {
+    const Row& row = reader.next();
+    if (isInRun(i)) continue;
+    for (std::size_t k = 0; k < row.constants.size(); ++k) {
+      const int j = neighbors(i)[k];
+      if (!row.constants[k].acts()) continue;
+      if (j < points_.nOwned && isInRun(j))
+        add(singles_, i, j, 1.0F, row.constants[k]);
+      else if (j > i || row.reverse[k] < 0)
+        add(pairs_, i, j, 1.0F, row.constants[k]);
+    }
+  }
+  for (std::size_t r = 0; r < pairs_.rows.size(); ++r)
+    pairRow_[static_cast<std::size_t>(pairs_.rows[r])] = static_cast<int>(r);
+  for (std::size_t r = 0; r < singles_.rows.size(); ++r)
+    singleRow_[static_cast<std::size_t>(singles_.rows[r])] = static_cast<int>(r);
+}
+
+void SpringNetwork::setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf) {
+  for (const int i : changed) {
+    const double* damage = damageOf(i);
+    const int n = nNeighbors(i);
+    std::vector<float>& own = aliveOfPoint_[static_cast<std::size_t>(i)];
+    own.clear();
+    if (damage == nullptr || std::all_of(damage, damage + n, [](double d) { return d == 0.0; })) continue;
+    for (int k = 0; k < n; ++k) own.push_back(static_cast<float>(1.0 - damage[k]));
+  }
+  for (const int i : changed) {
+    setAlive(pairs_, pairRow_[static_cast<std::size_t>(i)], i);
+    setAlive(singles_, singleRow_[static_cast<std::size_t>(i)], i);
+  }
+  makeCorrections();
+}
+
+void SpringNetwork::setAlive(SpringList& list, int row, int point) {
+  if (row < 0) return;
+  const auto r = static_cast<std::size_t>(row);
+  int k = 0;
+  for (std::size_t s = list.start[r]; s < list.start[r + 1]; ++s) {
+    while (neighbors(point)[k] != list.other[s]) ++k;
+    list.alive[s] = alive(point, k);
+  }
+}
+
+void SpringNetwork::makeCorrections() {
+  corrections_ = {};
+  for (const SpringRun& run : runs_) {
+    const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
+    for (int i = run.first; i < run.first + run.count; ++i) {
+      if (aliveOfPoint_[static_cast<std::size_t>(i)].empty()) continue;
+      for (std::size_t k = 0; k < pattern.offsets.size(); ++k)
+        if (const float left = alive(i, static_cast<int>(k)); left != 1.0F && pattern.constants[k].acts())
+          add(corrections_, i, i + pattern.offsets[k], left - 1.0F, pattern.constants[k]);
+    }
+  }
+}
+
+std::size_t SpringNetwork::bytes() const {
+  std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes();
+  for (const SpringPattern& pattern : patterns_)
+    sum += pattern.offsets.size() * (sizeof(int) + sizeof(SpringConstants<double>) + 12 * 8 + 8);
+  return sum + static_cast<std::size_t>(points_.nPoints) * static_cast<std::size_t>(dimension()) * 12;
+}
+
+}  // namespace pd

@@ -1,0 +1,191 @@
+// The bonds of a body as springs between points: what resists small displacements of its reference configuration.
+#ifndef PD_SPRING_NETWORK_HPP
+#define PD_SPRING_NETWORK_HPP
+
+#include <array>
+#include <functional>
+#include <tuple>
+#include <vector>
+
+#include "../../../materials/registry/linear_bonds.hpp"
+#include "../../discretization/discretization.hpp"
+#include "point_vector.hpp"
+
+namespace pd {
+
+/// A spring in the units of a network: it resists by radial (xi.eta) xi + across eta, and gives `own` and `others` to
+/// the families of its two ends (LinearSprings).
+template <class Real>
+struct SpringConstants {
+  Real radial, across, own, others;
+  /// False of a neighbour beyond the reach of the material.
+  bool acts() const { return radial != 0 || across != 0 || own != 0 || others != 0; }
+};
+
+/// The same of many springs; columns that nothing needs are empty.
+template <class Real>
+struct SpringColumns {
+  std::vector<Real> radial, across, own, others;
+  void add(const SpringConstants<double>& c, bool hasAcross, bool hasFamily) {
+    radial.push_back(static_cast<Real>(c.radial));
+    if (hasAcross) across.push_back(static_cast<Real>(c.across));
+    if (!hasFamily) return;
+    own.push_back(static_cast<Real>(c.own));
+    others.push_back(static_cast<Real>(c.others));
+  }
+  SpringConstants<double> at(std::size_t k) const {
+    return {radial[k], across.empty() ? 0.0 : across[k], own.empty() ? 0.0 : own[k], own.empty() ? 0.0 : others[k]};
+  }
+};
+
+/// Springs at the points of `rows`: those of row r lead to other[k], start[r] <= k < start[r + 1].
+struct SpringList {
+  std::vector<int> rows, other;
+  std::vector<std::size_t> start{0};
+  std::vector<float> alive;  ///< 1 - damage of the bond
+  std::tuple<SpringColumns<double>, SpringColumns<float>> columns;
+
+  template <class Real>
+  const SpringColumns<Real>& in() const {
+    return std::get<SpringColumns<Real>>(columns);
+  }
+  void add(int point, int neighbor, float unbroken, const SpringConstants<double>& c, bool hasAcross, bool hasFamily);
+  std::size_t bytes() const;
+};
+
+/// What the points of a run have in common: the offsets of their neighbours' local ids, and the springs to them.
+struct SpringPattern {
+  /// As the loops want it.
+  template <class Real>
+  struct Tables {
+    std::vector<int> offsets;       ///< of neighbours within the reach of the material
+    std::vector<Real> stiffness;    ///< [neighbours][D (D + 1)/2] upper triangle of radial xi xi^T + across 1
+    std::vector<Real> own, others;  ///< [neighbours][D] what the spring gives to the two families, times xi
+  };
+  std::vector<int> offsets;
+  std::vector<SpringConstants<double>> constants;
+  std::vector<double> xi;  ///< [neighbours][D]
+  std::tuple<Tables<double>, Tables<float>> tables;
+};
+
+/// Consecutive points of one pattern.
+struct SpringRun {
+  int first, count, pattern;
+};
+
+/// Every bond between two owned points is here once: in the runs, seen from a point that belongs to one, and else in
+/// `pairs`, which act on both ends. Between a point of no run and one of a run a `single` acts on the former. A bond to
+/// a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs,
+/// `corrections` take away: they act on their rows alone.
+///
+/// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
+/// whatever it is made of.
+class SpringNetwork {
+ public:
+  using Family = LinearSprings::Family;
+
+  /// `along`, `across` (empty: none) [bonds, in the order of the discretization] N/m, `dilatational` [nOwned] 1/(N m):
+  /// LinearSprings. Refers to `points`. Collective.
+  SpringNetwork(const Communicator& comm, const Discretization& points, Family family, const std::vector<double>& along,
+                const std::vector<double>& across, const std::vector<double>& dilatational, bool findsRuns = true);
+
+  /// Takes up the bond damage of the owned points `changed`; damageOf(point): of its bonds, in the order of its list.
+  void setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf);
+
+  const Discretization& points() const { return points_; }
+  int dimension() const { return points_.dimension; }
+  Family family() const { return family_; }
+  int familyWidth() const {
+    return family_ == Family::None ? 0 : (family_ == Family::Rotation && dimension() == 3 ? 3 : 1);
+  }
+  bool hasAcross() const { return hasAcross_; }
+  bool hasNegative() const { return hasNegative_; }        ///< some spring pushes where it should pull
+  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m, the same on all ranks
+  double lengthUnit() const { return lengthUnit_; }        ///< m
+  const std::vector<double>& dilatational() const { return dilatational_; }
+
+  const std::vector<SpringRun>& runs() const { return runs_; }
+  const std::vector<SpringPattern>& patterns() const { return patterns_; }
+  const SpringList& pairs() const { return pairs_; }
+  const SpringList& singles() const { return singles_; }
+  const SpringList& corrections() const { return corrections_; }
+  bool isInRun(int point) const { return runOfPoint_[static_cast<std::size_t>(point)] >= 0; }
+  /// Of all local points, in units of length.
+  template <class Real>
+  const PointVector<Real>& places() const {
+    return std::get<PointVector<Real>>(places_);
+  }
+  const int* neighbors(int point) const { return &points_.neighborhoodList[listStart(point) + 1]; }
+  int nNeighbors(int point) const { return points_.neighborhoodList[listStart(point)]; }
+  /// 1 - damage of bond k of a point.
+  float alive(int point, int k) const {
+    const std::vector<float>& own = aliveOfPoint_[static_cast<std::size_t>(point)];
+    return own.empty() ? 1.0F : own[static_cast<std::size_t>(k)];
+  }
+  std::size_t bytes() const;
+
+  /// visit(i, j, xi [D], constants) for each spring of this rank once, as damage has left it.
+  template <class Visit>
+  void forEachSpring(const Visit& visit) const;
+
+ private:
+  struct Row;
+  class RowReader;
+  void add(SpringList& list, int i, int j, float unbroken, const SpringConstants<double>& c) const {
+    list.add(i, j, unbroken, c, hasAcross_, family_ != Family::None);
+  }
+  std::size_t listStart(int point) const {
+    return static_cast<std::size_t>(points_.neighborhoodStart[static_cast<std::size_t>(point)]);
+  }
+  bool follows(const Row& row, const SpringPattern& pattern) const;
+  void endRun(SpringRun& run, SpringPattern& pattern);
+  void findRuns(RowReader reader);
+  void makeLists(RowReader reader);
+  void setAlive(SpringList& list, int row, int point);
+  void makeCorrections();
+
+  const Discretization& points_;
+  Family family_;
+  bool hasAcross_, hasNegative_ = false;
+  double stiffnessUnit_ = 1.0, lengthUnit_ = 1.0;
+  std::tuple<PointVector<double>, PointVector<float>> places_;
+  std::vector<double> dilatational_;
+  std::vector<SpringRun> runs_;
+  std::vector<SpringPattern> patterns_;
+  std::vector<int> runOfPoint_;  ///< -1: in none
+  SpringList pairs_, singles_, corrections_;
+  std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
+  std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
+};
+
+template <class Visit>
+void SpringNetwork::forEachSpring(const Visit& visit) const {
+  const auto d = static_cast<std::size_t>(dimension());
+  const PointVector<double>& x = places<double>();
+  const auto scaled = [](const SpringConstants<double>& c, double share) {
+    return SpringConstants<double>{share * c.radial, share * c.across, share * c.own, share * c.others};
+  };
+  for (const SpringRun& run : runs_) {
+    const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
+    for (int i = run.first; i < run.first + run.count; ++i)
+      for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
+        const int j = i + pattern.offsets[k];
+        if (j < i && isInRun(j)) continue;
+        const float share = alive(i, static_cast<int>(k));
+        if (share != 0.0F && pattern.constants[k].acts())
+          visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
+      }
+  }
+  for (std::size_t r = 0; r < pairs_.rows.size(); ++r)
+    for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1]; ++k) {
+      if (pairs_.alive[k] == 0.0F) continue;
+      const int i = pairs_.rows[r], j = pairs_.other[k];
+      std::array<double, 3> xi{};
+      for (int c = 0; c < dimension(); ++c) xi[static_cast<std::size_t>(c)] = x[c][j] - x[c][i];
+      visit(i, j, xi.data(), scaled(pairs_.in<double>().at(k), pairs_.alive[k]));
+    }
+}
+
+}  // namespace pd
+
+#endif

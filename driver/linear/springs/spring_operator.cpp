@@ -1,0 +1,158 @@
+#include "spring_operator.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "../../solvers/symmetric_eigen.hpp"
+#include "spring_kernels.hpp"
+
+namespace pd {
+
+namespace {
+
+using Family = SpringNetwork::Family;
+
+/// Minus the inverse of a symmetric matrix (upper triangle of 3 x 3); directions that nothing turns stay as they are.
+std::array<double, 6> minusInverse(const std::array<double, 6>& a) {
+  const SymmetricEigen eigen = symmetricEigen({a[0], a[1], a[2], a[1], a[3], a[4], a[2], a[4], a[5]}, 3);
+  std::array<double, 6> result{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(eigen.values[k]) <= 1e-10 * std::abs(eigen.values[2])) continue;
+    const double* v = &eigen.vectors[3 * k];
+    for (std::size_t i = 0, at = 0; i < 3; ++i)
+      for (std::size_t j = i; j < 3; ++j, ++at) result[at] -= v[i] * v[j] / eigen.values[k];
+  }
+  return result;
+}
+
+}  // namespace
+
+SpringOperator::SpringOperator(const SpringNetwork& network, const PointExchange& exchange, bool isDistributed)
+    : network_(network), exchange_(exchange), isDistributed_(isDistributed) {
+  const int n = network.points().nPoints, width = network.familyWidth();
+  if (isDistributed) exchanged_.resize(3 * static_cast<std::size_t>(n));
+  response_ = {PointVector<double>(n, width == 3 ? 6 : width), PointVector<float>(n, width == 3 ? 6 : width)};
+  families_ = {PointVector<double>(n, width), PointVector<float>(n, width)};
+  isHeld_.assign(3 * static_cast<std::size_t>(network.points().nOwned), 0);
+  refresh();
+}
+
+void SpringOperator::refresh() {
+  const int width = network_.familyWidth(), nOwned = network_.points().nOwned;
+  if (width == 0) return;
+  PointVector<double>& response = std::get<0>(response_);
+  PointVector<float>& floatResponse = std::get<1>(response_);
+  const auto set = [&](int component, int i, double value) {
+    response[component][i] = value;
+    floatResponse[component][i] = static_cast<float>(value);
+  };
+  if (network_.family() == Family::Dilatation) {
+    const double unit = network_.stiffnessUnit() * network_.lengthUnit() * network_.lengthUnit();
+    for (int i = 0; i < nOwned; ++i) set(0, i, unit * network_.dilatational()[static_cast<std::size_t>(i)]);
+    return;
+  }
+  response.zero();
+  network_.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+    const auto add = [&](int point, double share) {
+      if (width == 1) {
+        response[0][point] += share * (xi[0] * xi[0] + xi[1] * xi[1]);
+        return;
+      }
+      const double length2 = xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2];
+      for (int a = 0, at = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b, ++at) response[at][point] += share * ((a == b ? length2 : 0.0) - xi[a] * xi[b]);
+    };
+    add(i, c.own);
+    if (j < nOwned) add(j, c.others);
+  });
+  for (int i = 0; i < nOwned; ++i) {
+    if (width == 1) {
+      set(0, i, response[0][i] != 0.0 ? -1.0 / response[0][i] : 0.0);
+      continue;
+    }
+    std::array<double, 6> a{};
+    for (int k = 0; k < 6; ++k) a[static_cast<std::size_t>(k)] = response[k][i];
+    a = minusInverse(a);
+    for (int k = 0; k < 6; ++k) set(k, i, a[static_cast<std::size_t>(k)]);
+  }
+}
+
+void SpringOperator::hold(const std::vector<char>& isHeld) {
+  isHeld_ = isHeld;
+  held_.clear();
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < network_.points().nOwned; ++i)
+      if (this->isHeld(i, c)) held_.emplace_back(c, i);
+}
+
+template <class Real>
+void SpringOperator::zeroHeld(PointVector<Real>& x) const {
+  for (const auto& [component, point] : held_) x[component][point] = Real(0);
+}
+
+template <class Real>
+void SpringOperator::importInto(PointVector<Real>& x) {
+  if (!isDistributed_) return;
+  const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < nOwned; ++i) exchanged_[static_cast<std::size_t>(3 * i + c)] = static_cast<double>(x[c][i]);
+  exchange_.import(exchanged_.data(), 3, Reflection::Vector);
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = nOwned; i < nPoints; ++i) x[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
+}
+
+template <class Real>
+void SpringOperator::exportFrom(PointVector<Real>& y) {
+  if (!isDistributed_) return;
+  const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < nPoints; ++i)
+      exchanged_[static_cast<std::size_t>(3 * i + c)] = c < y.nComponents() ? static_cast<double>(y[c][i]) : 0.0;
+  exchange_.exportAdd(exchanged_.data(), 3, Reflection::Vector);
+  for (int c = 0; c < y.nComponents(); ++c)
+    for (int i = 0; i < nOwned; ++i) y[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
+}
+
+template <class Real>
+void SpringOperator::applyToAll(PointVector<Real>& x, PointVector<Real>& y) {
+  importInto(x);
+  PointVector<Real>& t = std::get<PointVector<Real>>(families_);
+  const PointVector<Real>& response = std::get<PointVector<Real>>(response_);
+  const int width = network_.familyWidth(), nOwned = network_.points().nOwned;
+  if (width > 0) {
+    t.zero();
+    addSpringFamilies(network_, x, t);
+    for (int i = 0; i < nOwned && width == 1; ++i) t[0][i] *= response[0][i];
+    for (int i = 0; i < nOwned && width == 3; ++i) {
+      const Real s[3] = {t[0][i], t[1][i], t[2][i]};
+      t[0][i] = response[0][i] * s[0] + response[1][i] * s[1] + response[2][i] * s[2];
+      t[1][i] = response[1][i] * s[0] + response[3][i] * s[1] + response[4][i] * s[2];
+      t[2][i] = response[2][i] * s[0] + response[4][i] * s[1] + response[5][i] * s[2];
+    }
+  }
+  springForces(network_, x, t, y);
+  exportFrom(y);
+}
+
+template <class Real>
+void SpringOperator::addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const {
+  for (const Addition& addition : additions_)
+    y[addition.component][addition.point] += static_cast<Real>(addition.value) * x[addition.component][addition.point];
+}
+
+template <class Real>
+void SpringOperator::apply(PointVector<Real>& x, PointVector<Real>& y) {
+  applyToAll(x, y);
+  addAdditions(x, y);
+  zeroHeld(y);
+}
+
+template void SpringOperator::applyToAll(PointVector<double>&, PointVector<double>&);
+template void SpringOperator::applyToAll(PointVector<float>&, PointVector<float>&);
+template void SpringOperator::apply(PointVector<double>&, PointVector<double>&);
+template void SpringOperator::apply(PointVector<float>&, PointVector<float>&);
+template void SpringOperator::addAdditions(const PointVector<double>&, PointVector<double>&) const;
+template void SpringOperator::zeroHeld(PointVector<double>&) const;
+template void SpringOperator::zeroHeld(PointVector<float>&) const;
+
+}  // namespace pd

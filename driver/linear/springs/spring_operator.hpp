@@ -1,0 +1,73 @@
+// Products with the stiffness of a spring network, without a matrix.
+#ifndef PD_SPRING_OPERATOR_HPP
+#define PD_SPRING_OPERATOR_HPP
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "../../discretization/point_exchange.hpp"
+#include "spring_network.hpp"
+
+namespace pd {
+
+/// The stiffness K of a network: K x is minus the forces that displacements x cause, in units of the network. Vectors
+/// are over all local points; their owned values count.
+class SpringOperator {
+ public:
+  /// Refers to both. `isDistributed`: some rank has ghosts or images.
+  SpringOperator(const SpringNetwork& network, const PointExchange& exchange, bool isDistributed);
+
+  /// After the network's damage has changed.
+  void refresh();
+  /// Degrees of freedom [3 nOwned] that apply() leaves out, and what it adds to the diagonal at single ones.
+  void hold(const std::vector<char>& isHeld);
+  struct Addition {
+    int point, component;
+    double value;
+  };
+  void setAdditions(std::vector<Addition> additions) { additions_ = std::move(additions); }
+
+  const SpringNetwork& network() const { return network_; }
+  bool isHeld(int point, int component) const { return isHeld_[static_cast<std::size_t>(3 * point + component)] != 0; }
+  const std::vector<Addition>& additions() const { return additions_; }
+  bool isDistributed() const { return isDistributed_; }
+  const PointExchange& exchange() const { return exchange_; }
+  /// [1 or 6][nOwned] what the families make of their s (LinearSprings): a factor, or in three dimensions of a
+  /// rotation the upper triangle of a matrix.
+  template <class Real>
+  const PointVector<Real>& response() const {
+    return std::get<PointVector<Real>>(response_);
+  }
+
+  /// y = K x with whatever x is at held degrees of freedom. Writes x of ghosts and images. Collective.
+  template <class Real>
+  void applyToAll(PointVector<Real>& x, PointVector<Real>& y);
+  /// y = (K + additions) x, zero at held degrees of freedom, where x must be zero. Collective.
+  template <class Real>
+  void apply(PointVector<Real>& x, PointVector<Real>& y);
+
+  template <class Real>
+  void addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const;
+  template <class Real>
+  void zeroHeld(PointVector<Real>& x) const;
+
+ private:
+  template <class Real>
+  void importInto(PointVector<Real>& x);
+  template <class Real>
+  void exportFrom(PointVector<Real>& y);
+
+  const SpringNetwork& network_;
+  const PointExchange& exchange_;
+  bool isDistributed_;
+  std::vector<char> isHeld_;
+  std::vector<std::pair<int, int>> held_;  ///< component, point
+  std::vector<Addition> additions_;
+  std::tuple<PointVector<double>, PointVector<float>> response_, families_;
+  std::vector<double> exchanged_;  ///< [3 nPoints]
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,26 @@
+// Solvers that find out by themselves when something happens next.
+#ifndef PD_EVENT_SOLVER_HPP
+#define PD_EVENT_SOLVER_HPP
+
+#include "solver.hpp"
+
+namespace pd {
+
+/// In a run of its own such a solver ends an increment early where something has happened, so that it is written, and
+/// may end the run. (As a part of Staggered it goes on to the end that it is asked for.)
+class EventSolver : public Solver {
+ public:
+  /// Advances from t to the next event, or to `end` where none comes before. Returns the time reached.
+  virtual double advanceToEvent(Simulation& simulation, double t, double end) = 0;
+  /// Why there is nothing left to do; empty where there is. The run then ends with this increment.
+  virtual std::string reasonToStop() const = 0;
+
+  void advance(Simulation& simulation, double t, double dt) override {
+    const double end = t + dt;
+    while (t < end && reasonToStop().empty()) t = advanceToEvent(simulation, t, end);
+  }
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,124 @@
+#include "equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "../connected_parts.hpp"
+#include "../linear_solver_settings.hpp"
+#include "../mechanics.hpp"
+
+namespace pd {
+
+namespace {
+
+NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
+  NewtonSettings settings;
+  settings.maximumIterations = parameters.get<int>("Maximum Solver Iterations");
+  settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
+  const LinearSolverSettings linear(parameters);
+  settings.linearSolver = linear.method;
+  settings.preconditioner = linear.preconditioner;
+  settings.linearTolerance = linear.tolerance;
+  settings.maximumLinearIterations = linear.maximumIterations;
+  settings.logsLinearSolves = linear.logs;
+  return settings;
+}
+
+}  // namespace
+
+void Equilibrium::declareParameters(ParameterDeclarations& declare) {
+  declare.integer("Maximum Solver Iterations", "Newton iterations for one equilibrium.").defaultTo(50).atLeast(1);
+  declare
+      .real("Relative Tolerance", "1",
+            "Norm of the unbalanced force over that of reactions or external forces, the largest so far: no strain is "
+            "used before it is that small. What rounding of coordinates makes of the forces is always enough.")
+      .defaultTo(1e-6)
+      .strictlyBetween(0.0, 1e-2);
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
+}
+
+Equilibrium::Equilibrium(const Teuchos::ParameterList& parameters, std::string solver)
+    : solver_(std::move(solver)), newton_(newtonSettings(parameters)) {}
+
+void Equilibrium::findSupports(Simulation& simulation) {
+  const HeldInPlace before = std::move(held_);
+  held_ = findLooseParts(simulation.model, heldDisplacements(simulation));
+  hasSupports_ = true;
+  newton_.hold(held_.isHeld);
+  if (!held_.hasAny() || held_.sameCounts(before)) return;
+  simulation.output.log(fmt::format(
+      "{}: {} part(s) of {} points in all that no prescribed displacement keeps from moving as rigid bodies, "
+      "and {} point(s) without bonds: held in place",
+      solver_, held_.parts.size(), held_.nPointsOfParts(), held_.nPointsWithoutBonds));
+}
+
+int Equilibrium::countLoadedParts(Simulation& simulation, double t) {
+  Model& model = simulation.model;
+  const ConnectedParts parts = findConnectedParts(model);
+  const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
+  externalForce(simulation, t, externalForce_);
+  std::vector<double> mine(parts.names.size(), 0.0), all(parts.names.size(), 0.0);
+  for (std::size_t i = 0; i < parts.partOfPoint.size(); ++i)
+    for (std::size_t d = 3 * i; d < 3 * i + 3; ++d)
+      if (isPrescribed[d] != 0 || externalForce_[d] != 0.0) mine[static_cast<std::size_t>(parts.partOfPoint[i])] += 1.0;
+  model.comm().SumAll(mine.data(), all.data(), static_cast<int>(mine.size()));
+  int n = 0;
+  for (std::size_t p = 0; p < all.size(); ++p)
+    n += all[p] > 0.0 && 100 * parts.sizes[p] >= model.discretization().nGlobal && !parts.isSingle(p) ? 1 : 0;
+  return n;
+}
+
+void Equilibrium::requireHeldLoads(Simulation& simulation, double t) {
+  if (!simulation.conditions.hasExternalForce()) return;
+  externalForce(simulation, t, externalForce_);
+  const std::string trouble =
+      loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
+  if (!trouble.empty()) throw RunError(fmt::format("{} ({:.6g} cycles): {}", solver_, t, trouble));
+}
+
+void Equilibrium::findFromRest(Simulation& simulation, double t) {
+  Model& model = simulation.model;
+  double *now = model.field("Displacement"), *atN = model.fieldAtN("Displacement");
+  std::fill(now, now + 3LL * model.nPoints(), 0.0);
+  std::fill(atN, atN + 3LL * model.nPoints(), 0.0);
+  newton_.dropTangent();
+  newton_.prepareTangent(simulation, 0.0);
+  simulation.conditions.applyPrescribed(t);
+  externalForce(simulation, t, externalForce_);
+  newton_.followHeldPoints(simulation, 0.0, externalForce_);
+  solve(simulation, t);
+}
+
+void Equilibrium::find(Simulation& simulation, double t) {
+  simulation.conditions.applyPrescribed(t);
+  newton_.dropTangent();
+  solve(simulation, t);
+}
+
+void Equilibrium::solve(Simulation& simulation, double t) {
+  externalForce(simulation, t, externalForce_);
+  const NewtonOutcome outcome = newton_.solve(simulation, 0.0, externalForce_, largestScale_);
+  const double residual = outcome.scale > 0.0 ? outcome.residuals.back() / outcome.scale : outcome.residuals.back();
+  if (!outcome.hasConverged)
+    throw RunError(fmt::format(
+        "{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or loads: {:.2g}. "
+        "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or Preconditioner",
+        solver_, t, outcome.trouble, outcome.scale, residual));
+  largestScale_ = std::max(largestScale_, outcome.scale);
+  largestResidual_ = std::max(largestResidual_, residual);
+  ++nSolutions_;
+}
+
+std::vector<std::string> Equilibrium::summary() const {
+  std::vector<std::string> lines{fmt::format(
+      "{}: {} equilibria with a relative residual of at most {:.2g}, {} Newton iterations, {} tangents, {} "
+      "linear iterations",
+      solver_, nSolutions_, largestResidual_, newton_.nIterations, newton_.nTangents, newton_.nLinearIterations)};
+  if (newton_.stoppedAtRoundOff)
+    lines.push_back(solver_ + ": the tolerance was below what rounding of coordinates leaves; the latter was reached");
+  return lines;
+}
+
+}  // namespace pd

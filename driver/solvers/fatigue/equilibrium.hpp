@@ -1,0 +1,54 @@
+// Static equilibrium of a body whose bonds break from time to time, for solvers that do not load it step by step.
+#ifndef PD_EQUILIBRIUM_HPP
+#define PD_EQUILIBRIUM_HPP
+
+#include <string>
+#include <vector>
+
+#include "../loose_parts.hpp"
+#include "../newton.hpp"
+
+namespace pd {
+
+/// Newton's method with what it needs around it: parts that nothing holds stay in place, loads on them are refused.
+/// Each search starts with a tangent of its own, so that nothing but fields and restart state matters.
+class Equilibrium {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  /// From a completed list; `solver`: for messages.
+  Equilibrium(const Teuchos::ParameterList& parameters, std::string solver);
+
+  using Fields = Newton::Fields;
+
+  /// Finds what holds which part of the body. Collective.
+  void findSupports(Simulation& simulation);
+  bool hasSupports() const { return hasSupports_; }
+  /// Parts of more than 1 % of the points that loads or prescribed displacements act on at time t. Collective.
+  int countLoadedParts(Simulation& simulation, double t);
+  /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.
+  void requireHeldLoads(Simulation& simulation, double t);
+  /// From the undeformed body, loads and prescribed displacements of time t. Throws RunError where there is none.
+  void findFromRest(Simulation& simulation, double t);
+  /// From the present displacements. Throws RunError where there is none.
+  void find(Simulation& simulation, double t);
+
+  std::vector<std::string> summary() const;
+  RestartState restartState() const { return {{"largest force", largestScale_}}; }
+  void setRestartState(const RestartState& state) { largestScale_ = state["largest force"]; }
+
+ private:
+  void solve(Simulation& simulation, double t);
+
+  std::string solver_;
+  Newton newton_;
+  HeldInPlace held_;
+  bool hasSupports_ = false;
+  std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
+  double largestScale_ = 0.0;          ///< N
+  long long nSolutions_ = 0;
+  double largestResidual_ = 0.0;  ///< relative
+};
+
+}  // namespace pd
+
+#endif

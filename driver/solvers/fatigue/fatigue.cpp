@@ -1,0 +1,251 @@
+#include "fatigue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../damage_watch.hpp"
+#include "../mechanics.hpp"
+
+namespace pd {
+
+namespace {
+
+constexpr double mostOverdrawn = 0.1;  ///< of a life, in blocks of fixed length
+
+}  // namespace
+
+void Fatigue::declareParameters(ParameterDeclarations& declare) {
+  declare
+      .real("Load Ratio", "1",
+            "R: smallest over largest load of a cycle; conditions give the largest. Where R is not 0, a linear body is "
+            "assumed: strains go as loads.")
+      .defaultTo(0.0)
+      .atLeast(-1.0)
+      .atMost(0.99);
+  declare
+      .real(
+          "Cycles Per Block", "1",
+          "Steps of that many cycles, after each of which the bonds whose life is over break together. Without it a "
+          "step ends with the next failure. Blocks by whose end a bond has been loaded for a tenth of a life too long "
+          "are halved.")
+      .positive();
+  declare
+      .integer(
+          "Intervals",
+          "Parts of equal length into which the cycles of the run are divided in any case, for output of long lives; "
+          "loads that change with the number of cycles are followed at their ends and at failures.")
+      .defaultTo(1)
+      .atLeast(1);
+  declare
+      .integer("Maximum Breakage Passes",
+               "Equilibria after one another in which the damage model's static limit breaks bonds. A crack that needs "
+               "more runs by itself, which ends the run.")
+      .defaultTo(100)
+      .atLeast(1);
+  Equilibrium::declareParameters(declare);
+}
+
+Fatigue::Fatigue(const Teuchos::ParameterList& given) : equilibrium_(completed<Fatigue>(given, "Fatigue"), "Fatigue") {
+  const auto parameters = completed<Fatigue>(given, "Fatigue");
+  loadRatio_ = parameters.get<double>("Load Ratio");
+  if (parameters.isParameter("Cycles Per Block")) cyclesPerBlock_ = parameters.get<double>("Cycles Per Block");
+  nIntervals_ = parameters.get<int>("Intervals");
+  maximumPasses_ = parameters.get<int>("Maximum Breakage Passes");
+  if (cyclesPerBlock_ > 0.0 && nIntervals_ > 1)
+    throw std::invalid_argument("Fatigue: \"Cycles Per Block\" and \"Intervals\" both divide the run; remove one");
+}
+
+double Fatigue::leastSteps(double t0, double t1) const {
+  if (cyclesPerBlock_ == 0.0) return nIntervals_;
+  const double n = std::ceil((t1 - t0) / cyclesPerBlock_ * (1.0 - 1e-12));
+  if (n > 1e9) throw RunError(fmt::format("Fatigue: \"Cycles Per Block\" makes {:g} steps; take longer blocks", n));
+  return n;
+}
+
+int Fatigue::numberOfIncrements(Simulation&, double t0, double t1) { return static_cast<int>(leastSteps(t0, t1)); }
+
+double Fatigue::incrementEnd(int increment, int nIncrements, double t0, double t1) const {
+  if (increment >= nIncrements) return t1;
+  return cyclesPerBlock_ > 0.0 ? t0 + increment * cyclesPerBlock_ : t0 + (t1 - t0) * increment / nIncrements;
+}
+
+void Fatigue::initialize(Simulation& simulation) {
+  Model& model = simulation.model;
+  requireMechanics(model, "Fatigue");
+  bool someoneTires = false;
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    if (block.getDamageModel().is_null()) continue;
+    const auto ids = block.getDamageModel()->FieldIds();
+    someoneTires = someoneTires || std::find(ids.begin(), ids.end(), fields_.lossRate.id()) != ids.end();
+  }
+  if (!model.comm().any(someoneTires))
+    throw RunError("Fatigue: no block has a damage model in which cycles take life; give one \"Remaining Life\"");
+  for (const char* label : {"Displacement", "Damage"}) model.fieldAtN(label);  // kept from now on
+  *model.field(fields_.cycles) = 0.0;
+  *model.field(fields_.range) = 1.0 - loadRatio_;
+  *model.field(fields_.peak) = 1.0;
+}
+
+void Fatigue::rehearse(Simulation& simulation, double t, double) {
+  equilibrium_.findSupports(simulation);
+  equilibrium_.requireHeldLoads(simulation, t);
+}
+
+bool Fatigue::passCycles(Simulation& simulation, double cycles) {
+  Model& model = simulation.model;
+  *model.field(fields_.cycles) = cycles;
+  model.evaluateDamage(cycles);
+  return totalBondDamage(model) > bondDamage_ * (1.0 + 1e-12);
+}
+
+Fatigue::Worst Fatigue::worst(Model& model) const {
+  const double *rate = model.field(fields_.lossRate), *overdrawn = model.field(fields_.overdrawn);
+  Worst worst{0.0, 0.0};
+  for (int i = 0; i < model.nOwned(); ++i) {
+    worst.lossRate = std::max(worst.lossRate, rate[i]);
+    worst.overdrawn = std::max(worst.overdrawn, overdrawn[i]);
+  }
+  return {model.comm().max(worst.lossRate), model.comm().max(worst.overdrawn)};
+}
+
+void Fatigue::noteBreakage(Simulation& simulation, double t) {
+  Model& model = simulation.model;
+  const double *damage = model.field("Damage"), *before = model.fieldAtN("Damage");
+  double* first = model.field(fields_.firstBreak);
+  const double after = totalBondDamage(model);
+  nBroken_ += std::llround(0.5 * (after - bondDamage_));
+  bondDamage_ = after;
+  ++nEvents_;
+  std::array<double, 4> mine{}, all{};
+  for (int i = 0; i < model.nOwned(); ++i) {
+    if (damage[i] == before[i]) continue;
+    if (first[i] == 0.0) first[i] = t;
+    for (std::size_t d = 0; d < 3; ++d) mine[d] += model.discretization().x[3 * static_cast<std::size_t>(i) + d];
+    mine[3] += 1.0;
+  }
+  if (nEvents_ > 1) return;
+  model.comm().SumAll(mine.data(), all.data(), 4);
+  firstBreak_ = t;
+  for (std::size_t d = 0; d < 3; ++d) firstPlace_[d] = all[d] / all[3];
+  simulation.output.log(
+      fmt::format("Fatigue: the first bond breaks after {:.6g} cycles at x = {:.6g}, y = {:.6g}, z = "
+                  "{:.6g} m",
+                  t, firstPlace_[0], firstPlace_[1], firstPlace_[2]));
+}
+
+void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
+  for (int pass = 0;; ++pass) {
+    equilibrium_.findSupports(simulation);
+    if (hasStarted_ && equilibrium_.countLoadedParts(simulation, t) != nLoadedParts_) {
+      reasonToStop_ = fmt::format("the body has come apart after {:.6g} cycles", t);
+      return;
+    }
+    equilibrium_.requireHeldLoads(simulation, t);
+    fromRest&& pass == 0 ? equilibrium_.findFromRest(simulation, t) : equilibrium_.find(simulation, t);
+    const bool hasBroken = passCycles(simulation, 0.0);
+    if (hasBroken) noteBreakage(simulation, t);
+    simulation.model.acceptStep(t, 0.0);
+    if (!hasBroken) return;
+    ++nPasses_;
+    if (pass + 1 == maximumPasses_) {
+      reasonToStop_ = fmt::format("after {:.6g} cycles the crack runs at the largest load", t);
+      return;
+    }
+  }
+}
+
+void Fatigue::start(Simulation& simulation, double t) {
+  bondDamage_ = totalBondDamage(simulation.model);
+  nLoadedParts_ = equilibrium_.countLoadedParts(simulation, t);
+  settle(simulation, t, true);
+  hasStarted_ = isSettled_ = true;
+}
+
+/// A block, or as many halves of it as it takes to break no bond much too late. Returns the cycles passed.
+double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken) {
+  simulation.beginStep();
+  while (true) {
+    hasBroken = passCycles(simulation, cycles);
+    if (worst(simulation.model).overdrawn <= mostOverdrawn) return cycles;
+    simulation.takeBackStep();
+    cycles *= 0.5;
+    ++nHalved_;
+  }
+}
+
+double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
+  Model& model = simulation.model;
+  if (!hasStarted_) start(simulation, t);
+  if (!isSettled_) settle(simulation, t, false);
+  isSettled_ = true;
+  if (!equilibrium_.hasSupports()) equilibrium_.findSupports(simulation);
+  if (!reasonToStop_.empty()) return t;
+  double cycles = end - t;
+  bool hasBroken = false;
+  if (cyclesPerBlock_ > 0.0) {
+    cycles = passBlock(simulation, cycles, hasBroken);
+  } else {
+    hasBroken = passCycles(simulation, 0.0);
+    const double rate = worst(model).lossRate;
+    // The last of a bond's life is as good as over: a step must not be shorter than rounding of t.
+    if (rate > 0.0 && 1.0 / rate < cycles * (1.0 - 1e-12)) cycles = 1.0 / rate;
+    hasBroken = passCycles(simulation, cycles) || hasBroken;
+  }
+  const double reached = cycles < end - t ? t + cycles : end;
+  if (hasBroken) noteBreakage(simulation, reached);
+  model.acceptStep(reached, cycles);
+  settle(simulation, reached, false);
+  model.requireFinite("Displacement", static_cast<int>(nEvents_));
+  return reached;
+}
+
+RestartState Fatigue::restartState() const {
+  RestartState state = {{"has started", hasStarted_ ? 1.0 : 0.0},
+                        {"loaded parts", static_cast<double>(nLoadedParts_)},
+                        {"bond damage", bondDamage_},
+                        {"events", static_cast<double>(nEvents_)},
+                        {"broken bonds", static_cast<double>(nBroken_)},
+                        {"halved blocks", static_cast<double>(nHalved_)},
+                        {"passes", static_cast<double>(nPasses_)},
+                        {"cycles to the first break", firstBreak_},
+                        {"x of the first break", firstPlace_[0]},
+                        {"y of the first break", firstPlace_[1]},
+                        {"z of the first break", firstPlace_[2]}};
+  state.addPart("equilibrium", equilibrium_.restartState());
+  return state;
+}
+
+void Fatigue::setRestartState(const RestartState& state) {
+  hasStarted_ = isSettled_ = state["has started"] != 0.0;
+  nLoadedParts_ = static_cast<int>(state["loaded parts"]);
+  bondDamage_ = state["bond damage"];
+  nEvents_ = static_cast<long long>(state["events"]);
+  nBroken_ = static_cast<long long>(state["broken bonds"]);
+  nHalved_ = static_cast<long long>(state["halved blocks"]);
+  nPasses_ = static_cast<long long>(state["passes"]);
+  firstBreak_ = state["cycles to the first break"];
+  firstPlace_ = {state["x of the first break"], state["y of the first break"], state["z of the first break"]};
+  equilibrium_.setRestartState(state.part("equilibrium"));
+}
+
+std::vector<std::string> Fatigue::summary() const {
+  std::vector<std::string> lines;
+  lines.push_back(
+      nEvents_ == 0
+          ? std::string("Fatigue: no bond has broken (run-out)")
+          : fmt::format("Fatigue: {} bonds broke in {} events, the first after {:.6g} cycles at x = {:.6g}, y "
+                        "= {:.6g}, z = {:.6g} m; {} further equilibria after bonds broke at once, {} blocks "
+                        "halved",
+                        nBroken_, nEvents_, firstBreak_, firstPlace_[0], firstPlace_[1], firstPlace_[2], nPasses_,
+                        nHalved_));
+  if (!reasonToStop_.empty()) lines.push_back("Fatigue: ended since " + reasonToStop_);
+  for (const std::string& line : equilibrium_.summary()) lines.push_back(line);
+  return lines;
+}
+
+PD_REGISTER_SOLVER(Fatigue, "Fatigue", "Cycles of load that take life of bonds, from one failure to the next")
+
+}  // namespace pd

@@ -1,0 +1,77 @@
+// Fatigue: cycles of load take life of bonds, from one failure to the next.
+#ifndef PD_FATIGUE_HPP
+#define PD_FATIGUE_HPP
+
+#include <string>
+#include <vector>
+
+#include "../event_solver.hpp"
+#include "cycle_fields.hpp"
+#include "equilibrium.hpp"
+
+namespace pd {
+
+/// The time of the solver is counted in cycles: a second of the run is one. Conditions give the largest load of a
+/// cycle. A step finds how long the next bond lives at the present strains, lets so many cycles pass, breaks the bonds
+/// whose life is over, and finds equilibrium again, also after bonds that break at once by the damage model's static
+/// limit. With `Cycles Per Block` steps have that length, and are halved where bonds would live on for more than a
+/// tenth of a life after their end.
+class Fatigue : public EventSolver {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit Fatigue(const Teuchos::ParameterList& given);
+
+  struct Fields : Equilibrium::Fields {
+    FieldHandle cycles = writes(pd::fields::cycleIncrement());
+    FieldHandle range = writes(pd::fields::loadRange());
+    FieldHandle peak = writes(pd::fields::peakLoad());
+    FieldHandle lossRate = reads(pd::fields::lifeLossRate());
+    FieldHandle overdrawn = reads(pd::fields::overdrawnLife());
+    FieldHandle firstBreak =
+        writes(pd::fields::pointScalar("Cycles_To_First_Break", "1",
+                                       "Cycles until the first bond of the point broke; 0 where none has.")
+                   .state());
+  };
+  const Fields& fields() const override { return fields_; }
+  double leastSteps(double t0, double t1) const override;
+  void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
+  int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
+  double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
+  double advanceToEvent(Simulation& simulation, double t, double end) override;
+  std::string reasonToStop() const override { return reasonToStop_; }
+  std::vector<std::string> summary() const override;
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
+  void fieldsHaveChanged() override { isSettled_ = false; }
+
+ private:
+  struct Worst {
+    double lossRate, overdrawn;
+  };
+  /// Damage, and lost lives, after so many cycles at the present strains. Returns whether bonds have broken.
+  bool passCycles(Simulation& simulation, double cycles);
+  Worst worst(Model& model) const;
+  double passBlock(Simulation& simulation, double cycles, bool& hasBroken);
+  void start(Simulation& simulation, double t);
+  /// Equilibrium at the load of time t; bonds break and it is found again until none breaks.
+  void settle(Simulation& simulation, double t, bool fromRest);
+  void noteBreakage(Simulation& simulation, double t);
+
+  Fields fields_;
+  Equilibrium equilibrium_;
+  double loadRatio_, cyclesPerBlock_ = 0.0;  ///< 0: from event to event
+  int nIntervals_, maximumPasses_;
+  std::string reasonToStop_;
+
+  bool hasStarted_ = false, isSettled_ = false;
+  int nLoadedParts_ = 0;
+  double bondDamage_ = 0.0;  ///< sum over all bonds
+  double firstBreak_ = 0.0;  ///< cycles
+  std::array<double, 3> firstPlace_{};
+  long long nEvents_ = 0, nBroken_ = 0, nHalved_ = 0, nPasses_ = 0;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,228 @@
+#include "spring_tangent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "../../materials/registry/linear_bonds.hpp"
+#include "Peridigm_Field.hpp"
+
+namespace pd {
+
+namespace {
+
+using namespace PeridigmNS;
+
+// A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
+constexpr int mostChanges = 20;
+constexpr double slowest = 0.6;
+
+bool hasForce(Block& block) {
+  const auto ids = block.getMaterialModel()->FieldIds();
+  return std::find(ids.begin(), ids.end(), FieldManager::self().getFieldId("Force_Density")) != ids.end();
+}
+
+const LinearBonds* linearBondsOf(Block& block) {
+  const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
+  return bonds != nullptr && bonds->hasSprings() ? bonds : nullptr;
+}
+
+}  // namespace
+
+bool SpringTangent::fits(Model& model) {
+  bool isKnown = false;
+  LinearSprings::Family family{};
+  for (Block& block : *model.blocks()) {
+    if (!hasForce(block)) continue;
+    const LinearBonds* bonds = linearBondsOf(block);
+    if (bonds == nullptr) return false;
+    const LinearSprings::Family own = bonds->springFamily();
+    if (isKnown && own != family && own != LinearSprings::Family::None && family != LinearSprings::Family::None)
+      return false;
+    if (!isKnown || own != LinearSprings::Family::None) family = own;
+    isKnown = true;
+  }
+  return isKnown;
+}
+
+SpringNetwork SpringTangent::networkOf(Model& model) {
+  const Discretization& points = model.discretization();
+  LinearSprings all;
+  const auto nBonds = static_cast<std::size_t>(points.nBonds());
+  all.along.assign(nBonds, 0.0);
+  all.dilatational.assign(static_cast<std::size_t>(points.nOwned), 0.0);
+  for (Block& block : *model.blocks()) {
+    if (!hasForce(block)) continue;
+    const LinearBonds& bonds = *linearBondsOf(block);
+    if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
+    const auto list = block.getNeighborhoodData();
+    if (list->NumOwnedPoints() == 0) continue;
+    const LinearSprings own =
+        bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
+    if (!own.across.empty()) all.across.resize(nBonds, 0.0);
+    std::size_t from = 0;
+    const int* at = list->NeighborhoodList();
+    for (int p = 0; p < list->NumOwnedPoints(); ++p) {
+      const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
+      const auto count = static_cast<std::size_t>(*at);
+      at += count + 1;
+      const std::size_t to = static_cast<std::size_t>(points.neighborhoodStart[point]) - point;
+      std::copy_n(own.along.begin() + static_cast<std::ptrdiff_t>(from), count,
+                  all.along.begin() + static_cast<std::ptrdiff_t>(to));
+      if (!own.across.empty())
+        std::copy_n(own.across.begin() + static_cast<std::ptrdiff_t>(from), count,
+                    all.across.begin() + static_cast<std::ptrdiff_t>(to));
+      if (!own.dilatational.empty()) all.dilatational[point] = own.dilatational[static_cast<std::size_t>(p)];
+      from += count;
+    }
+  }
+  // Other ranks may have blocks of another kind.
+  if (model.comm().any(!all.across.empty())) all.across.resize(nBonds, 0.0);
+  return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
+}
+
+SpringTangent::SpringTangent(Model& model)
+    : model_(model),
+      network_(networkOf(model)),
+      stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
+      levels_(model.comm(), stiffness_),
+      seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()) {
+  for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
+    *vector = PointVector<double>(model.nPoints(), network_.dimension());
+}
+
+void SpringTangent::hold(const std::vector<char>& isHeld) {
+  const bool isSame = isHeld == isHeld_;
+  isHeld_ = isHeld;
+  if (isSame) return;
+  stiffness_.hold(isHeld);
+  smootherIsCurrent_ = coarseIsCurrent_ = false;
+}
+
+void SpringTangent::startAfresh() {
+  mustRebuild_ = mustRebuild_ || nChanges_ > 0;
+  freshRate_ = 0.0;
+}
+
+/// Reads the bonds of points whose Damage has changed.
+void SpringTangent::takeUpDamage() {
+  auto& fields = FieldManager::self();
+  const int id = fields.hasField("Bond_Damage") ? fields.getFieldId("Bond_Damage") : -1;
+  const double* damage = model_.hasField("Damage") ? model_.field("Damage") : nullptr;
+  std::vector<int> changed;
+  std::vector<const double*> bondsOf;
+  for (Block& block : *model_.blocks()) {
+    double* values = nullptr;
+    if (id >= 0 && block.hasData(id, PeridigmField::STEP_NP1))
+      block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&values);
+    const auto list = block.getNeighborhoodData();
+    const int* at = list->NeighborhoodList();
+    for (int p = 0; p < list->NumOwnedPoints(); ++p) {
+      const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
+      const double now = damage == nullptr || values == nullptr ? 0.0 : damage[point];
+      if (now != seenDamage_[point] || (damage == nullptr && values != nullptr)) {
+        seenDamage_[point] = now;
+        changed.push_back(static_cast<int>(point));
+        bondsOf.push_back(values);
+      }
+      if (values != nullptr) values += *at;
+      at += *at + 1;
+    }
+  }
+  if (!model_.comm().any(!changed.empty())) return;
+  std::vector<const double*> ofPoint(static_cast<std::size_t>(model_.nOwned()), nullptr);
+  for (std::size_t k = 0; k < changed.size(); ++k) ofPoint[static_cast<std::size_t>(changed[k])] = bondsOf[k];
+  network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
+  stiffness_.refresh();
+  smootherIsCurrent_ = coarseIsCurrent_ = false;
+}
+
+void SpringTangent::prepare() {
+  if (!bondsAreKnown_) takeUpDamage();
+  bondsAreKnown_ = true;
+  const bool isCurrent = !model_.comm().any(!coarseIsCurrent_);
+  if (!isCurrent) ++nChanges_;
+  const bool isStale = mustRebuild_ || nChanges_ >= mostChanges;
+  coarseIsCurrent_ = true;
+  if (isStale) {
+    levels_.rebuild();
+    ++nRebuilds;
+    nChanges_ = 0;
+    mustRebuild_ = false;
+  } else if (model_.comm().any(!smootherIsCurrent_)) {
+    levels_.refreshSmoother();
+  }
+  smootherIsCurrent_ = true;
+}
+
+void SpringTangent::force(const double* displacement, double* forceDensity) {
+  if (!bondsAreKnown_) takeUpDamage();
+  bondsAreKnown_ = true;
+  const auto n = static_cast<std::size_t>(model_.nOwned());
+  std::fill(forceDensity, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (std::size_t i = 0; i < n; ++i) full_[c][i] = displacement[3 * i + static_cast<std::size_t>(c)];
+  stiffness_.applyToAll(full_, image_);
+  const double* volume = model_.field("Volume");
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * image_[c][i] / volume[i];
+}
+
+void SpringTangent::copyForceToBlocks() {
+  const double* total = model_.field("Force_Density");
+  const int id = FieldManager::self().getFieldId("Force_Density");
+  for (Block& block : *model_.blocks()) {
+    double* own = nullptr;
+    block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&own);
+    if (own != total) std::copy_n(total, 3 * static_cast<std::size_t>(model_.nPoints()), own);
+  }
+}
+
+LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolerance, int maximumIterations,
+                                       const Product& product) {
+  prepare();
+  const auto n = static_cast<std::size_t>(model_.nOwned());
+  const double unit = network_.stiffnessUnit();
+  const int dimension = network_.dimension();
+  for (int c = 0; c < dimension; ++c)
+    for (std::size_t i = 0; i < n; ++i) right_[c][i] = b[3 * i + static_cast<std::size_t>(c)] / unit;
+  stiffness_.zeroHeld(right_);
+  std::vector<double> flat(product ? 3 * n : 0), flatImage(flat.size());
+  const PointMap stiffness = [&](PointVector<double>& from, PointVector<double>& to) {
+    if (!product) return stiffness_.apply(from, to);
+    for (int c = 0; c < dimension; ++c)
+      for (std::size_t i = 0; i < n; ++i) flat[3 * i + static_cast<std::size_t>(c)] = from[c][i];
+    product(flat.data(), flatImage.data());
+    for (int c = 0; c < dimension; ++c)
+      for (std::size_t i = 0; i < n; ++i) to[c][i] = flatImage[3 * i + static_cast<std::size_t>(c)] / unit;
+    stiffness_.addAdditions(from, to);
+    stiffness_.zeroHeld(to);
+  };
+  const ConjugateGradientsResult result = conjugateGradients(
+      model_.comm(), model_.nOwned(), stiffness,
+      [&](PointVector<double>& r, PointVector<double>& z) { levels_.apply(r, z); }, right_, solution_, tolerance,
+      maximumIterations);
+  std::fill(x, x + 3 * n, 0.0);
+  for (int c = 0; c < dimension; ++c)
+    for (std::size_t i = 0; i < n; ++i) x[3 * i + static_cast<std::size_t>(c)] = solution_[c][i];
+  if (!product && result.iterations >= 4 && !result.hasBrokenDown) {
+    const double rate = -std::log10(std::max(result.relativeResidual, 1e-16)) / result.iterations;
+    if (nChanges_ == 0) freshRate_ = rate;
+    mustRebuild_ = mustRebuild_ || (nChanges_ > 0 && rate < slowest * freshRate_);
+  }
+  return {result.iterations, result.hasBrokenDown ? 1.0 : result.relativeResidual,
+          !result.hasBrokenDown && result.relativeResidual <= tolerance, "CG"};
+}
+
+double SpringTangent::normOfDiagonal() const {
+  const PointVector<double>& diagonal = levels_.diagonal();
+  double sum = 0.0;
+  for (int c = 0, at = 0; c < network_.dimension(); at += network_.dimension() - c, ++c)
+    for (int i = 0; i < model_.nOwned(); ++i)
+      if (!stiffness_.isHeld(i, c)) sum += diagonal[at][i] * diagonal[at][i];
+  return network_.stiffnessUnit() * std::sqrt(model_.comm().sum(sum));
+}
+
+}  // namespace pd

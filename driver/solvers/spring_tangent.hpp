@@ -1,0 +1,69 @@
+// The stiffness of a model for small displacements, as springs, and equilibria with it.
+#ifndef PD_SPRING_TANGENT_HPP
+#define PD_SPRING_TANGENT_HPP
+
+#include <functional>
+#include <vector>
+
+#include "../linear/linear_system.hpp"
+#include "../linear/springs/conjugate_gradients.hpp"
+#include "../linear/springs/two_level.hpp"
+#include "../model/model.hpp"
+
+namespace pd {
+
+/// Of a model whose materials have LinearBonds. No matrix: conjugate gradients with a TwoLevel preconditioner.
+class SpringTangent {
+ public:
+  /// Whether all materials with forces have springs, and of one kind.
+  static bool fits(Model& model);
+  /// Refers to the model. After its initialize(). Collective.
+  explicit SpringTangent(Model& model);
+
+  /// `isHeld` [3 nOwned].
+  void hold(const std::vector<char>& isHeld);
+  /// Bonds have broken, or have been put back.
+  void bondsHaveChanged() { bondsAreKnown_ = false; }
+  /// What is kept from now on depends on bonds and held points alone, not on how they came to be so.
+  void startAfresh();
+  /// Takes up what has changed. Collective.
+  void prepare();
+
+  /// Writes the force density [3 nPoints] N/m3 that displacements [3 nPoints] cause, complete at owned points.
+  /// Collective.
+  void force(const double* displacement, double* forceDensity);
+  /// Where blocks have a Force_Density of their own, the sum for each of them.
+  void copyForceToBlocks();
+  /// x = K^-1 b over free degrees of freedom [3 nOwned], N, m; zero at held ones. With `product`, of another stiffness
+  /// K near this one: [3 nOwned] m to N. Collective.
+  using Product = std::function<void(const double*, double*)>;
+  LinearSolveReport solve(const double* b, double* x, double tolerance, int maximumIterations,
+                          const Product& product = {});
+
+  /// Norm of the diagonal at free degrees of freedom, N/m. Collective.
+  double normOfDiagonal() const;
+
+  int nCoarseUnknowns() const { return levels_.nCoarseUnknowns(); }
+  std::size_t bytes() const { return network_.bytes(); }
+  long long nRebuilds = 0;
+  int nStiffenedPoints() const { return static_cast<int>(stiffness_.additions().size()); }
+
+ private:
+  static SpringNetwork networkOf(Model& model);
+  void takeUpDamage();
+
+  Model& model_;
+  SpringNetwork network_;
+  SpringOperator stiffness_;
+  TwoLevel levels_;
+  std::vector<char> isHeld_;
+  std::vector<double> seenDamage_;  ///< [nOwned] Damage when its bonds were last read; NaN: never
+  bool bondsAreKnown_ = false, smootherIsCurrent_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
+  int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
+  double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
+  PointVector<double> right_, solution_, full_, image_;
+};
+
+}  // namespace pd
+
+#endif

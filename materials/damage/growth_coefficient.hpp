@@ -1,0 +1,41 @@
+// The growth coefficient of bonds from Paris' law.
+#ifndef PD_GROWTH_COEFFICIENT_HPP
+#define PD_GROWTH_COEFFICIENT_HPP
+
+#include <string>
+#include <vector>
+
+#include "bond_family.hpp"
+#include "growth_trial.hpp"
+#include "life_law.hpp"
+
+namespace pd {
+
+/// da/dN = C dK^M with the lattice and the constants of the material.
+class GrowthCoefficient {
+ public:
+  static void declareParameters(ParameterDeclarations& declare);
+  /// From a completed list with "Paris Coefficient". Throws std::invalid_argument, naming `owner`.
+  GrowthCoefficient(const Teuchos::ParameterList& params, const std::string& owner);
+
+  double exponent() const { return trial_.exponent; }
+  double coefficient() const { return coefficient_; }  ///< A of d(lost life)/dN = A strain^M
+  double spacing() const { return spacing_; }          ///< m, of the lattice of the trial
+  const BondFamily& family() const { return family_; }
+  /// What it has found, and the growth that it predicts.
+  std::vector<std::string> notes() const;
+
+ private:
+  std::vector<LatticeBond> latticeBonds() const;
+
+  BondFamily family_;
+  double spacing_, paris_;  ///< m; m/cycle at 1 MPa sqrt(m)
+  GrowthTrialCase trial_;
+  GrowthTrialResult result_;
+  double modulus_ = 0.0, coefficient_ = 0.0;  ///< E' of the lattice, Pa
+  bool hasTangential_ = false;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,221 @@
+#include "growth_strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pd {
+
+namespace {
+
+// Of the strip, in its heights: the crack at the start, what is left ahead of it at the end.
+constexpr double crackedPart = 0.6, aheadPart = 0.8;
+constexpr int rowsThatBreak = 3;  ///< beside the crack: of bonds that do not cross it
+
+int rounded(double value) { return static_cast<int>(std::lround(value)); }
+
+}  // namespace
+
+void GrowthStrip::Measure::add(int where, double what) {
+  for (int k = 0; k < n; ++k) {
+    if (unknown[static_cast<std::size_t>(k)] != where) continue;
+    value[static_cast<std::size_t>(k)] += what;
+    return;
+  }
+  unknown[static_cast<std::size_t>(n)] = where;
+  value[static_cast<std::size_t>(n++)] = what;
+}
+
+double GrowthStrip::Measure::of(const std::vector<double>& u) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+    sum += value[k] * u[static_cast<std::size_t>(unknown[k])];
+  return sum;
+}
+
+GrowthStrip::GrowthStrip(std::vector<LatticeBond> bonds, double horizon, double height, double growth)
+    : lattice_(std::move(bonds)), nRows_(rounded(0.5 * height * horizon)) {
+  for (const LatticeBond& bond : lattice_) {
+    reach_ = std::max({reach_, std::abs(bond.x), std::abs(bond.y)});
+    bondsOfAPoint_ += bond.count;
+  }
+  const int nGrowth = rounded(growth * horizon);
+  firstColumn_ = rounded(crackedPart * height * horizon);
+  nColumns_ = firstColumn_ + nGrowth + rounded(aheadPart * height * horizon);
+  nBroken_.assign(static_cast<std::size_t>(nColumns_ * nRows_), 0.0);
+  std::vector<Bond> all;
+  for (int column = 0; column < nColumns_; ++column)
+    for (int row = 0; row < nRows_; ++row) collect(column, row, all);
+
+  const int n = 2 * nColumns_ * nRows_;
+  BandedCholesky solver(n, 2 * (reach_ * nRows_ + reach_) + 1);
+  std::vector<double> u(static_cast<std::size_t>(n), 0.0);
+  for (const Bond& bond : all) {
+    const Measure measure = measureOf(bond);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(measure.n); ++a) {
+      const double force = bond.stiffness * measure.value[a];
+      u[static_cast<std::size_t>(measure.unknown[a])] -= force * measure.atGrips;
+      for (std::size_t b = 0; b <= a; ++b) solver.add(measure.unknown[a], measure.unknown[b], force * measure.value[b]);
+    }
+    if (!mayBreak(bond, nGrowth)) continue;
+    const bool isUpright = bond.isAcross && bond.from == bond.to && bond.from % static_cast<std::size_t>(nRows_) == 0;
+    const int column = static_cast<int>(bond.from) / nRows_;
+    if (isUpright && column >= firstColumn_ && bond.alongY == -1.0) tipBond_.push_back(bonds_.size());
+    bonds_.push_back(bond);
+    measures_.push_back(measure);
+  }
+  solver.factor();
+  solver.solve(u);
+  findFlexibilities(solver, u);
+  strainUnit_ = std::sqrt(heldEnergy() / planeModulus(lattice_) / horizon);
+}
+
+/// Whether the crack of the start cuts a bond across the middle.
+bool GrowthStrip::isCut(int column, int row, const LatticeBond& bond) const {
+  return column + bond.x * (row + 0.5) / -bond.y < firstColumn_ - 0.5;
+}
+
+/// The bonds of a point that are listed at it.
+void GrowthStrip::collect(int column, int row, std::vector<Bond>& all) {
+  const std::size_t from = point(column, row);
+  for (const LatticeBond& bond : lattice_) {
+    const int toColumn = column + bond.x, toRow = row + bond.y;
+    if (toColumn < 0 || toColumn >= nColumns_) continue;
+    const double length2 = bond.length * bond.length;
+    Bond made{from, from, false, false, bond.x / length2, bond.y / length2, bond.stiffness, bond.count};
+    if (toRow >= nRows_) {
+      made.isInGrip = true;
+    } else if (toRow >= 0) {
+      if (bond.y < 0 || (bond.y == 0 && bond.x < 0)) continue;
+      made.to = point(toColumn, toRow);
+    } else {
+      if (isCut(column, row, bond)) {
+        nBroken_[from] += bond.count;
+        continue;
+      }
+      made.isAcross = true;
+      made.to = point(toColumn, -1 - toRow);
+      if (made.to < from) continue;
+      if (made.to == from) made.stiffness *= 0.5;
+    }
+    all.push_back(made);
+  }
+}
+
+GrowthStrip::Measure GrowthStrip::measureOf(const Bond& bond) const {
+  Measure measure;
+  const int from = 2 * static_cast<int>(bond.from), to = 2 * static_cast<int>(bond.to);
+  measure.add(from, -bond.alongX);
+  measure.add(from + 1, -bond.alongY);
+  if (bond.isInGrip) {
+    measure.atGrips = bond.alongY;
+  } else {
+    measure.add(to, bond.alongX);
+    measure.add(to + 1, bond.isAcross ? -bond.alongY : bond.alongY);
+  }
+  return measure;
+}
+
+bool GrowthStrip::mayBreak(const Bond& bond, int growth) const {
+  if (bond.isInGrip) return false;
+  const auto rows = static_cast<std::size_t>(nRows_);
+  const int a = static_cast<int>(bond.from / rows), b = static_cast<int>(bond.to / rows);
+  if (std::min(a, b) < firstColumn_ - 2 * reach_ || std::max(a, b) > firstColumn_ + growth + reach_) return false;
+  return bond.isAcross || std::max(bond.from % rows, bond.to % rows) < rowsThatBreak;
+}
+
+void GrowthStrip::findFlexibilities(const BandedCholesky& solver, const std::vector<double>& u) {
+  isBroken_.assign(bonds_.size(), 0);
+  std::vector<double> x;
+  for (const Measure& own : measures_) {
+    stretch_.push_back(own.of(u) + own.atGrips);
+    x.assign(u.size(), 0.0);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(own.n); ++k)
+      x[static_cast<std::size_t>(own.unknown[k])] = own.value[k];
+    solver.solve(x);
+    std::vector<double> row;
+    for (const Measure& other : measures_) row.push_back(other.of(x));
+    flexibility_.push_back(std::move(row));
+  }
+}
+
+void GrowthStrip::breakBond(std::size_t bond) {
+  const Bond& broken = bonds_[bond];
+  isBroken_[bond] = 1;
+  nBroken_[broken.from] += broken.count;
+  if (broken.to != broken.from) nBroken_[broken.to] += broken.count;
+  const std::vector<double> own = flexibility_[bond];
+  const double left = 1.0 - broken.stiffness * own[bond];
+  if (left < 1e-9) return;  // nothing else holds what it held
+  const double factor = broken.stiffness / left, stretch = stretch_[bond];
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (isBroken_[i] != 0) continue;
+    const double times = factor * own[i];
+    stretch_[i] += times * stretch;
+    double* row = flexibility_[i].data();
+    for (std::size_t j = 0; j < own.size(); ++j) row[j] += times * own[j];
+  }
+}
+
+std::vector<char> GrowthStrip::pointsNear(double damage) const {
+  std::vector<char> near(nBroken_.size(), 0);
+  for (int column = 0; column < nColumns_; ++column)
+    for (int row = 0; row < nRows_; ++row) {
+      if (nBroken_[point(column, row)] < damage * bondsOfAPoint_) continue;
+      near[point(column, row)] = 1;
+      for (const LatticeBond& bond : lattice_) {
+        const int toColumn = column + bond.x, toRow = row + bond.y < 0 ? -1 - row - bond.y : row + bond.y;
+        if (toColumn >= 0 && toColumn < nColumns_ && toRow < nRows_) near[point(toColumn, toRow)] = 1;
+      }
+    }
+  return near;
+}
+
+int GrowthStrip::nColumnsOpen() const {
+  int n = 0;
+  while (n < static_cast<int>(tipBond_.size()) && isBroken(tipBond_[static_cast<std::size_t>(n)])) ++n;
+  return n;
+}
+
+/// Energy of a column of the whole strip far ahead of the crack, where nothing moves along x and all columns alike.
+double GrowthStrip::heldEnergy() const {
+  BandedCholesky solver(nRows_, nRows_ - 1);
+  std::vector<double> v(static_cast<std::size_t>(nRows_), 0.0);
+  struct Upright {
+    int from, to;  ///< rows; `to` < 0: a grip
+    double sign, along, stiffness;
+  };
+  std::vector<Upright> bonds;
+  for (int row = 0; row < nRows_; ++row)
+    for (const LatticeBond& bond : lattice_) {
+      if (bond.y == 0) continue;
+      const int to = row + bond.y;
+      const bool isInGrip = to >= nRows_;
+      bonds.push_back({row, isInGrip ? -1 : (to >= 0 ? to : -1 - to), to >= 0 ? 1.0 : -1.0,
+                       bond.y / (bond.length * bond.length), isInGrip ? bond.stiffness : 0.5 * bond.stiffness});
+    }
+  for (const Upright& bond : bonds) {
+    const double k = bond.stiffness * bond.along * bond.along;
+    solver.add(bond.from, bond.from, k);
+    if (bond.to < 0) {
+      v[static_cast<std::size_t>(bond.from)] += k;
+    } else if (bond.to == bond.from) {
+      // v_to = -v_from: (sign - 1)^2 in all
+      solver.add(bond.from, bond.from, k * (bond.sign * bond.sign - 2.0 * bond.sign));
+    } else {
+      solver.add(bond.to, bond.to, k);
+      solver.add(bond.from, bond.to, -k * bond.sign);
+    }
+  }
+  solver.factor();
+  solver.solve(v);
+  double energy = 0.0;
+  for (const Upright& bond : bonds) {
+    const double far = bond.to < 0 ? 1.0 : bond.sign * v[static_cast<std::size_t>(bond.to)];
+    const double stretch = bond.along * (far - v[static_cast<std::size_t>(bond.from)]);
+    energy += bond.stiffness * stretch * stretch;  // 1/2 of the half, 2 halves
+  }
+  return energy;
+}
+
+}  // namespace pd

@@ -1,0 +1,229 @@
+// Springs of materials against the tangents that the same materials assemble, and solves against direct ones.
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <cmath>
+
+#include "../model_plugins.hpp"
+#include "../mpi/lattice.hpp"
+#include "Peridigm_DegreesOfFreedomManager.hpp"
+#include "driver/linear/linear_system.hpp"
+#include "driver/model/model.hpp"
+#include "driver/solvers/spring_tangent.hpp"
+
+namespace pd::test {
+namespace {
+
+const Communicator& world() {
+  static const Communicator comm(MPI_COMM_WORLD);
+  return comm;
+}
+
+/// A number in (-1, 1) that belongs to a pair of global ids and to nothing else.
+double rough(long long a, long long b) {
+  auto key = static_cast<unsigned long long>(std::min(a, b) * 1000003 + std::max(a, b));
+  key = (key ^ (key >> 31)) * 0x9E3779B97F4A7C15ULL;
+  key = (key ^ (key >> 27)) * 0xBF58476D1CE4E5B9ULL;
+  return static_cast<double>(key >> 12) / std::pow(2.0, 51) - 1.0;
+}
+
+struct Body {
+  const char* name;
+  Lattice lattice;
+  double jitter;  ///< of the spacing
+  double broken;  ///< share of the bonds
+  const char* material;
+};
+
+std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.name; }
+
+std::string deckText(const Body& body) {
+  return "Materials: {Solid: " + std::string(body.material) +
+         "}\nDamage Models: {Limit: {Damage Model: Critical Stretch, Critical Stretch: 1.0}}\n"
+         "Blocks: {All: {Block Names: default, Material: Solid, Damage Model: Limit, Horizon: " +
+         std::to_string(body.lattice.horizon) + "}}\n";
+}
+
+Discretization pointsOf(const Body& body) {
+  Discretization points = body.lattice.discretization(world());
+  for (int i = 0; i < points.nPoints; ++i)
+    for (int axis = 0; axis < points.dimension; ++axis)
+      points.x[static_cast<std::size_t>(3 * i + axis)] +=
+          0.5 * body.jitter * rough(points.globalIds[static_cast<std::size_t>(i)], 1000 + axis);
+  return points;
+}
+
+class Springs : public ::testing::TestWithParam<Body> {
+ protected:
+  Springs() : deck_(deckOf(deckText(GetParam()))), model_(deck_, world(), pointsOf(GetParam()), {}) {
+    model_.initialize();
+    model_.updateCoordinates();
+    breakBonds();
+    const Discretization& points = model_.discretization();
+    for (int i = 0; i < points.nPoints; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto id = points.globalIds[static_cast<std::size_t>(i)];
+        isHeld_.push_back(axis >= points.dimension || points.x[static_cast<std::size_t>(3 * i)] < 1.5 ||
+                          (axis == 1 && id % 17 == 0));
+      }
+  }
+
+  void breakBonds() {
+    const Discretization& points = model_.discretization();
+    PeridigmNS::Block& block = model_.blocks()->front();
+    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
+    double* damage = nullptr;
+    block.getData(id, PeridigmNS::PeridigmField::STEP_NP1)->ExtractView(&damage);
+    const int* list = points.neighborhoodList.data();
+    for (int i = 0; i < points.nOwned; ++i)
+      for (int count = *list++; count > 0; --count, ++list, ++damage) {
+        const auto a = points.globalIds[static_cast<std::size_t>(i)],
+                   b = points.globalIds[static_cast<std::size_t>(*list)];
+        if (0.5 * (1.0 + rough(a, b)) >= GetParam().broken) continue;
+        *damage = 1.0;
+        model_.field("Damage")[i] += 0.01;
+      }
+  }
+
+  std::vector<double> someDisplacement(bool isFree) const {
+    const Discretization& points = model_.discretization();
+    std::vector<double> u(3 * static_cast<std::size_t>(points.nOwned), 0.0);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const auto axis = static_cast<int>(i % 3);
+      if (axis < points.dimension && !(isFree && isHeld_[i]))
+        u[i] = rough(points.globalIds[i / 3], 5000 + axis) + 0.1 * points.x[3 * (i / 3)] * (1 + axis);
+    }
+    return u;
+  }
+
+  std::unique_ptr<LinearSystem> assembled(const std::vector<char>& isConstrained) {
+    PeridigmNS::DegreesOfFreedomManager::self().setUnknowns({{"Displacement", 3}});
+    auto system = std::make_unique<LinearSystem>(world(), model_.discretization(), 3, true);
+    model_.evaluateForce(1.0);
+    model_.assembleJacobian(1.0, *system);
+    system->scale(-1.0);
+    system->finish(isConstrained);
+    return system;
+  }
+  double norm(const std::vector<double>& v) const {
+    double sum = 0.0;
+    for (const double value : v) sum += value * value;
+    return std::sqrt(world().sum(sum));
+  }
+  static std::vector<double> difference(std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+  }
+
+  Deck deck_;
+  Model model_;
+  std::vector<char> isHeld_;
+};
+
+TEST_P(Springs, ActAsTheAssembledTangent) {
+  ASSERT_TRUE(SpringTangent::fits(model_));
+  SpringTangent springs(model_);
+  std::vector<char> nothing(isHeld_.size(), 0);
+  for (std::size_t i = 0; i < nothing.size(); ++i)
+    nothing[i] = static_cast<int>(i % 3) >= model_.discretization().dimension;
+  const auto matrix = assembled(nothing);
+  const std::vector<double> u = someDisplacement(false);
+  std::vector<double> expected(u.size()), force(3 * static_cast<std::size_t>(model_.nPoints()));
+  matrix->apply(u.data(), expected.data());
+  springs.force(u.data(), force.data());
+  for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += force[i];  // volumes are 1
+  force.resize(expected.size());
+  // The tangent of Elastic is one of central differences.
+  const bool isExact = std::string(GetParam().material).find("Elastic,") == std::string::npos;
+  EXPECT_LT(norm(expected), (isExact ? 1e-12 : 1e-6) * norm(force));
+}
+
+TEST_P(Springs, SolveAsADirectSolverDoes) {
+  SpringTangent springs(model_);
+  springs.hold({isHeld_.begin(), isHeld_.begin() + 3LL * model_.nOwned()});
+  const auto matrix = assembled(isHeld_);
+  const std::vector<double> exact = someDisplacement(true);
+  std::vector<double> right(exact.size()), solution(exact.size(), 0.0);
+  matrix->apply(exact.data(), right.data());
+  const LinearSolveReport report = springs.solve(right.data(), solution.data(), 1e-7, 60);
+  EXPECT_TRUE(report.hasConverged) << report.relativeResidual;
+  EXPECT_LE(report.iterations, 30);
+  // A residual of 1e-7 is an error of that, times the ratio of the stiffest to the softest displacement, at most.
+  EXPECT_LT(norm(difference(solution, exact)), 1e-4 * norm(exact));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, Springs,
+    ::testing::Values(
+        Body{"BarOfBondBased",
+             {40, 1, 1, 3.01},
+             0.0,
+             0.0,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.25, One Dimensional: true, Volume "
+             "Correction: None}"},
+        Body{"Lattice",
+             {24, 14, 1, 3.01},
+             0.0,
+             0.0,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, "
+             "Thickness: 1.0, Volume Correction: None}"},
+        Body{"BrokenLattice",
+             {24, 14, 1, 3.01},
+             0.0,
+             0.3,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, "
+             "Thickness: 1.0, Volume Correction: None}"},
+        Body{"BrokenJitteredPoints",
+             {24, 14, 1, 3.2},
+             0.3,
+             0.3,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, "
+             "Thickness: 1.0, Volume Correction: None}"},
+        Body{"TwoParameters",
+             {24, 14, 1, 3.01},
+             0.0,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Stress: true, Thickness: 1.0, "
+             "Volume Correction: None}"},
+        Body{"TwoParametersJittered",
+             {24, 14, 1, 3.2},
+             0.3,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Strain: true, Thickness: 1.0, "
+             "Volume Correction: None}"},
+        Body{"TwoParametersLinear",
+             {24, 14, 1, 3.01},
+             0.0,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Stress: true, Thickness: 1.0, "
+             "Tangential Force: Linear, Volume Correction: None}"},
+        Body{"SolidBondBased",
+             {20, 6, 5, 2.3},
+             0.0,
+             0.1,
+             "{Material Model: Elastic Bond Based, Density: 1.0, Young's Modulus: 1.0}"},
+        Body{"SolidTwoParameters",
+             {20, 6, 5, 2.3},
+             0.2,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.1, Volume Correction: None}"},
+        Body{"SolidTwoParametersOfALattice",
+             {20, 6, 5, 2.3},
+             0.0,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.1, Volume Correction: None}"},
+        Body{"SolidElastic",
+             {20, 5, 5, 2.3},
+             0.0,
+             0.1,
+             "{Material Model: Elastic, Density: 1.0, Young's Modulus: 1.0, Poisson's Ratio: 0.35}"},
+        Body{"PlateElasticJittered",
+             {20, 8, 1, 3.2},
+             0.3,
+             0.1,
+             "{Material Model: Elastic, Density: 1.0, Young's Modulus: 1.0, Poisson's Ratio: 0.1, Plane Stress: true, "
+             "Thickness: 1.0}"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace pd::test
