@@ -15,7 +15,7 @@ using PeridigmNS::DataManager;
 
 namespace {
 
-const std::string owner = "damage model Remaining Life";
+const std::string modelName = "damage model Remaining Life";
 
 void declareInitiation(ParameterDeclarations& declare) {
   declare
@@ -103,7 +103,7 @@ void RemainingLife::declareParameters(ParameterDeclarations& declare) {
 }
 
 RemainingLife::RemainingLife(const Teuchos::ParameterList& given) : BondDamageModel(given) {
-  const Teuchos::ParameterList params = completed<RemainingLife>(given, owner);
+  const Teuchos::ParameterList params = completed<RemainingLife>(given, modelName);
   const double limit = params.get<double>("Fatigue Limit");
   const double growthLimit = params.get<bool>("Fatigue Limit In Growth") ? limit : 0.0;
   growthDamage_ = params.get<double>("Growth Damage");
@@ -120,15 +120,15 @@ RemainingLife::RemainingLife(const Teuchos::ParameterList& given) : BondDamageMo
       initiation_ = kernels::LifeLaw::table(params.get<Teuchos::Array<double>>("Lives").toVector(),
                                             params.get<Teuchos::Array<double>>("Strain Ranges").toVector(), limit);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(owner + ": " + error.what());
+      throw std::invalid_argument(modelName + ": " + error.what());
     }
   }
   if (params.isParameter("Paris Coefficient")) {
     if (growthLimit > 0.0)
-      throw std::invalid_argument(owner +
+      throw std::invalid_argument(modelName +
                                   ": \"Fatigue Limit In Growth\" makes another law of growth than Paris'; give "
                                   "Growth Coefficient and Growth Exponent with it");
-    paris_ = std::make_unique<GrowthCoefficient>(params, owner);
+    paris_ = std::make_unique<GrowthCoefficient>(params, modelName);
     growth_ = kernels::LifeLaw::power(paris_->coefficient(), paris_->exponent(), 0.0);
   }
   if (params.isParameter("Growth Coefficient"))
@@ -149,7 +149,7 @@ void RemainingLife::requireSpacing(const Call& call, DataManager& data) const {
   forEachBond(call, [&](int i, int j, std::size_t) { shortest = std::min(shortest, ReferenceBond(x, i, j).length); });
   if (std::isfinite(shortest) && std::abs(shortest / paris_->spacing() - 1.0) > tolerance)
     throw std::invalid_argument(
-        owner + ": \"Spacing\" is " + std::to_string(paris_->spacing()) +
+        modelName + ": \"Spacing\" is " + std::to_string(paris_->spacing()) +
         " m, but the shortest bond of the block has " + std::to_string(shortest) +
         " m; give that, or Growth Coefficient and Growth Exponent on meshes that are no lattice "
         "of squares or cubes");
@@ -160,11 +160,11 @@ void RemainingLife::initialize(const double dt, const int numOwnedPoints, const 
   prepared_.clear();
   const bool hostCounts = fields_.cycles.isIn(data);
   if (hostCounts && hasOwnCycles_)
-    throw std::invalid_argument(owner +
+    throw std::invalid_argument(modelName +
                                 ": the solver counts the cycles; remove \"Cycles Per Step\" and \"Load Ratio\" "
                                 "(the solver has a Load Ratio)");
   if (!hostCounts && !hasOwnCycles_)
-    throw std::invalid_argument(owner +
+    throw std::invalid_argument(modelName +
                                 ": nothing says how many cycles a step has; give \"Cycles Per Step\", or use the "
                                 "solver Fatigue");
   const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
@@ -196,7 +196,7 @@ void RemainingLife::precompute(const double, const int numOwnedPoints, const int
 void RemainingLife::worsen(double dt, const Call& call, DataManager& data) const {
   if (prepared_.erase(&data) == 0) {
     if (hasGrowth_ && fields_.damage.length(data) != call.nOwned)
-      throw std::runtime_error(owner +
+      throw std::runtime_error(modelName +
                                ": this host does not exchange which points are near crack tips (it calls no "
                                "precompute); run it on one rank with one block, or with pdrun");
     precompute(dt, call.nOwned, call.ownedIds, call.neighborhoodList, data);
