@@ -2,6 +2,9 @@
 #ifndef PD_TEST_FOLDER_HPP
 #define PD_TEST_FOLDER_HPP
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -9,12 +12,18 @@
 
 namespace pd::test {
 
-/// Empty at first, removed with its content at the end. The name must differ from those of tests that run at the
-/// same time; processes that share the folder must see the same `isOwner` on exactly one of them.
+/// What the processes of one run under mpirun have in common, and no other run.
+inline std::string nameOfRun() {
+  const char* const job = std::getenv("PMIX_NAMESPACE");
+  return job != nullptr ? job : std::to_string(getpid());
+}
+
+/// Empty at first, removed with its content at the end. The name must differ from those of tests that this run has at
+/// the same time; of processes that share the folder, `isOwner` must be true on exactly one.
 class TestFolder {
  public:
   explicit TestFolder(const std::string& name, bool isOwner = true)
-      : path_(std::filesystem::temp_directory_path() / name), isOwner_(isOwner) {
+      : path_(std::filesystem::temp_directory_path() / (name + "_" + nameOfRun())), isOwner_(isOwner) {
     if (!isOwner_) return;
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);

@@ -48,12 +48,14 @@ class Plate(CorrosionTest):
 
 
 class Ranks(Plate):
+    ranks = (2, 4)
+
     def compare(self, metal, time, least=200, **solver):
         expected = self.solve(self.deck(metal, time, 8, "one", **solver))
         self.check(expected, metal)
         dissolved = np.sum((expected.field("Damage") == 1.0) & (expected.field("Damage", 0) < 1.0))
         self.assertGreater(dissolved, least)
-        for ranks in (2, 4):
+        for ranks in self.ranks:
             found = self.solve(self.deck(metal, time, 8, f"ranks{ranks}", **solver), ranks=ranks)
             self.check(found, metal)
             self.assert_same(found, expected, f"{ranks} ranks")
