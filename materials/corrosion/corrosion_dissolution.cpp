@@ -156,6 +156,9 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     made.area.resize(phases_.count());
     made.lostFlux.resize(phases_.count());
     made.correction.resize(phases_.count());
+    made.surface.resize(static_cast<std::size_t>(views.nPoints));
+    for (kernels::PointArrays* values : {&made.current, &made.currentSum, &made.weightSum})
+      values->zero(views.nPoints, 1);
     for (auto* arrays : {&made.area, &made.lostFlux, &made.correction})
       for (kernels::PointArrays& ofPhase : *arrays) ofPhase.zero(views.nPoints, 1);
     if (phases_.count() > 1) made.isOfPhase.resize(phases_.count());
@@ -168,22 +171,24 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
   });
 }
 
-void CorrosionDissolution::precompute(const double, const int numOwnedPoints, const int* ownedIDs,
+void CorrosionDissolution::precompute(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) const {
   const Views views(*this, dataManager);
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
-  takeUpPhases(cache, views);
+  takeUpPhases(dt, cache, views);
   findAcidity(cache, views);
   cache.isPrepared = true;
 }
 
 /// Corrections of owned points.
-void CorrosionDissolution::takeUpPhases(Cache& cache, const Views& views) const {
+void CorrosionDissolution::takeUpPhases(double dt, Cache& cache, const Views& views) const {
   cache.hasAreas = false;  // corrections of neighbours of other ranks may change by what is out of sight here
   cache.zeroed = nullptr;  // a host may have filled in rates, those of a checkpoint for one
   const bool isChanged = cache.phases.refresh(cache.neighborhood, views.damage);
   if (isChanged) refreshAroundChanges(cache, views);
-  if (!weights_.isCalibratedByTrial()) findDissolutionCorrections(cache, views);
+  if (weights_.isCalibratedByTrial()) return;
+  findSurfaces(cache, views);
+  findDissolutionCorrections(dt, cache, views);
 }
 
 /// Owned points that have changed phase and their neighbours: diffusion corrections, no currents yet, a pH where
@@ -206,7 +211,7 @@ void CorrosionDissolution::refreshAroundChanges(Cache& cache, const Views& views
 }
 
 /// Of owned points of the surface, as metal around them goes.
-void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views& views) const {
+void CorrosionDissolution::findSurfaces(Cache& cache, const Views& views) const {
   const std::vector<int>& changed = cache.phases.changedPoints();
   if (changed.empty()) return;
   const PhaseGeometry bonds = geometry(views, cache.phases.steppedDamage());
@@ -215,14 +220,55 @@ void CorrosionDissolution::findDissolutionCorrections(Cache& cache, const Views&
     const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
     const int* points = cache.neighborhood.pointIds(chunk);
     const unsigned char* bits = cache.phases.fromSolid().of(chunk);
-    unsigned atSurface = 0;
-    for (int k = 0; k < chunk.nNeighbors; ++k) atSurface |= bits[k];
+    const double* weights = cache.dissolution.of(c);
+    const bool isUniform = cache.dissolution.isUniform(c);
     for (int lane = 0; lane < chunk.nLanes; ++lane) {
-      if (((atSurface >> lane) & 1u) == 0) continue;
+      // Bonds to electrolyte reach further than those that dissolve.
+      const auto dissolves = [&](int k) {
+        return ((bits[k] >> lane) & 1u) != 0 && weights[isUniform ? k : k * kernels::lanes + lane] != 0.0;
+      };
+      int k = 0;
+      while (k < chunk.nNeighbors && !dissolves(k)) ++k;
+      if (k == chunk.nNeighbors) continue;
       cache.phases.findNeighborsWithoutWalls(points[lane], neighbors);
-      views.dissolutionCorrection[points[lane]] =
-          bonds.dissolutionCorrection(points[lane], neighbors.data(), static_cast<int>(neighbors.size()));
+      cache.surface[static_cast<std::size_t>(points[lane])] =
+          bonds.surface(points[lane], neighbors.data(), static_cast<int>(neighbors.size()));
     }
+  }
+}
+
+/// Of a step, by the surface in the middle of it: a front moves at i/(z F C_solid), i of bare metal and as much of it
+/// as there is by now.
+void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, const Views& views) const {
+  const kernels::PhaseBonds& phases = cache.phases;
+  const auto forSolid = [&](auto visit) {
+    for (const std::size_t c : phases.solidChunks()) {
+      const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+      for (int lane = 0; lane < chunk.nLanes; ++lane) visit(cache.neighborhood.pointIds(chunk)[lane]);
+    }
+  };
+  bool isBent = false;
+  forSolid([&](int i) {
+    const PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
+    views.dissolutionCorrection[i] = surface.correctionAfter(0.0);
+    isBent = isBent || surface.spread != 0.0;
+    cache.weightSum[0][i] = 0.0;
+  });
+  if (!isBent || dt == 0.0) return;
+  kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
+                          nullptr, cache.weightSum[0]);
+  for (std::size_t p = 0; p < phases_.count(); ++p) {
+    forSolid([&](int i) { cache.currentSum[0][i] = 0.0; });
+    for (const int j : phases.sources())
+      cache.current[0][j] = (1.0 - views.salt[j]) * phases_[p].currentDensity.at(views.concentration[j]).current;
+    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
+                            cache.current[0], cache.currentSum[0]);
+    const double perCurrent = 1.0 / (chargeNumber_ * faraday * phases_[p].solidConcentration);
+    forSolid([&](int i) {
+      if (cache.weightSum[0][i] == 0.0 || (!cache.isOfPhase.empty() && cache.isOfPhase[p][0][i] == 0.0)) return;
+      const double speed = perCurrent * cache.currentSum[0][i] / cache.weightSum[0][i];
+      views.dissolutionCorrection[i] = cache.surface[static_cast<std::size_t>(i)].correctionAfter(0.5 * dt * speed);
+    });
   }
 }
 
@@ -278,14 +324,14 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
   return dissolves;
 }
 
-void CorrosionDissolution::computeFluxDivergence(const double, const int numOwnedPoints, const int* ownedIDs,
+void CorrosionDissolution::computeFluxDivergence(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                                  const int* neighborhoodList, DataManager& dataManager) const {
   const Views views(*this, dataManager);
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
   const kernels::PhaseBonds& phases = cache.phases;
   // A host that probes with lists of its own prepares nothing for them.
   if (!cache.isPrepared) {
-    takeUpPhases(cache, views);
+    takeUpPhases(dt, cache, views);
     findAcidity(cache, views);
   }
   if (!cache.hasAreas) {
@@ -322,14 +368,14 @@ void CorrosionDissolution::computeFluxDivergence(const double, const int numOwne
 }
 
 /// Of liquid points; the loss of solid ones follows from it.
-void CorrosionDissolution::computeJacobian(const double, const int numOwnedPoints, const int* ownedIDs,
+void CorrosionDissolution::computeJacobian(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                            const int* neighborhoodList, DataManager& dataManager,
                                            PeridigmNS::SerialMatrix& jacobian, JacobianType) const {
   const UnknownPlace place = unknownPlace(fields_.label);
   if (!place.isUnknown) return;
   const Views views(*this, dataManager);
   Cache& cache = cacheOf({numOwnedPoints, ownedIDs, neighborhoodList}, views, dataManager);
-  if (!cache.isPrepared) takeUpPhases(cache, views);
+  if (!cache.isPrepared) takeUpPhases(dt, cache, views);
   const auto& map = *dataManager.getOverlapScalarPointMap();
   const auto row = [&](int i) { return place.row(map.GID(i)); };
   for (const std::size_t c : cache.phases.liquidChunks()) {

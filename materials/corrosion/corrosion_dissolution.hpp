@@ -99,7 +99,9 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     kernels::PhaseBonds phases;
     kernels::PointArrays concentration, diffusionCorrection;
     std::vector<kernels::PointArrays> isOfPhase, correction, area,
-        lostFlux;                    ///< by solid phase; the first empty where there is one
+        lostFlux;                                 ///< by solid phase; the first empty where there is one
+    std::vector<PhaseGeometry::Surface> surface;  ///< of owned points, by local id
+    kernels::PointArrays current, currentSum, weightSum;
     std::vector<int> liquid;         ///< owned points, where pH is kept
     std::vector<char> isListed;      ///< by local id: in `liquid`
     bool hasAreas = false;           ///< `area` is of the present phases
@@ -112,9 +114,10 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   /// [bonds] In parts of the material's diffusivity; empty: all 1.
   std::vector<double> relativeDiffusivities(const Call& call, const Views& views) const;
   PhaseGeometry geometry(const Views& views, const double* damage) const;
-  void takeUpPhases(Cache& cache, const Views& views) const;
+  void takeUpPhases(double dt, Cache& cache, const Views& views) const;
   void refreshAroundChanges(Cache& cache, const Views& views) const;
-  void findDissolutionCorrections(Cache& cache, const Views& views) const;
+  void findSurfaces(Cache& cache, const Views& views) const;
+  void findDissolutionCorrections(double dt, Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
   void findAcidity(const Cache& cache, const Views& views) const;
   /// Of a liquid point near the surface: Q of each phase into cache.lostFlux, and what it gains itself.

@@ -115,7 +115,7 @@ PhaseGeometry::Normal PhaseGeometry::normal(int point, const int* neighbors, Sol
   return {n, isClear};
 }
 
-double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int count) const {
+PhaseGeometry::Surface PhaseGeometry::surface(int point, const int* neighbors, int count) const {
   findBonds(point, neighbors, count);
   // What points have lost makes a front smooth that is a staircase of phases. But in metal of several phases one loses
   // more than the other, wherever the front is; and bonds that break at random leave a plane front uneven.
@@ -141,7 +141,54 @@ double PhaseGeometry::dissolutionCorrection(int point, const int* neighbors, int
   // order alone; a side before or behind it cuts one half. Of points that are no grid the halves differ by chance:
   // where the larger one counts, a front is slow.
   constexpr double isCut = 0.5, least = 0.1;  // the latter of points that hang by a corner
-  return 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
+  const double plane = 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
+  const Bend bend = bendOf(point, neighbors, n);
+  return {plane, bend.spread, bend.gap, weights_.dimension() - 1};
+}
+
+/// Exact where curvatures are alike, as of a circle and a ball.
+double PhaseGeometry::Surface::correctionAfter(double way) const {
+  if (spread == 0.0) return plane;
+  constexpr double most = 0.3;  // change of the area that is believed of so small a piece
+  const double growth = std::clamp(spread * (gap + way), -most, most);
+  return plane * (nCurvatures == 1 ? 1.0 + growth : (1.0 + 0.5 * growth) * (1.0 + 0.5 * growth));
+}
+
+/// Of metal that keeps up with the point's. With solid f(n - kappa t^2/2) about the point (n along the normal, t
+/// across), sums over a Gaussian of width s give, by parts, N = sum f n = s^2 sum f' and T = sum f (t^2 - <t^2>) =
+/// -kappa s^4 sum f'. What solid points have lost, G, is the gap that the front is ahead by, times sum f'.
+PhaseGeometry::Bend PhaseGeometry::bendOf(int point, const int* neighbors, const std::array<double, 3>& n) const {
+  if (!knowsLoss_ || !weights_.isIsotropic()) return {};
+  const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
+  double total = volume_[point], lost = total * damage_[point], solid = total - lost;
+  double across = 0.0, solidAcross = 0.0, along2 = 0.0, solidAlong2 = 0.0;
+  for (std::size_t k = 0; k < bonds_.size(); ++k) {
+    const int j = neighbors[k];
+    const bool isLiquid = damage_[j] >= 1.0;
+    if (blockId_ != nullptr && !isLiquid && !phases_->areAlike(own, phases_->ofBlock(blockId_[j]))) continue;
+    const Bond& bond = bonds_[k];
+    const double weight = volume_[j] * weights_.gaussian(bond);
+    const double d = n[0] * bond.along[0] + n[1] * bond.along[1] + n[2] * bond.along[2];
+    const double t2 = bond.length * bond.length - d * d;
+    total += weight;
+    across += weight * d;
+    along2 += weight * t2;
+    if (isLiquid) continue;
+    const double metal = weight * (1.0 - damage_[j]);
+    solid += metal;
+    solidAcross += metal * d;
+    solidAlong2 += metal * t2;
+    lost += weight * damage_[j];
+  }
+  constexpr double whole = 0.95;  // of a window; sides of the body and other phases cut it
+  const double first = solidAcross - solid * across / total, second = solidAlong2 - solid * along2 / total;
+  if (total < whole * weights_.gaussianSum() || !(first > 0.0)) return {};
+  const double variance = weights_.gaussianVariance(), gap = lost * variance / first;
+  // The rows of a plane front that one after another turn liquid leave it a little uneven, by chance; what that bends
+  // it counts for next to nothing.
+  constexpr double chance = 0.08;  // a horizon
+  const double spread = second / (first * variance), bend2 = std::pow(spread * weights_.horizon() / chance, 2);
+  return {spread * bend2 * bend2 / (1.0 + bend2 * bend2), gap};
 }
 
 }  // namespace pd

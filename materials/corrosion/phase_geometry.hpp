@@ -21,6 +21,7 @@ class PhaseGeometry {
         damage_(damage),
         phases_(phases),
         blockId_(blockId),
+        knowsLoss_(followsLoss),
         followsLoss_(followsLoss && blockId == nullptr) {}
 
   double diffusionWeight(int i, int j) const { return diffusionWeight(weights_.bond(x_, i, j), i, j); }
@@ -32,11 +33,20 @@ class PhaseGeometry {
   /// conserved, and the bonds of a straight gap together diffuse with D along it exactly.
   double diffusionCorrection(int point, const int* neighbors, int count) const;
 
-  /// What the dissolution weights of a solid point must be multiplied by for a plane front of the direction that the
-  /// solid around it has: bonds of a grid pass up to 8 % more where a front slants. Sides of the body, where bonds are
-  /// missing, are made up for: the side that has more of them counts. So are slower phases beside the point's, which
-  /// such a front leaves behind.
-  double dissolutionCorrection(int point, const int* neighbors, int count) const;
+  /// The surface near a solid point, for its dissolution weights.
+  struct Surface {
+    /// What they must be multiplied by for a plane front of the direction that the solid around has: bonds of a grid
+    /// pass up to 8 % more where a front slants. Sides of the body, where bonds are missing, are made up for: the side
+    /// that has more of them counts. So are slower phases beside the point's, which such a front leaves behind.
+    double plane = 1.0;
+    double spread = 0.0;  ///< Growth of its area with its way, 1/m: sum of curvatures, above 0 in a hole.
+    double gap = 0.0;     ///< From liquid points to where the metal that is left begins, m: half a spacing and more.
+    int nCurvatures = 1;
+    /// What they must be multiplied by once the front has moved so far, in m. The front is where metal begins; a round
+    /// one has more area than the liquid points, or less.
+    double correctionAfter(double way) const;
+  };
+  Surface surface(int point, const int* neighbors, int count) const;
 
  private:
   using Bond = TransportWeights::Bond;
@@ -53,12 +63,17 @@ class PhaseGeometry {
   void findBonds(int point, const int* neighbors, int count) const;
   template <class SolidOf>
   Normal normal(int point, const int* neighbors, SolidOf solidOf) const;  ///< after findBonds
+  struct Bend {
+    double spread = 0.0;  ///< 1/m, as in Surface
+    double gap = 0.0;     ///< from the points that are liquid to the front, m
+  };
+  Bend bendOf(int point, const int* neighbors, const std::array<double, 3>& normal) const;
 
   const TransportWeights& weights_;
   const double *x_, *volume_, *damage_;
   const SolidPhases* phases_;
   const double* blockId_;
-  bool followsLoss_;
+  bool knowsLoss_, followsLoss_;
   mutable std::vector<Bond> bonds_;  ///< of the point at work
 };
 

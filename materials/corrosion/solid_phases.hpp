@@ -33,6 +33,8 @@ class SolidPhases {
   double keepsUp(std::size_t first, std::size_t second) const {
     return std::min(1.0, phases_[second].pace / phases_[first].pace);
   }
+  /// Whether a front passes through both alike.
+  bool areAlike(std::size_t a, std::size_t b) const { return phases_[a].pace == phases_[b].pace; }
 
  private:
   std::vector<Phase> phases_;  ///< that of all other blocks first

@@ -109,6 +109,13 @@ void TransportWeights::setWindow() {
   }
   for (double& edge : window_) edge *= corner * family_.horizon / std::sqrt(norm);
   windowSharpness_ = 0.5 / std::pow(deviation * family_.horizon, 2);
+  // Integrals of the Gaussian over a ball.
+  const double x = std::sqrt(windowSharpness_) * family_.horizon, scale = M_PI / windowSharpness_;
+  const double plane = scale * (1.0 - std::exp(-x * x));
+  const double solid = std::pow(scale, 1.5) * (std::erf(x) - 2.0 / std::sqrt(M_PI) * x * std::exp(-x * x));
+  const double bar = std::sqrt(scale) * std::erf(x);
+  gaussianSum_ = family_.section.size * (dimension() == 1 ? bar : dimension() == 2 ? plane : 1.0);
+  if (dimension() == 3) gaussianSum_ = solid;
 }
 
 double TransportWeights::share(double length, double range, double volume, double neighborVolume) const {

@@ -70,17 +70,24 @@ class TransportWeights {
   /// no direction out, in a box that fits into the neighbourhood. Where cells are long, fronts climb many rows from one
   /// column to the next, and the box is narrow and as high as it can be.
   double window(const Bond& bond) const {
-    double distance2 = 0.0;
-    for (std::size_t d = 0; d < 3; ++d) {
+    for (std::size_t d = 0; d < 3; ++d)
       if (std::abs(bond.mapped[d]) > window_[d]) return 0.0;
-      distance2 += bond.along[d] * bond.along[d];
-    }
-    return std::exp(-distance2 * windowSharpness_);
+    return gaussian(bond);
   }
+  /// The same without the box, for what must be alike in all directions.
+  double gaussian(const Bond& bond) const {
+    const auto& r = bond.along;
+    return std::exp(-(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) * windowSharpness_);
+  }
+  double gaussianVariance() const { return 0.5 / windowSharpness_; }  ///< along an axis, m2
+  double gaussianSum() const { return gaussianSum_; }                 ///< of a whole neighbourhood of volumes, m3
   /// Of mapped space along an axis of the horizon.
   double stretch(std::size_t axis) const { return shape_.isBall() ? 1.0 : shape_.radius() / shape_.halfAxis(axis); }
 
+  bool isIsotropic() const { return shape_.isBall(); }
+
   double diffusivity() const { return diffusivity_; }
+  double horizon() const { return family_.horizon; }
   int dimension() const { return family_.dimension(); }
 
  private:
@@ -108,7 +115,8 @@ class TransportWeights {
   double diffusivity_, range_;      ///< range of bonds that dissolve
   std::array<double, 3> window_{};  ///< half edges, mapped
   double windowSharpness_;          ///< 1/(2 sigma^2)
-  bool isByTrial_;                  ///< what dissolves over a bond is k/|xi|^2, k by a trial, not c/|xi|
+  double gaussianSum_ = 0.0;
+  bool isByTrial_;  ///< what dissolves over a bond is k/|xi|^2, k by a trial, not c/|xi|
   std::string trialOutcome_;
   std::array<double, 3> diffusionFactor_{}, dissolutionFactor_{};  ///< by kind of bond
   int nNeighbors_ = 0;                                             ///< of a point inside the grid

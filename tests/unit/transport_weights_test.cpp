@@ -174,7 +174,7 @@ TEST(PhaseGeometryTest, SlantingFrontsPassTheirFlux) {
         if (grid.damage[static_cast<std::size_t>(j)] >= 1.0) sum += geometry.dissolutionWeight(i, j);
       if (sum == 0.0) continue;
       uncorrected += sum;
-      flux += sum * geometry.dissolutionCorrection(i, list.data(), static_cast<int>(list.size()));
+      flux += sum * geometry.surface(i, list.data(), static_cast<int>(list.size())).plane;
     }
     const double width = 31.0 / c;
     EXPECT_NEAR(flux / width, 1.0, degrees == 0.0 ? 1e-12 : 0.04) << degrees << " without: " << uncorrected / width;

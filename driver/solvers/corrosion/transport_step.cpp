@@ -72,6 +72,8 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   solidIds_ = lists.dissolving();
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   begin(simulation, fields, t + h);
+  model.importGhosts(label_);
+  model.importGhosts("Salt_Coverage");
   model.evaluateFluxDivergence(h, fields.rateLabel);  // takes up the phases
   if (!advance(simulation, fields, t, h)) {
     if (trouble_.empty()) trouble_ = fmt::format("a step of {:.3g} s does not converge", h);
