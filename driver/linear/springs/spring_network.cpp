@@ -53,10 +53,10 @@ class SpringNetwork::RowReader {
         across_(across),
         cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
 
-  const Row& next() {
+  const Row& next(bool needsConstants = true) {
     row_.point = next_++;
     findReverse();
-    readConstants();
+    if (needsConstants) readConstants();
     return row_;
   }
 
@@ -233,7 +233,7 @@ void SpringNetwork::makeLists(RowReader reader) {
   pairRow_.assign(static_cast<std::size_t>(points_.nOwned), -1);
   singleRow_ = pairRow_;
   for (int i = 0; i < points_.nOwned; ++i) {
-    const Row& row = reader.next();
+    const Row& row = reader.next(!isInRun(i));
     if (isInRun(i)) continue;
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
