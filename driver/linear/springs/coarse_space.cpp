@@ -16,6 +16,17 @@ namespace {
 // What a ghost's owner says of it: piece, first unknown, modes of each component, and their values.
 constexpr int nHeaders = 5, exchangedWidth = nHeaders + 12;
 
+// A point that has lost so many of its bonds may move by itself, or with the few that hang with it: it is a piece.
+constexpr float mostLost = 0.6F;
+
+bool isWeak(const SpringNetwork& network, int point) {
+  if (!network.isDamaged(point)) return false;
+  const int n = network.nNeighbors(point);
+  float left = 0.0F;
+  for (int k = 0; k < n; ++k) left += network.alive(point, k);
+  return left < (1.0F - mostLost) * static_cast<float>(n);
+}
+
 /// Sum over the ranks before this one, and over all.
 std::pair<int, int> before(const Communicator& comm, int mine) {
   std::vector<int> all(static_cast<std::size_t>(comm.size()));
@@ -71,6 +82,9 @@ void CoarseSpace::findPieces(const SpringNetwork& network, int mostPoints) {
   std::vector<int> boxOfPoint(order_.size());
   for (std::size_t box = 0, k = 0; box < boxes_.size(); ++box)
     for (; k < boxes_[box]; ++k) boxOfPoint[static_cast<std::size_t>(order_[k])] = static_cast<int>(box);
+  int nextBox = static_cast<int>(boxes_.size());
+  for (int point = 0; point < nOwned_; ++point)
+    if (isWeak(network, point)) boxOfPoint[static_cast<std::size_t>(point)] = nextBox++;
   pieceOfPoint_.assign(order_.size(), -1);
   for (const int seed : order_) {
     if (pieceOfPoint_[static_cast<std::size_t>(seed)] >= 0) continue;
