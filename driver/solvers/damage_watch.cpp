@@ -1,6 +1,6 @@
 #include "damage_watch.hpp"
 
-#include "connected_parts.hpp"
+#include "Peridigm_Field.hpp"
 
 namespace pd {
 
@@ -18,8 +18,16 @@ long long DamageMonitor::countChanged(Model& model) {
 }
 
 double totalBondDamage(Model& model) {
+  using namespace PeridigmNS;
+  auto& fields = FieldManager::self();
+  const int id = fields.hasField("Bond_Damage") ? fields.getFieldId("Bond_Damage") : -1;
   double sum = 0.0;
-  forEachBond(model, [&](int, int, double damage) { sum += damage; });
+  for (Block& block : *model.blocks()) {
+    if (id < 0 || !block.hasData(id, PeridigmField::STEP_NP1)) continue;
+    double* damage = nullptr;
+    block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&damage);
+    for (int bond = 0; bond < block.getNeighborhoodData()->NumBonds(); ++bond) sum += damage[bond];
+  }
   return model.comm().sum(sum);
 }
 

@@ -49,6 +49,8 @@ class Newton {
   void hold(const std::vector<char>& isHeld);
   /// For when bonds have broken, or have been put back.
   void dropTangent();
+  /// After dropTangent(): whether bonds that have broken are known to have parted nothing. Collective.
+  bool keepsTogether() { return springs_ && springs_->keepsTogether(); }
   /// Forgets how far tangents, and what they are kept with, have proved good: what follows is what follows from the
   /// state of the model alone. For the start of an increment, where a run may be taken up from a checkpoint.
   void startAfresh(Model& model);

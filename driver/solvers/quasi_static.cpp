@@ -171,9 +171,11 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
     before = after;
     lastLength_ = 0.0;
     ++nPasses_;
-    findLooseParts(simulation);
-    requireHeldLoads(simulation, t + dt);
     newton_.dropTangent();
+    if (!newton_.keepsTogether()) {
+      findLooseParts(simulation);
+      requireHeldLoads(simulation, t + dt);
+    }
     if (!reachEquilibrium(simulation, dt)) fail(t + dt, " after bonds broke");
   }
 }

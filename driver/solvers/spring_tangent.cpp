@@ -138,6 +138,12 @@ void SpringTangent::takeUpDamage() {
   smootherIsCurrent_ = coarseIsCurrent_ = false;
 }
 
+bool SpringTangent::keepsTogether() {
+  if (!bondsAreKnown_) takeUpDamage();
+  bondsAreKnown_ = true;
+  return !model_.comm().any(!network_.hasKeptTogether());
+}
+
 void SpringTangent::prepare() {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;

@@ -28,6 +28,8 @@ class SpringTangent {
   void startAfresh();
   /// Takes up what has changed. Collective.
   void prepare();
+  /// Takes up changed bonds; false where they may have parted the body. Collective.
+  bool keepsTogether();
 
   /// Writes the force density [3 nPoints] N/m3 that displacements [3 nPoints] cause, complete at owned points.
   /// Collective.

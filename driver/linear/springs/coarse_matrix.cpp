@@ -11,6 +11,7 @@ namespace pd {
 namespace {
 
 using Modes = CoarseSpace::PointModes;
+using Piece = CoarseSpace::Piece;
 
 // Of the diagonal, far below what the smoothest displacements of a body of a million points resist.
 constexpr double raise = 1e-8;
@@ -24,8 +25,8 @@ class BlockMatrix {
   };
 
   /// The block of two pieces: rows are those of the piece of smaller number.
-  double* of(const Modes& a, const Modes& b) {
-    const auto key = (static_cast<std::uint64_t>(a.piece) << 32) | static_cast<std::uint32_t>(b.piece);
+  double* of(const Piece& a, const Piece& b) {
+    const auto key = (static_cast<std::uint64_t>(a.number) << 32) | static_cast<std::uint32_t>(b.number);
     if (key != lastKey_) {
       const auto [place, isNew] = places_.emplace(key, blocks_.size());
       if (isNew) {
@@ -66,10 +67,10 @@ class Assembly {
     for (const SpringOperator::Addition& addition : stiffness_.additions()) {
       const Modes& modes = modesOf(addition.point);
       const auto& row = modes.values[static_cast<std::size_t>(addition.component)];
-      double* block = matrix_.of(modes, modes);
-      for (int a = 0; a < modes.n; ++a)
-        for (int b = 0; b < modes.n; ++b)
-          block[a * modes.n + b] +=
+      double* block = matrix_.of(modes.piece, modes.piece);
+      for (int a = 0; a < modes.piece.n; ++a)
+        for (int b = 0; b < modes.piece.n; ++b)
+          block[a * modes.piece.n + b] +=
               addition.value * row[static_cast<std::size_t>(a)] * row[static_cast<std::size_t>(b)];
     }
     if (network_.familyWidth() > 0) addFamilies();
@@ -85,7 +86,7 @@ class Assembly {
   /// K of the spring, times modes.
   static Columns resisted(const Modes& modes, const double* xi, const SpringConstants<double>& c) {
     Columns result;
-    for (std::size_t m = 0; m < static_cast<std::size_t>(modes.n); ++m) {
+    for (std::size_t m = 0; m < static_cast<std::size_t>(modes.piece.n); ++m) {
       double along = 0.0;
       for (std::size_t d = 0; d < D; ++d) along += xi[d] * modes.values[d][m];
       for (std::size_t d = 0; d < D; ++d) result[d][m] = c.radial * along * xi[d] + c.across * modes.values[d][m];
@@ -94,7 +95,7 @@ class Assembly {
   }
   /// block += sign modes^T right
   static void add(double* block, double sign, const Modes& modes, const Columns& right, int nRight) {
-    for (int a = 0; a < modes.n; ++a, block += nRight)
+    for (int a = 0; a < modes.piece.n; ++a, block += nRight)
       for (std::size_t d = 0; d < D; ++d) {
         const auto m = static_cast<std::size_t>(a);
         if (!modes.isTurned && modes.component[m] != static_cast<int>(d)) continue;
@@ -105,18 +106,18 @@ class Assembly {
 
   void addSpring(int i, int j, const double* xi, const SpringConstants<double>& c) {
     const Modes &a = modesOf(i), &b = modesOf(j);
-    if (a.piece == b.piece) {
+    if (a.piece.number == b.piece.number) {
       // What the modes differ by at both ends.
       Modes difference = a;
       difference.isTurned = a.isTurned || b.isTurned;
       for (std::size_t d = 0; d < D; ++d)
-        for (std::size_t m = 0; m < static_cast<std::size_t>(a.n); ++m) difference.values[d][m] -= b.values[d][m];
-      add(matrix_.of(a, a), 1.0, difference, resisted(difference, xi, c), a.n);
+        for (std::size_t m = 0; m < static_cast<std::size_t>(a.piece.n); ++m) difference.values[d][m] -= b.values[d][m];
+      add(matrix_.of(a.piece, a.piece), 1.0, difference, resisted(difference, xi, c), a.piece.n);
       return;
     }
-    const bool isInOrder = a.piece < b.piece;
+    const bool isInOrder = a.piece.number < b.piece.number;
     const Modes &low = isInOrder ? a : b, &high = isInOrder ? b : a;
-    add(matrix_.of(low, high), -1.0, low, resisted(high, xi, c), high.n);
+    add(matrix_.of(low.piece, high.piece), -1.0, low, resisted(high, xi, c), high.piece.n);
     for (const int point : {i, j}) {
       double* own = &diagonal_[static_cast<std::size_t>(point) * nDiagonal];
       for (std::size_t d = 0; d < D; ++d)
@@ -128,62 +129,69 @@ class Assembly {
     for (std::size_t point = 0; point < modes_.size(); ++point) {
       const Modes& modes = modes_[point];
       const double* own = &diagonal_[point * nDiagonal];
-      if (modes.n == 0 || (own[0] == 0.0 && static_cast<int>(point) >= network_.points().nOwned)) continue;
+      if (modes.piece.n == 0 || (own[0] == 0.0 && static_cast<int>(point) >= network_.points().nOwned)) continue;
       Columns right{};
       for (std::size_t d = 0; d < D; ++d)
         for (std::size_t e = d; e < D; ++e, ++own)
-          for (std::size_t m = 0; m < static_cast<std::size_t>(modes.n); ++m) {
+          for (std::size_t m = 0; m < static_cast<std::size_t>(modes.piece.n); ++m) {
             right[d][m] += *own * modes.values[e][m];
             if (e != d) right[e][m] += *own * modes.values[d][m];
           }
-      add(matrix_.of(modes, modes), 1.0, modes, right, modes.n);
+      add(matrix_.of(modes.piece, modes.piece), 1.0, modes, right, modes.piece.n);
     }
   }
 
   /// What the modes of a piece make of the s of one family.
+  static constexpr std::size_t mostModes = D * (D + 1), mostWidth = D == 3 ? 3 : 1;
+  using Gains = std::array<std::array<double, mostModes>, mostWidth>;
   struct Share {
-    Modes modes;
-    std::array<std::array<double, 12>, 3> s{};
+    Piece piece;
+    Gains s{};
   };
 
   void addTo(std::vector<Share>& family, const Modes& modes, const double* xi, double gives) const {
     auto share = std::find_if(family.begin(), family.end(),
-                              [&](const Share& other) { return other.modes.piece == modes.piece; });
+                              [&](const Share& other) { return other.piece.number == modes.piece.number; });
     if (share == family.end()) {
-      family.push_back({modes, {}});
+      family.push_back({modes.piece, {}});
       share = family.end() - 1;
     }
-    const auto& u = modes.values;
-    for (std::size_t m = 0; m < static_cast<std::size_t>(modes.n); ++m) {
-      if (network_.family() == SpringNetwork::Family::Dilatation) {
-        for (std::size_t d = 0; d < D; ++d) share->s[0][m] += gives * xi[d] * u[d][m];
-      } else if constexpr (D == 2) {
-        share->s[0][m] += gives * (xi[0] * u[1][m] - xi[1] * u[0][m]);
-      } else if constexpr (D == 3) {
-        share->s[0][m] += gives * (xi[1] * u[2][m] - xi[2] * u[1][m]);
-        share->s[1][m] += gives * (xi[2] * u[0][m] - xi[0] * u[2][m]);
-        share->s[2][m] += gives * (xi[0] * u[1][m] - xi[1] * u[0][m]);
+    for (std::size_t m = 0; m < static_cast<std::size_t>(modes.piece.n); ++m)
+      for (std::size_t d = 0; d < D; ++d) {
+        if (!modes.isTurned && modes.component[m] != static_cast<int>(d)) continue;
+        const double u = gives * modes.values[d][m];
+        if (network_.family() == SpringNetwork::Family::Dilatation) {
+          share->s[0][m] += xi[d] * u;
+        } else if constexpr (D == 2) {
+          share->s[0][m] += d == 0 ? -xi[1] * u : xi[0] * u;
+        } else if constexpr (D == 3) {
+          const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;  // xi x e_d = xi_f e_e - xi_e e_f
+          share->s[e][m] += xi[f] * u;
+          share->s[f][m] -= xi[e] * u;
+        }
       }
-    }
   }
 
   void addFamilies() {
     const int nOwned = network_.points().nOwned;
     std::vector<std::vector<Share>> families(static_cast<std::size_t>(nOwned));
+    std::vector<std::array<double, D>> toOwn(families.size());  // sum of what springs give, times minus xi
     network_.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
       const Modes &a = modesOf(i), &b = modesOf(j);
       addTo(families[static_cast<std::size_t>(i)], b, xi, c.own);
-      addTo(families[static_cast<std::size_t>(i)], a, xi, -c.own);
+      for (std::size_t d = 0; d < D; ++d) toOwn[static_cast<std::size_t>(i)][d] -= c.own * xi[d];
       if (j >= nOwned) return;
-      addTo(families[static_cast<std::size_t>(j)], b, xi, c.others);
       addTo(families[static_cast<std::size_t>(j)], a, xi, -c.others);
+      for (std::size_t d = 0; d < D; ++d) toOwn[static_cast<std::size_t>(j)][d] += c.others * xi[d];
     });
+    for (int i = 0; i < nOwned; ++i)
+      addTo(families[static_cast<std::size_t>(i)], modesOf(i), toOwn[static_cast<std::size_t>(i)].data(), 1.0);
     const auto width = static_cast<std::size_t>(network_.familyWidth());
     const PointVector<double>& response = stiffness_.response<double>();
     for (int i = 0; i < nOwned; ++i) {
       std::vector<Share>& family = families[static_cast<std::size_t>(i)];
       std::sort(family.begin(), family.end(),
-                [](const Share& x, const Share& y) { return x.modes.piece < y.modes.piece; });
+                [](const Share& x, const Share& y) { return x.piece.number < y.piece.number; });
       std::array<std::array<double, 3>, 3> c{};
       for (std::size_t p = 0; p < width; ++p)
         for (std::size_t q = p; q < width; ++q)
@@ -194,15 +202,15 @@ class Assembly {
   }
 
   void addProduct(const Share& x, const Share& y, const std::array<std::array<double, 3>, 3>& c, std::size_t width) {
-    std::array<std::array<double, 12>, 3> cy{};
+    const auto rows = static_cast<std::size_t>(x.piece.n), columns = static_cast<std::size_t>(y.piece.n);
+    Gains cy{};
     for (std::size_t p = 0; p < width; ++p)
       for (std::size_t q = 0; q < width; ++q)
-        for (std::size_t m = 0; m < static_cast<std::size_t>(y.modes.n); ++m) cy[p][m] += c[p][q] * y.s[q][m];
-    double* block = matrix_.of(x.modes, y.modes);
+        for (std::size_t m = 0; m < columns; ++m) cy[p][m] += c[p][q] * y.s[q][m];
+    double* block = matrix_.of(x.piece, y.piece);
     for (std::size_t p = 0; p < width; ++p)
-      for (int a = 0; a < x.modes.n; ++a)
-        for (int b = 0; b < y.modes.n; ++b)
-          block[a * y.modes.n + b] += x.s[p][static_cast<std::size_t>(a)] * cy[p][static_cast<std::size_t>(b)];
+      for (std::size_t a = 0; a < rows; ++a)
+        for (std::size_t b = 0; b < columns; ++b) block[a * columns + b] += x.s[p][a] * cy[p][b];
   }
 
   const SpringOperator& stiffness_;

@@ -16,6 +16,17 @@ namespace {
 // What a ghost's owner says of it: piece, first unknown, modes of each component, and their values.
 constexpr int nHeaders = 5, exchangedWidth = nHeaders + 12;
 
+// A point that has lost so many of its bonds may move by itself, or with the few that hang with it: it is a piece.
+constexpr float mostLost = 0.6F;
+
+bool isWeak(const SpringNetwork& network, int point) {
+  if (!network.isDamaged(point)) return false;
+  const int n = network.nNeighbors(point);
+  float left = 0.0F;
+  for (int k = 0; k < n; ++k) left += network.alive(point, k);
+  return left < (1.0F - mostLost) * static_cast<float>(n);
+}
+
 /// Sum over the ranks before this one, and over all.
 std::pair<int, int> before(const Communicator& comm, int mine) {
   std::vector<int> all(static_cast<std::size_t>(comm.size()));
@@ -29,8 +40,7 @@ CoarseSpace::CoarseSpace(const Communicator& comm, const SpringOperator& stiffne
     : dimension_(stiffness.network().dimension()),
       nShapes_(dimension_ + 1),
       nOwned_(stiffness.network().points().nOwned),
-      points_(stiffness.network().points()),
-      modes_(nOwned_, dimension_ * nShapes_) {
+      points_(stiffness.network().points()) {
   findPieces(stiffness.network(), mostPoints);
   makeModes(stiffness);
   std::tie(firstUnknown_, nUnknowns_) = before(comm, base_.back());
@@ -72,6 +82,9 @@ void CoarseSpace::findPieces(const SpringNetwork& network, int mostPoints) {
   std::vector<int> boxOfPoint(order_.size());
   for (std::size_t box = 0, k = 0; box < boxes_.size(); ++box)
     for (; k < boxes_[box]; ++k) boxOfPoint[static_cast<std::size_t>(order_[k])] = static_cast<int>(box);
+  int nextBox = static_cast<int>(boxes_.size());
+  for (int point = 0; point < nOwned_; ++point)
+    if (isWeak(network, point)) boxOfPoint[static_cast<std::size_t>(point)] = nextBox++;
   pieceOfPoint_.assign(order_.size(), -1);
   for (const int seed : order_) {
     if (pieceOfPoint_[static_cast<std::size_t>(seed)] >= 0) continue;
@@ -97,6 +110,10 @@ void CoarseSpace::findPieces(const SpringNetwork& network, int mostPoints) {
 
 void CoarseSpace::makeModes(const SpringOperator& stiffness) {
   const PointVector<double>& places = stiffness.network().places<double>();
+  modes_.assign(members_.size() * static_cast<std::size_t>(dimension_ * nShapes_), 0.0F);
+  placeOfPoint_.resize(members_.size());
+  for (std::size_t k = 0; k < members_.size(); ++k)
+    placeOfPoint_[static_cast<std::size_t>(members_[k])] = static_cast<int>(k);
   std::vector<std::vector<double>> shapes;
   for (std::size_t piece = 0; piece + 1 < start_.size(); ++piece) {
     const int* member = &members_[start_[piece]];
@@ -124,8 +141,9 @@ void CoarseSpace::makeModes(const SpringOperator& stiffness) {
         const double after = norm();
         if (before == 0.0 || after < 1e-6 * before) continue;
         for (double& value : shape) value /= after;
-        for (std::size_t p = 0; p < n; ++p)
-          mode(c, static_cast<int>(shapes.size()), member[p]) = static_cast<float>(shape[p]);
+        const auto width = static_cast<std::size_t>(dimension_ * nShapes_);
+        float* to = &modes_[start_[piece] * width + static_cast<std::size_t>(c * nShapes_) + shapes.size()];
+        for (std::size_t p = 0; p < n; ++p) to[p * width] = static_cast<float>(shape[p]);
         shapes.push_back(std::move(shape));
       }
       count[static_cast<std::size_t>(c)] = static_cast<int>(shapes.size());
@@ -143,7 +161,9 @@ void CoarseSpace::exchange(const SpringOperator& stiffness) {
     values[0] = firstPiece_ + static_cast<double>(piece);
     values[1] = firstUnknown_ + base_[piece];
     for (int c = 0; c < dimension_; ++c) values[2 + c] = nModes_[piece][static_cast<std::size_t>(c)];
-    for (int m = 0; m < dimension_ * nShapes_; ++m) values[nHeaders + m] = modes_[m][i];
+    const auto place = static_cast<std::size_t>(placeOfPoint_[static_cast<std::size_t>(i)]);
+    const float* modes = &modes_[place * static_cast<std::size_t>(dimension_ * nShapes_)];
+    for (int m = 0; m < dimension_ * nShapes_; ++m) values[nHeaders + m] = static_cast<double>(modes[m]);
   }
   stiffness.exchange().import(exchanged_.data(), exchangedWidth, std::nullopt);
 }
@@ -154,22 +174,24 @@ CoarseSpace::PointModes CoarseSpace::modesAt(int point) const {
   const int source = points_.sourceOf(point);
   std::array<int, 3> count{};
   const double* foreign = nullptr;
+  const float* own = nullptr;
   if (isOwned || source < nOwned_) {
     const auto piece = static_cast<std::size_t>(pieceOfPoint_[static_cast<std::size_t>(source)]);
-    result.piece = firstPiece_ + static_cast<int>(piece);
-    result.first = firstUnknown_ + base_[piece];
+    const auto place = static_cast<std::size_t>(placeOfPoint_[static_cast<std::size_t>(source)]);
+    result.piece = {firstPiece_ + static_cast<int>(piece), firstUnknown_ + base_[piece], 0};
     count = nModes_[piece];
+    own = &modes_[place * static_cast<std::size_t>(dimension_ * nShapes_)];
   } else {
     foreign = &exchanged_[static_cast<std::size_t>(source) * exchangedWidth];
-    result.piece = static_cast<int>(foreign[0]);
-    result.first = static_cast<int>(foreign[1]);
+    result.piece = {static_cast<int>(foreign[0]), static_cast<int>(foreign[1]), 0};
     for (std::size_t c = 0; c < 3; ++c) count[c] = static_cast<int>(foreign[2 + c]);
   }
   for (int c = 0; c < dimension_; ++c)
-    for (int s = 0; s < count[static_cast<std::size_t>(c)]; ++s, ++result.n) {
-      result.component[static_cast<std::size_t>(result.n)] = c;
-      result.values[static_cast<std::size_t>(c)][static_cast<std::size_t>(result.n)] =
-          foreign != nullptr ? foreign[nHeaders + c * nShapes_ + s] : modeAt(c, s)[source];
+    for (int s = 0; s < count[static_cast<std::size_t>(c)]; ++s, ++result.piece.n) {
+      const auto m = static_cast<std::size_t>(result.piece.n);
+      result.component[m] = c;
+      result.values[static_cast<std::size_t>(c)][m] =
+          foreign != nullptr ? foreign[nHeaders + c * nShapes_ + s] : static_cast<double>(own[c * nShapes_ + s]);
     }
   if (const int copy = points_.copyOf(point); copy != 0) {
     const Symmetry::Matrix& m = points_.symmetry.matrix(copy);
@@ -182,26 +204,53 @@ CoarseSpace::PointModes CoarseSpace::modesAt(int point) const {
   return result;
 }
 
-void CoarseSpace::restrict(const PointVector<float>& x, double* values) const {
-  for (std::size_t piece = 0; piece + 1 < start_.size(); ++piece)
-    for (int c = 0; c < dimension_; ++c)
-      for (int s = 0; s < nModes_[piece][static_cast<std::size_t>(c)]; ++s) {
-        const float *mode = modeAt(c, s), *own = x[c];
-        float sum = 0.0F;
-        for (std::size_t k = start_[piece]; k < start_[piece + 1]; ++k) sum += mode[members_[k]] * own[members_[k]];
-        *values++ = static_cast<double>(sum);
+template <int D>
+void CoarseSpace::restrictIn(const PointVector<float>& x, double* values) const {
+  constexpr std::size_t shapes = D + 1;
+  for (std::size_t piece = 0; piece + 1 < start_.size(); ++piece) {
+    std::array<float, D * shapes> sums{};
+    for (std::size_t k = start_[piece]; k < start_[piece + 1]; ++k) {
+      const float* modes = &modes_[k * D * shapes];
+      for (std::size_t c = 0; c < D; ++c) {
+        const float value = x[static_cast<int>(c)][members_[k]];
+        for (std::size_t s = 0; s < shapes; ++s) sums[c * shapes + s] += modes[c * shapes + s] * value;
       }
+    }
+    for (std::size_t c = 0; c < D; ++c)
+      for (std::size_t s = 0; s < static_cast<std::size_t>(nModes_[piece][c]); ++s)
+        *values++ = static_cast<double>(sums[c * shapes + s]);
+  }
+}
+
+template <int D>
+void CoarseSpace::addIn(PointVector<float>& x, const double* values) const {
+  constexpr std::size_t shapes = D + 1;
+  for (std::size_t piece = 0; piece + 1 < start_.size(); ++piece) {
+    std::array<float, D * shapes> factors{};
+    for (std::size_t c = 0; c < D; ++c)
+      for (std::size_t s = 0; s < static_cast<std::size_t>(nModes_[piece][c]); ++s)
+        factors[c * shapes + s] = static_cast<float>(*values++);
+    for (std::size_t k = start_[piece]; k < start_[piece + 1]; ++k) {
+      const float* modes = &modes_[k * D * shapes];
+      for (std::size_t c = 0; c < D; ++c) {
+        float sum = 0.0F;
+        for (std::size_t s = 0; s < shapes; ++s) sum += modes[c * shapes + s] * factors[c * shapes + s];
+        x[static_cast<int>(c)][members_[k]] += sum;
+      }
+    }
+  }
+}
+
+void CoarseSpace::restrict(const PointVector<float>& x, double* values) const {
+  if (dimension_ == 1) return restrictIn<1>(x, values);
+  if (dimension_ == 2) return restrictIn<2>(x, values);
+  restrictIn<3>(x, values);
 }
 
 void CoarseSpace::addTo(PointVector<float>& x, const double* values) const {
-  for (std::size_t piece = 0; piece + 1 < start_.size(); ++piece)
-    for (int c = 0; c < dimension_; ++c)
-      for (int s = 0; s < nModes_[piece][static_cast<std::size_t>(c)]; ++s) {
-        const float* mode = modeAt(c, s);
-        float* own = x[c];
-        const auto value = static_cast<float>(*values++);
-        for (std::size_t k = start_[piece]; k < start_[piece + 1]; ++k) own[members_[k]] += value * mode[members_[k]];
-      }
+  if (dimension_ == 1) return addIn<1>(x, values);
+  if (dimension_ == 2) return addIn<2>(x, values);
+  addIn<3>(x, values);
 }
 
 }  // namespace pd

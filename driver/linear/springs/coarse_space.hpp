@@ -14,9 +14,13 @@ namespace pd {
 /// component, orthonormal over the degrees of freedom that are not held; what these do not tell apart is left out.
 class CoarseSpace {
  public:
-  /// Modes of a piece at a point: `n` unknowns from `first` on, in the numbers of all ranks.
+  /// `n` unknowns from `first` on, in the numbers of all ranks.
+  struct Piece {
+    int number = 0, first = 0, n = 0;
+  };
+  /// The modes of its piece at a point.
   struct PointModes {
-    int piece = -1, first = 0, n = 0;                ///< piece -1: none
+    Piece piece;
     std::array<std::array<double, 12>, 3> values{};  ///< [component][mode]
     std::array<int, 12> component{};                 ///< of each mode, the one that is not zero; of images any may be
     bool isTurned = false;                           ///< of an image
@@ -43,8 +47,10 @@ class CoarseSpace {
   void findPieces(const SpringNetwork& network, int mostPoints);
   void split(const PointVector<double>& places, std::size_t begin, std::size_t end, std::size_t most);
   void makeModes(const SpringOperator& stiffness);
-  float& mode(int component, int k, int point) { return modes_[component * nShapes_ + k][point]; }
-  const float* modeAt(int component, int k) const { return modes_[component * nShapes_ + k]; }
+  template <int D>
+  void restrictIn(const PointVector<float>& x, double* values) const;
+  template <int D>
+  void addIn(PointVector<float>& x, const double* values) const;
 
   int dimension_, nShapes_, nOwned_;
   const Discretization& points_;
@@ -55,7 +61,8 @@ class CoarseSpace {
   std::vector<std::size_t> start_{0};       ///< [pieces + 1] into members_
   std::vector<int> base_{0};                ///< [pieces + 1] first unknown of this rank's
   std::vector<std::array<int, 3>> nModes_;  ///< [pieces] of each component
-  PointVector<float> modes_;                ///< [D (D + 1)][nOwned]
+  std::vector<float> modes_;                ///< [members_][D][D + 1]; those that a piece lacks are 0
+  std::vector<int> placeOfPoint_;           ///< in members_
   std::vector<double> exchanged_;           ///< [nPoints][exchangedWidth]
   int firstUnknown_ = 0, nUnknowns_ = 0, firstPiece_ = 0;
 };

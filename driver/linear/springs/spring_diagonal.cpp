@@ -51,16 +51,35 @@ void sumOverCopies(const SpringOperator& stiffness, PointVector<double>& diagona
 
 PointVector<double> springDiagonal(const SpringOperator& stiffness) {
   const SpringNetwork& network = stiffness.network();
-  const int d = network.dimension();
-  PointVector<double> diagonal(network.points().nPoints, d * (d + 1) / 2);
-  network.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-    for (int a = 0, at = 0; a < d; ++a)
-      for (int b = a; b < d; ++b, ++at) {
-        const double value = c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
-        diagonal[at][i] += value;
-        diagonal[at][j] += value;
+  const PointVector<double>& x = network.places<double>();
+  const int d = network.dimension(), width = d * (d + 1) / 2;
+  PointVector<double> diagonal(network.points().nPoints, width);
+  for (const SpringRun& run : network.runs()) {
+    const auto& tables =
+        std::get<SpringPattern::Tables<double>>(network.patterns()[static_cast<std::size_t>(run.pattern)].tables);
+    std::array<double, 6> sum{};
+    for (std::size_t k = 0; k < tables.stiffness.size(); ++k)
+      sum[k % static_cast<std::size_t>(width)] += tables.stiffness[k];
+    for (int c = 0; c < width; ++c) std::fill_n(diagonal[c] + run.first, run.count, sum[static_cast<std::size_t>(c)]);
+  }
+  const auto addList = [&](const SpringList& list, bool actsOnBoth) {
+    const SpringColumns<double>& columns = list.in<double>();
+    for (std::size_t r = 0; r < list.rows.size(); ++r)
+      for (std::size_t k = list.start[r]; k < list.start[r + 1]; ++k) {
+        const int i = list.rows[r], j = list.other[k];
+        const double share = list.alive[k], across = columns.across.empty() ? 0.0 : columns.across[k];
+        for (int a = 0, at = 0; a < d; ++a)
+          for (int b = a; b < d; ++b, ++at) {
+            const double value =
+                share * (columns.radial[k] * (x[a][j] - x[a][i]) * (x[b][j] - x[b][i]) + (a == b ? across : 0.0));
+            diagonal[at][i] += value;
+            if (actsOnBoth) diagonal[at][j] += value;
+          }
       }
-  });
+  };
+  addList(network.pairs(), true);
+  addList(network.singles(), false);
+  addList(network.corrections(), false);
   if (stiffness.isDistributed()) sumOverCopies(stiffness, diagonal);
   return diagonal;
 }

@@ -82,16 +82,11 @@ class Loops {
     constexpr int most = D < 3 ? 4 : 2;
     for (const SpringRun& run : network_.runs()) {
       const SpringPattern& pattern = network_.patterns()[static_cast<std::size_t>(run.pattern)];
-      const auto inBlocks = [&](auto width) {
-        constexpr int n = decltype(width)::value * lanes;
-        for (int at = 0; at < run.count; at += n) work(width, run.first + std::min(at, run.count - n), pattern);
-      };
-      if (run.count >= most * lanes)
-        inBlocks(std::integral_constant<int, most>());
-      else if (run.count >= 2 * lanes)
-        inBlocks(std::integral_constant<int, 2>());
-      else
-        inBlocks(std::integral_constant<int, 1>());
+      int at = 0;
+      for (; at + most * lanes <= run.count; at += most * lanes)
+        work(std::integral_constant<int, most>(), run.first + at, pattern);
+      for (; at < run.count; at += lanes)
+        work(std::integral_constant<int, 1>(), run.first + std::min(at, run.count - lanes), pattern);
     }
   }
 

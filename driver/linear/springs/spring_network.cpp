@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pd {
 
@@ -53,10 +54,10 @@ class SpringNetwork::RowReader {
         across_(across),
         cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
 
-  const Row& next() {
+  const Row& next(bool needsConstants = true) {
     row_.point = next_++;
     findReverse();
-    readConstants();
+    if (needsConstants) readConstants();
     return row_;
   }
 
@@ -233,7 +234,7 @@ void SpringNetwork::makeLists(RowReader reader) {
   pairRow_.assign(static_cast<std::size_t>(points_.nOwned), -1);
   singleRow_ = pairRow_;
   for (int i = 0; i < points_.nOwned; ++i) {
-    const Row& row = reader.next();
+    const Row& row = reader.next(!isInRun(i));
     if (isInRun(i)) continue;
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
@@ -251,10 +252,13 @@ void SpringNetwork::makeLists(RowReader reader) {
 }
 
 void SpringNetwork::setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf) {
+  std::vector<std::pair<int, int>> broken;
   for (const int i : changed) {
     const double* damage = damageOf(i);
     const int n = nNeighbors(i);
     std::vector<float>& own = aliveOfPoint_[static_cast<std::size_t>(i)];
+    for (int k = 0; k < n; ++k)
+      if (damage != nullptr && damage[k] >= 1.0 && alive(i, k) > 0.0F) broken.emplace_back(i, neighbors(i)[k]);
     own.clear();
     if (damage == nullptr || std::all_of(damage, damage + n, [](double d) { return d == 0.0; })) continue;
     for (int k = 0; k < n; ++k) own.push_back(static_cast<float>(1.0 - damage[k]));
@@ -264,6 +268,19 @@ void SpringNetwork::setDamage(const std::vector<int>& changed, const std::functi
     setAlive(singles_, singleRow_[static_cast<std::size_t>(i)], i);
   }
   makeCorrections();
+  hasKeptTogether_ =
+      std::all_of(broken.begin(), broken.end(), [&](const auto& bond) { return areJoined(bond.first, bond.second); });
+}
+
+bool SpringNetwork::areJoined(int i, int j) const {
+  if (j >= points_.nOwned) return false;
+  for (int a = 0, b = 0; a < nNeighbors(i) && b < nNeighbors(j);) {
+    const int p = neighbors(i)[a], q = neighbors(j)[b];
+    if (p == q && alive(i, a) > 0.0F && alive(j, b) > 0.0F) return true;
+    a += p <= q ? 1 : 0;
+    b += q <= p ? 1 : 0;
+  }
+  return false;
 }
 
 void SpringNetwork::setAlive(SpringList& list, int row, int point) {

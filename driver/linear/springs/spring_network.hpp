@@ -91,6 +91,9 @@ class SpringNetwork {
 
   /// Takes up the bond damage of the owned points `changed`; damageOf(point): of its bonds, in the order of its list.
   void setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf);
+  /// Whether the ends of every bond that the last setDamage() has broken still have a neighbour in common, by unbroken
+  /// bonds: then nothing has come apart. Of bonds to ghosts and images this is not known, and the answer false.
+  bool hasKeptTogether() const { return hasKeptTogether_; }
 
   const Discretization& points() const { return points_; }
   int dimension() const { return points_.dimension; }
@@ -117,6 +120,7 @@ class SpringNetwork {
   }
   const int* neighbors(int point) const { return &points_.neighborhoodList[listStart(point) + 1]; }
   int nNeighbors(int point) const { return points_.neighborhoodList[listStart(point)]; }
+  bool isDamaged(int point) const { return !aliveOfPoint_[static_cast<std::size_t>(point)].empty(); }
   /// 1 - damage of bond k of a point.
   float alive(int point, int k) const {
     const std::vector<float>& own = aliveOfPoint_[static_cast<std::size_t>(point)];
@@ -143,6 +147,7 @@ class SpringNetwork {
   void makeLists(RowReader reader);
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
+  bool areJoined(int i, int j) const;
 
   const Discretization& points_;
   Family family_;
@@ -156,6 +161,7 @@ class SpringNetwork {
   SpringList pairs_, singles_, corrections_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
+  bool hasKeptTogether_ = true;
 };
 
 template <class Visit>
