@@ -310,4 +310,26 @@ TEST_P(JOfModeOne, RefusesAnEmptyRingAndATipFieldOfPoints) {
 
 INSTANTIATE_TEST_SUITE_P(Planes, JOfModeOne, ::testing::Bool());
 
+/// The displacement of a mode II tip, as above: positive where the upper face moves along x over the lower one.
+Point modeTwo(double x, double y, double stressIntensity, double shear, double kappa) {
+  const double r = std::hypot(x, y), theta = std::atan2(y, x);
+  const double scale = stressIntensity / (2.0 * shear) * std::sqrt(r / (2.0 * pi));
+  return {scale * std::sin(0.5 * theta) * (kappa + 2.0 + std::cos(theta)),
+          -scale * std::cos(0.5 * theta) * (kappa - 2.0 + std::cos(theta)), 0.0};
+}
+
+TEST_P(JOfModeOne, ModesAreToldApart) {
+  const double young = 200.0, poisson = 0.3, shear = young / (2.0 * (1.0 + poisson));
+  const double kappa = GetParam() ? (3.0 - poisson) / (1.0 + poisson) : 3.0 - 4.0 * poisson;
+  const auto modeOne = modeOneField(0.01, shear, kappa);
+  body.deform([&](const Point& x) {
+    const Point one = modeOne({x[0] - 3.0, x[1], x[2]}), two = modeTwo(x[0] - 3.0, x[1], -0.004, shear, kappa);
+    return Point{one[0] + two[0] + 3.0, one[1] + two[1], x[2]};
+  });
+  parameters.set("Tip X", 3.0);
+  makeCompute(body, "Stress_Intensity", parameters)->compute(body.blocks());
+  EXPECT_NEAR(body.field("Stress_Intensity")[0] / 0.01, 1.0, 0.01);
+  EXPECT_NEAR(body.field("Stress_Intensity")[1] / -0.004, 1.0, 0.015);
+}
+
 }  // namespace

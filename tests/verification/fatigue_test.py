@@ -7,6 +7,7 @@ import sys
 import unittest
 
 sys.path.insert(0, sys.path[0] + "/../support")
+from cracked_plate import CRACK, SPACING, cracked_plate  # noqa: E402
 from scene import Result, SceneTest, pdrun_path  # noqa: E402
 
 DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
@@ -54,6 +55,47 @@ class SmoothBar(SceneTest):
         table = {"Damage Model": "Remaining Life", "Lives": [1e3, 1e5, 1e6], "Strain Ranges": [1e-2, 4e-3, 2e-3]}
         life = self.life(2.0e-3, "Damage Models/Fatigue=" + json.dumps(table))
         self.assertAlmostEqual(life / 1e5, 1.0, delta=1e-8)
+
+
+class CrackedPlate(SceneTest):
+    """A crack that grows through a small plate, bond by bond."""
+
+    grown = {"Stop When": {"Value": "Length", "Reaches": CRACK + 1.9 * SPACING}}
+
+    def life(self, solver=None, **more):
+        """Cycles until the crack has grown by two columns."""
+        result = self.solve(cracked_plate(self, solver={**self.grown, **(solver or {})}, **more))
+        self.assertIn("Length has reached", " ".join(result.report["solver"]))
+        return result.history()["time"][-1]
+
+    def test_lives_go_as_a_power_of_the_range_at_any_load_ratio(self):
+        lives = {ratio: self.life({"Load Ratio": ratio}) for ratio in (-1.0, 0.0, 0.7)}
+        for ratio, life in lives.items():
+            self.assertAlmostEqual(life * (1 - ratio) ** 3 / lives[0.0], 1.0, delta=1e-9, msg=f"R = {ratio}")
+
+    def test_steps_of_fixed_length_find_the_same_life(self):
+        life = self.life()
+        short = self.life({"Cycles Per Block": life / 300}, final_time=2 * life)
+        self.assertAlmostEqual(short / life, 1.0, delta=0.05)
+        # A thousand times as long as a life between failures: halved, not believed.
+        result = self.solve(cracked_plate(self, solver={**self.grown, "Cycles Per Block": 10 * life}, final_time=1e3 * life))
+        self.assertAlmostEqual(result.history()["time"][-1] / life, 1.0, delta=0.15)
+        self.assertNotIn(" 0 blocks halved", " ".join(result.report["solver"]))
+
+    def test_blocks_of_cycles_add_up(self):
+        # Of 2 cycles one has twice the range: (1 + 2^3)/2 of the life that one takes at peak 1. Blocks are short beside
+        # a bond's life, and the last may end up to one of them later.
+        cycles = 50.0
+        life, mixed = self.life(), self.life({"Load Blocks": {"Cycles": [cycles, cycles], "Peaks": [1.0, 2.0]}},
+                                            final_time=1e5)
+        self.assertAlmostEqual(mixed * 4.5 / life, 1.0, delta=0.02)
+
+    def test_ends_when_the_plate_has_come_apart(self):
+        result = self.solve(cracked_plate(self, width=12e-3))
+        self.assertIn("come apart", " ".join(result.report["solver"]))
+        self.assertLess(result.history()["time"][-1], 1e9)
+        broken = result.field("Cycles_To_First_Break")
+        self.assertGreater(broken.max(), broken[broken > 0].min())
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <cmath>
 
 #include "../connected_parts.hpp"
 #include "../linear_solver_settings.hpp"
@@ -108,7 +109,21 @@ void Equilibrium::solve(Simulation& simulation, double t) {
         solver_, t, outcome.trouble, outcome.scale, residual));
   largestScale_ = std::max(largestScale_, outcome.scale);
   largestResidual_ = std::max(largestResidual_, residual);
+  carried_ = carriedForce(simulation);
   ++nSolutions_;
+}
+
+double Equilibrium::carriedForce(Simulation& simulation) const {
+  Model& model = simulation.model;
+  const double *force = model.field("Force_Density"), *volume = model.field("Volume");
+  const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
+  std::array<double, 2> mine{}, all{};  // squares of loads and reactions
+  for (std::size_t i = 0; i < externalForce_.size(); ++i) {
+    mine[0] += std::pow(externalForce_[i] * volume[i / 3], 2);
+    if (isPrescribed[i] != 0) mine[1] += std::pow(force[i] * volume[i / 3], 2);
+  }
+  model.comm().SumAll(mine.data(), all.data(), 2);
+  return std::sqrt(std::max(all[0], all[1]));
 }
 
 std::vector<std::string> Equilibrium::summary() const {

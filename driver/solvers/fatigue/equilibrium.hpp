@@ -27,6 +27,8 @@ class Equilibrium {
   int countLoadedParts(Simulation& simulation, double t);
   /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.
   void requireHeldLoads(Simulation& simulation, double t);
+  /// Whether the last equilibrium carries next to nothing of the largest load or reaction so far.
+  bool carriesNothing() const { return carried_ < 1e-3 * largestScale_; }
   /// From the undeformed body, loads and prescribed displacements of time t. Throws RunError where there is none.
   void findFromRest(Simulation& simulation, double t);
   /// From the present displacements. Throws RunError where there is none.
@@ -38,6 +40,7 @@ class Equilibrium {
 
  private:
   void solve(Simulation& simulation, double t);
+  double carriedForce(Simulation& simulation) const;
 
   std::string solver_;
   Newton newton_;
@@ -45,6 +48,7 @@ class Equilibrium {
   bool hasSupports_ = false;
   std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
   double largestScale_ = 0.0;          ///< N
+  double carried_ = 0.0;               ///< N, norm of loads or reactions of the last equilibrium
   long long nSolutions_ = 0;
   double largestResidual_ = 0.0;  ///< relative
 };

@@ -18,13 +18,7 @@ constexpr double mostOverdrawn = 0.1;  ///< of a life, in blocks of fixed length
 }  // namespace
 
 void Fatigue::declareParameters(ParameterDeclarations& declare) {
-  declare
-      .real("Load Ratio", "1",
-            "R: smallest over largest load of a cycle; conditions give the largest. Where R is not 0, a linear body is "
-            "assumed: strains go as loads.")
-      .defaultTo(0.0)
-      .atLeast(-1.0)
-      .atMost(0.99);
+  LoadBlocks::declareParameters(declare);
   declare
       .real(
           "Cycles Per Block", "1",
@@ -45,23 +39,37 @@ void Fatigue::declareParameters(ParameterDeclarations& declare) {
                "more runs by itself, which ends the run.")
       .defaultTo(100)
       .atLeast(1);
+  CrackControl::declareParameters(declare);
   Equilibrium::declareParameters(declare);
 }
 
-Fatigue::Fatigue(const Teuchos::ParameterList& given) : equilibrium_(completed<Fatigue>(given, "Fatigue"), "Fatigue") {
+FieldTable Fatigue::describeFields() { return Fields(CrackControl(defaultsOf<Fatigue>())); }
+
+Fatigue::Fatigue(const Teuchos::ParameterList& given)
+    : control_(completed<Fatigue>(given, "Fatigue")),
+      fields_(control_),
+      loads_(completed<Fatigue>(given, "Fatigue")),
+      equilibrium_(completed<Fatigue>(given, "Fatigue"), "Fatigue") {
   const auto parameters = completed<Fatigue>(given, "Fatigue");
-  loadRatio_ = parameters.get<double>("Load Ratio");
   if (parameters.isParameter("Cycles Per Block")) cyclesPerBlock_ = parameters.get<double>("Cycles Per Block");
   nIntervals_ = parameters.get<int>("Intervals");
   maximumPasses_ = parameters.get<int>("Maximum Breakage Passes");
   if (cyclesPerBlock_ > 0.0 && nIntervals_ > 1)
     throw std::invalid_argument("Fatigue: \"Cycles Per Block\" and \"Intervals\" both divide the run; remove one");
+  if (loads_.areSeveral() && control_.setsLoad())
+    throw std::invalid_argument(
+        "Fatigue: \"Load Blocks\" and the \"Range\" of \"Stress Intensity\" both say what the "
+        "load is; remove one");
 }
 
 double Fatigue::leastSteps(double t0, double t1) const {
+  constexpr double most = 1e7;
+  if (loads_.count(t0, t1) > most)
+    throw RunError(fmt::format("Fatigue: \"Load Blocks\" make {:g} steps; give each the cycles of many repetitions",
+                               loads_.count(t0, t1)));
   if (cyclesPerBlock_ == 0.0) return nIntervals_;
   const double n = std::ceil((t1 - t0) / cyclesPerBlock_ * (1.0 - 1e-12));
-  if (n > 1e9) throw RunError(fmt::format("Fatigue: \"Cycles Per Block\" makes {:g} steps; take longer blocks", n));
+  if (n > most) throw RunError(fmt::format("Fatigue: \"Cycles Per Block\" makes {:g} steps; take longer blocks", n));
   return n;
 }
 
@@ -84,9 +92,8 @@ void Fatigue::initialize(Simulation& simulation) {
   if (!model.comm().any(someoneTires))
     throw RunError("Fatigue: no block has a damage model in which cycles take life; give one \"Remaining Life\"");
   for (const char* label : {"Displacement", "Damage"}) model.fieldAtN(label);  // kept from now on
-  *model.field(fields_.cycles) = 0.0;
-  *model.field(fields_.range) = 1.0 - loadRatio_;
-  *model.field(fields_.peak) = 1.0;
+  control_.initialize(model);
+  *model.field(fields_.cycles) = *model.field(fields_.range) = *model.field(fields_.peak) = 0.0;
 }
 
 void Fatigue::rehearse(Simulation& simulation, double t, double) {
@@ -145,10 +152,13 @@ void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
     }
     equilibrium_.requireHeldLoads(simulation, t);
     fromRest&& pass == 0 ? equilibrium_.findFromRest(simulation, t) : equilibrium_.find(simulation, t);
+    if (hasStarted_ && equilibrium_.carriesNothing())
+      reasonToStop_ =
+          fmt::format("after {:.6g} cycles the body carries a thousandth of its load: it has come apart", t);
     const bool hasBroken = passCycles(simulation, 0.0);
     if (hasBroken) noteBreakage(simulation, t);
     simulation.model.acceptStep(t, 0.0);
-    if (!hasBroken) return;
+    if (!hasBroken || !reasonToStop_.empty()) return;
     ++nPasses_;
     if (pass + 1 == maximumPasses_) {
       reasonToStop_ = fmt::format("after {:.6g} cycles the crack runs at the largest load", t);
@@ -160,8 +170,17 @@ void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
 void Fatigue::start(Simulation& simulation, double t) {
   bondDamage_ = totalBondDamage(simulation.model);
   nLoadedParts_ = equilibrium_.countLoadedParts(simulation, t);
+  *simulation.model.field(fields_.peak) = control_.setsLoad() ? 0.0 : loads_.at(t).peak;
   settle(simulation, t, true);
   hasStarted_ = isSettled_ = true;
+}
+
+void Fatigue::setLoad(Simulation& simulation, double t) {
+  const LoadBlocks::Load load = loads_.at(t);
+  const CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
+  *simulation.model.field(fields_.range) = (1.0 - load.ratio) * outcome.peak;
+  *simulation.model.field(fields_.peak) = outcome.peak;
+  if (reasonToStop_.empty()) reasonToStop_ = outcome.reason;
 }
 
 /// A block, or as many halves of it as it takes to break no bond much too late. Returns the cycles passed.
@@ -178,26 +197,31 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
 
 double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   Model& model = simulation.model;
+  const bool isAtWork = equilibrium_.hasSupports();
   if (!hasStarted_) start(simulation, t);
   if (!isSettled_) settle(simulation, t, false);
   isSettled_ = true;
   if (!equilibrium_.hasSupports()) equilibrium_.findSupports(simulation);
+  if (!isAtWork) setLoad(simulation, t);  // the start, or a restart
   if (!reasonToStop_.empty()) return t;
-  double cycles = end - t;
-  bool hasBroken = false;
-  if (cyclesPerBlock_ > 0.0) {
+  const double stop = std::min(end, loads_.at(t).end);
+  double cycles = stop - t;
+  bool hasBroken = passCycles(simulation, 0.0);  // the load may be another since the last step
+  if (hasBroken) {
+    cycles = 0.0;
+  } else if (cyclesPerBlock_ > 0.0) {
     cycles = passBlock(simulation, cycles, hasBroken);
   } else {
-    hasBroken = passCycles(simulation, 0.0);
     const double rate = worst(model).lossRate;
-    // The last of a bond's life is as good as over: a step must not be shorter than rounding of t.
+    // A step must not be shorter than rounding of t.
     if (rate > 0.0 && 1.0 / rate < cycles * (1.0 - 1e-12)) cycles = 1.0 / rate;
-    hasBroken = passCycles(simulation, cycles) || hasBroken;
+    hasBroken = passCycles(simulation, cycles);
   }
-  const double reached = cycles < end - t ? t + cycles : end;
+  const double reached = cycles < stop - t ? t + cycles : stop;
   if (hasBroken) noteBreakage(simulation, reached);
   model.acceptStep(reached, cycles);
   settle(simulation, reached, false);
+  if (reasonToStop_.empty()) setLoad(simulation, reached);
   model.requireFinite("Displacement", static_cast<int>(nEvents_));
   return reached;
 }

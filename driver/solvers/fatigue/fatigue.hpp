@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "../event_solver.hpp"
+#include "crack_control.hpp"
 #include "cycle_fields.hpp"
 #include "equilibrium.hpp"
+#include "load_blocks.hpp"
 
 namespace pd {
 
@@ -31,7 +33,9 @@ class Fatigue : public EventSolver {
         writes(pd::fields::pointScalar("Cycles_To_First_Break", "1",
                                        "Cycles until the first bond of the point broke; 0 where none has.")
                    .state());
+    explicit Fields(const CrackControl& control) { include(control.fields()); }
   };
+  static FieldTable describeFields();
   const Fields& fields() const override { return fields_; }
   double leastSteps(double t0, double t1) const override;
   void initialize(Simulation& simulation) override;
@@ -57,10 +61,14 @@ class Fatigue : public EventSolver {
   /// Equilibrium at the load of time t; bonds break and it is found again until none breaks.
   void settle(Simulation& simulation, double t, bool fromRest);
   void noteBreakage(Simulation& simulation, double t);
+  /// Load of the cycles after t, by blocks and by what the crack asks for.
+  void setLoad(Simulation& simulation, double t);
 
+  CrackControl control_;
   Fields fields_;
+  LoadBlocks loads_;
   Equilibrium equilibrium_;
-  double loadRatio_, cyclesPerBlock_ = 0.0;  ///< 0: from event to event
+  double cyclesPerBlock_ = 0.0;  ///< 0: from event to event
   int nIntervals_, maximumPasses_;
   std::string reasonToStop_;
 

@@ -1,0 +1,99 @@
+#include "crack_control.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "Peridigm_Field.hpp"
+
+namespace pd {
+
+void CrackControl::declareParameters(ParameterDeclarations& declare) {
+  ParameterDeclarations& intensity =
+      declare.sublist("Stress Intensity", "Of a crack, from a compute: for histories, loads that follow it, and K_c.");
+  intensity.text("Energy Release Rate", "Output Label of a J_Integral.").required();
+  intensity.real("Effective Modulus", "Pa", "E' of K = (J E')^0.5: E in plane stress, E/(1 - nu^2) in plane strain.")
+      .required()
+      .positive();
+  intensity
+      .function("Range", "Pa*m^0.5",
+                "Range of K that the load is to give, a number or a function of the crack length a (m); without it the "
+                "load is that of the conditions.")
+      .of({"a"});
+  intensity.text("Crack Length", "Output Label of a Crack_Length, for a Range that depends on it.");
+  intensity.real("Fracture Toughness", "Pa*m^0.5", "K at the largest load that ends the run.").positive();
+  ParameterDeclarations& stop =
+      declare.sublist("Stop When", "The run ends where a value for the whole body is reached.");
+  stop.text("Value", "Output Label of a compute for the whole body, such as a Crack_Length.").required();
+  stop.real("Reaches", "unit of the deck", "What it must reach from below.").required();
+}
+
+CrackControl::CrackControl(const Teuchos::ParameterList& parameters)
+    : hasIntensity_(parameters.isSublist("Stress Intensity")), fields_(hasIntensity_) {
+  if (hasIntensity_) {
+    const Teuchos::ParameterList& list = parameters.sublist("Stress Intensity");
+    energyLabel_ = list.get<std::string>("Energy Release Rate");
+    modulus_ = list.get<double>("Effective Modulus");
+    if (list.isParameter("Fracture Toughness")) toughness_ = list.get<double>("Fracture Toughness");
+    if (list.isParameter("Crack Length")) lengthLabel_ = list.get<std::string>("Crack Length");
+    if (list.isParameter("Range"))
+      wantedRange_ = std::make_unique<FunctionProgram>(list.get<std::string>("Range"), std::vector<std::string>{"a"});
+    if (wantedRange_ != nullptr && wantedRange_->uses(0) && lengthLabel_.empty())
+      throw std::invalid_argument("Stress Intensity: \"Range\" depends on a; give \"Crack Length\"");
+  }
+  if (parameters.isSublist("Stop When")) {
+    stopLabel_ = parameters.sublist("Stop When").get<std::string>("Value");
+    stopValue_ = parameters.sublist("Stop When").get<double>("Reaches");
+  }
+  isUsed_ = hasIntensity_ || !stopLabel_.empty();
+}
+
+void CrackControl::requireCompute(Model& model, const std::string& label, const char* key) const {
+  const bool isThere = model.hasField(label) && PeridigmNS::FieldManager::self().getFieldSpec(label).relation ==
+                                                    PeridigmNS::PeridigmField::GLOBAL;
+  if (!isThere || model.fieldWidth(label) != 1)
+    throw RunError(
+        fmt::format("Fatigue: \"{}\" of {} is no value for the whole body that a compute of this run gives; "
+                    "name the Output Label of one in Compute Class Parameters",
+                    label, key));
+}
+
+void CrackControl::initialize(Model& model) const {
+  if (hasIntensity_) requireCompute(model, energyLabel_, "Stress Intensity/Energy Release Rate");
+  if (!lengthLabel_.empty()) requireCompute(model, lengthLabel_, "Stress Intensity/Crack Length");
+  if (!stopLabel_.empty()) requireCompute(model, stopLabel_, "Stop When/Value");
+}
+
+CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, double peak, double loadRatio) const {
+  if (!isUsed_) return {peak, ""};
+  Model& model = simulation.model;
+  model.updateCoordinates();
+  simulation.output.evaluate(model, 0);
+  Outcome outcome{peak, ""};
+  if (hasIntensity_) {
+    const double intensity = std::sqrt(std::max(*model.field(energyLabel_), 0.0) * modulus_);
+    if (wantedRange_ != nullptr) {
+      const double a = lengthLabel_.empty() ? 0.0 : *model.field(lengthLabel_);
+      const double wanted = wantedRange_->evaluate(&a);
+      if (!(intensity > 0.0) || !std::isfinite(wanted) || !(wanted > 0.0))
+        throw RunError(fmt::format(
+            "Fatigue ({:.6g} cycles): no load gives the wanted range of K, {:g} Pa m^0.5: \"{}\" is {:g} J/m2 at the "
+            "load "
+            "of the conditions. Look at the ring or contour of its J_Integral, at \"Range\", and stop before the crack "
+            "ends (Stop When)",
+            t, wanted, energyLabel_, *model.field(energyLabel_)));
+      outcome.peak = wanted / ((1.0 - loadRatio) * intensity);
+    }
+    *model.field(fields_.range) = outcome.peak * (1.0 - loadRatio) * intensity;
+    if (toughness_ > 0.0 && outcome.peak * intensity >= toughness_)
+      outcome.reason =
+          fmt::format("K at the largest load is {:.6g} Pa m^0.5 after {:.6g} cycles: the fracture toughness",
+                      outcome.peak * intensity, t);
+  }
+  if (!stopLabel_.empty() && *model.field(stopLabel_) >= stopValue_)
+    outcome.reason = fmt::format("{} has reached {:.6g} after {:.6g} cycles", stopLabel_, *model.field(stopLabel_), t);
+  return outcome;
+}
+
+}  // namespace pd

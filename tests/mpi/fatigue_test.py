@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+"""A crack that grows by fatigue: on 1, 2 and 4 ranks, and stopped and gone on with."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from cracked_plate import CRACK, SPACING, cracked_plate  # noqa: E402
+from scene import SceneTest  # noqa: E402
+
+
+def until(columns):
+    return {"Stop When": {"Value": "Length", "Reaches": CRACK + columns * SPACING}}
+
+
+class Fatigue(SceneTest):
+    def run_until(self, columns, **options):
+        deck = cracked_plate(self, solver=until(columns), **{"Checkpoint Frequency": 1000000})
+        return self.solve(deck, **options)
+
+    def test_the_same_bonds_fail_in_the_same_order_on_any_number_of_ranks(self):
+        alone = self.run_until(1.4)
+        lives, damage, first = alone.history(), alone.field("Damage"), alone.field("Cycles_To_First_Break")
+        for ranks in (2, 4):
+            result = self.run_until(1.4, ranks=ranks)
+            np.testing.assert_allclose(result.history()["time"], lives["time"], rtol=1e-6, err_msg=f"{ranks} ranks")
+            np.testing.assert_array_equal(result.history()["Length"], lives["Length"])
+            np.testing.assert_array_equal(result.field("Damage"), damage)
+            np.testing.assert_allclose(result.field("Cycles_To_First_Break"), first, rtol=1e-6)
+
+    def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
+        whole = self.run_until(1.4)
+        history, displacement = whole.history(), whole.field("Displacement")
+        self.run_until(0.3)
+        resumed = self.run_until(1.4, arguments=["--restart", "result.checkpoint.h5"])
+        for label, values in history.items():
+            np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
+        np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
+
+
+if __name__ == "__main__":
+    unittest.main()
