@@ -63,9 +63,7 @@ PD_EACH_BOND Vector dilatationOf(const Chunk& chunk, const unsigned char* bits, 
     const Vector weight = Vector(bond.influence() * bond.length() * bond.volume());
     sum += keepUnbroken<isWhole>(weight * currentBond(bondsOf, bond, k).elongation, bits[k]);
   }
-  Vector theta = dimension * sum / weightedVolume;
-  stdx::where(!(weightedVolume > Vector(0.0)), theta) = Vector(0.0);
-  return theta;
+  return wherePositive(weightedVolume, dimension * sum / weightedVolume, 0.0);
 }
 
 template <bool isWhole, class BondsOf>
@@ -75,8 +73,7 @@ void addForceOfChunk(const ChunkedNeighborhood& neighborhood, const Chunk& chunk
   const int* ids = neighborhood.pointIds(chunk);
   const Vector m = gather(weightedVolume, ids);
   const Vector theta = dilatationOf<isWhole>(chunk, bits, bondsOf, m, data.constants.dimension);
-  Vector perM = 1.0 / m;
-  stdx::where(!(m > Vector(0.0)), perM) = Vector(0.0);
+  const Vector perM = wherePositive(m, 1.0 / m, 0.0);
   const Vector volumetric = data.constants.volumetric * theta * perM;
   const Vector deviatoric = data.constants.deviatoric * perM;
 

@@ -64,7 +64,7 @@ Matrix3<Scalar> newtonRotation(const Matrix3<Scalar>& b, Scalar& remaining) {
     if constexpr (std::is_same_v<Scalar, double>) {
       if (!(worst > 0.0)) remaining = 1.0;
     } else {
-      stdx::where(!(worst > Scalar(0.0)), remaining) = Scalar(1.0);
+      remaining = wherePositive(worst, remaining, 1.0);
     }
     // The step after one of this size is smaller than its square.
     if (unsure < 1e-8) break;

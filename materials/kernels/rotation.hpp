@@ -20,19 +20,13 @@ struct PlaneRotation {
 template <class Scalar>
 PlaneRotation<Scalar> planeRotation(Scalar dot, Scalar cross) {
   const Scalar norm2 = dot * dot + cross * cross;
-  const auto isEmpty = !(norm2 > Scalar(0.0));
   if constexpr (std::is_same_v<Scalar, double>) {
-    if (isEmpty) return {1.0, 0.0};
+    if (!(norm2 > 0.0)) return {1.0, 0.0};
     const double inverse = 1.0 / std::sqrt(norm2);
     return {dot * inverse, cross * inverse};
   } else {
-    Scalar safe = norm2;
-    stdx::where(isEmpty, safe) = Scalar(1.0);
-    const Scalar inverse = inverseSquareRoot(safe);
-    Scalar cosine = dot * inverse, sine = cross * inverse;
-    stdx::where(isEmpty, cosine) = Scalar(1.0);
-    stdx::where(isEmpty, sine) = Scalar(0.0);
-    return {cosine, sine};
+    const Scalar inverse = inverseSquareRoot(wherePositive(norm2, norm2, 1.0));
+    return {wherePositive(norm2, dot * inverse, 1.0), wherePositive(norm2, cross * inverse, 0.0)};
   }
 }
 

@@ -84,6 +84,12 @@ inline unsigned char greaterBits(const Vector& a, const Vector& b) {
   return bits;
 }
 
+/// `vector` where x > 0, `other` elsewhere and where x is not a number. In place of stdx::where(), which Clang 14 with
+/// AVX-512 makes assign nothing.
+inline Vector wherePositive(const Vector& x, const Vector& vector, const Vector& other) {
+  return choose(vector, other, greaterBits(x, Vector(0.0)));
+}
+
 /// visit(0), ..., visit(n - 1) with constants that index arrays: a loop, even a short one, keeps arrays of vectors in
 /// memory.
 template <class Visit, int... i>

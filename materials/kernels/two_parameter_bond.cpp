@@ -125,8 +125,8 @@ PD_EACH_BOND Family<D> familyOf(const Chunk& chunk, const unsigned char* bits, c
     Matrix3<Vector> b;
     std::copy(product, product + 9, b.begin());
     // Lanes without a bond: any multiple of the identity.
-    const auto isEmpty = !(b[0] * b[0] + b[4] * b[4] + b[8] * b[8] > Vector(0.0));
-    for (const std::size_t i : {0, 4, 8}) stdx::where(isEmpty, b[i]) = Vector(1.0);
+    const Vector size = b[0] * b[0] + b[4] * b[4] + b[8] * b[8];
+    for (const std::size_t i : {0, 4, 8}) b[i] = wherePositive(size, b[i], 1.0);
     b = solidRotation(b);
     std::copy(b.begin(), b.end(), family.r);
   }
