@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "damage_watch.hpp"
 #include "linear_solver_settings.hpp"
@@ -31,6 +32,13 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   settings.hasSmallStrain = parameters.get<std::string>("Kinematics") == "Small Strain";
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
+  const bool isTwoLevel = settings.preconditioner == "Two Level";
+  const bool isPlain = settings.diagonalScale == 1.0 && settings.diagonalShift == 0.0 && linear.method == "CG";
+  if ((isTwoLevel || settings.hasSmallStrain) && !(isPlain && (isTwoLevel || settings.preconditioner.empty())))
+    throw std::invalid_argument(
+        std::string("QuasiStatic: ") + (isTwoLevel ? "\"Preconditioner: Two Level\"" : "\"Kinematics: Small Strain\"") +
+        " is solved by conjugate gradients without a matrix: leave out other linear solvers, preconditioners and the "
+        "damping of the diagonal");
   return settings;
 }
 

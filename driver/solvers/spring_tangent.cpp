@@ -16,7 +16,7 @@ using namespace PeridigmNS;
 
 // A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
 constexpr int mostChanges = 20;
-constexpr double slowest = 0.6;
+constexpr double slowest = 0.65;
 
 bool hasForce(Block& block) {
   const auto ids = block.getMaterialModel()->FieldIds();
@@ -155,6 +155,7 @@ void SpringTangent::prepare() {
     levels_.rebuild();
     ++nRebuilds;
     nChanges_ = 0;
+    freshRate_ = 0.0;
     mustRebuild_ = false;
   } else if (model_.comm().any(!smootherIsCurrent_)) {
     levels_.refreshSmoother();
@@ -215,7 +216,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     for (std::size_t i = 0; i < n; ++i) x[3 * i + static_cast<std::size_t>(c)] = solution_[c][i];
   if (!product && result.iterations >= 4 && !result.hasBrokenDown) {
     const double rate = -std::log10(std::max(result.relativeResidual, 1e-16)) / result.iterations;
-    if (nChanges_ == 0) freshRate_ = rate;
+    if (nChanges_ == 0) freshRate_ = std::max(freshRate_, rate);
     mustRebuild_ = mustRebuild_ || (nChanges_ > 0 && rate < slowest * freshRate_);
   }
   return {result.iterations, result.hasBrokenDown ? 1.0 : result.relativeResidual,

@@ -17,7 +17,7 @@ namespace {
 constexpr int nHeaders = 5, exchangedWidth = nHeaders + 12;
 
 // A point that has lost so many of its bonds may move by itself, or with the few that hang with it: it is a piece.
-constexpr float mostLost = 0.6F;
+constexpr float mostLost = 0.5F;
 
 bool isWeak(const SpringNetwork& network, int point) {
   if (!network.isDamaged(point)) return false;

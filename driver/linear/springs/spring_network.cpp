@@ -272,14 +272,24 @@ void SpringNetwork::setDamage(const std::vector<int>& changed, const std::functi
       std::all_of(broken.begin(), broken.end(), [&](const auto& bond) { return areJoined(bond.first, bond.second); });
 }
 
-bool SpringNetwork::areJoined(int i, int j) const {
+/// Looks around i, as far as a bond across a crack has to go around its tip.
+bool SpringNetwork::areJoined(int i, int j) {
+  constexpr std::size_t mostVisited = 3000;
   if (j >= points_.nOwned) return false;
-  for (int a = 0, b = 0; a < nNeighbors(i) && b < nNeighbors(j);) {
-    const int p = neighbors(i)[a], q = neighbors(j)[b];
-    if (p == q && alive(i, a) > 0.0F && alive(j, b) > 0.0F) return true;
-    a += p <= q ? 1 : 0;
-    b += q <= p ? 1 : 0;
-  }
+  visitedBy_.resize(aliveOfPoint_.size(), 0);
+  ++nVisits_;
+  std::vector<int> reached{i};
+  visitedBy_[static_cast<std::size_t>(i)] = nVisits_;
+  for (std::size_t next = 0; next < reached.size() && reached.size() < mostVisited; ++next)
+    for (int k = 0; k < nNeighbors(reached[next]); ++k) {
+      const int point = neighbors(reached[next])[k];
+      if (point >= points_.nOwned || alive(reached[next], k) == 0.0F) continue;
+      if (point == j) return true;
+      int& visit = visitedBy_[static_cast<std::size_t>(point)];
+      if (visit == nVisits_) continue;
+      visit = nVisits_;
+      reached.push_back(point);
+    }
   return false;
 }
 

@@ -91,8 +91,8 @@ class SpringNetwork {
 
   /// Takes up the bond damage of the owned points `changed`; damageOf(point): of its bonds, in the order of its list.
   void setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf);
-  /// Whether the ends of every bond that the last setDamage() has broken still have a neighbour in common, by unbroken
-  /// bonds: then nothing has come apart. Of bonds to ghosts and images this is not known, and the answer false.
+  /// Whether the ends of every bond that the last setDamage() has broken are known to hang together still, by unbroken
+  /// bonds around them. Of bonds to ghosts and images it is not known.
   bool hasKeptTogether() const { return hasKeptTogether_; }
 
   const Discretization& points() const { return points_; }
@@ -147,7 +147,7 @@ class SpringNetwork {
   void makeLists(RowReader reader);
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
-  bool areJoined(int i, int j) const;
+  bool areJoined(int i, int j);
 
   const Discretization& points_;
   Family family_;
@@ -162,6 +162,8 @@ class SpringNetwork {
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
   bool hasKeptTogether_ = true;
+  std::vector<int> visitedBy_;  ///< [nOwned] by which search of areJoined()
+  int nVisits_ = 0;
 };
 
 template <class Visit>

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+"""Static equilibria with bonds as springs: against sparse LU of assembled tangents, and what small strains are."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from scene import SceneTest, lattice, plate_deck  # noqa: E402
+
+SPACING, THICKNESS = 1e-3, 1e-3
+GLASS = {"Young's Modulus": 70.0e9, "Poisson's Ratio": 0.2}
+
+
+def plate(solver, damage, pull=1.0e-5):
+    """30 mm x 24 mm between grips, with a crack from the left edge to the middle."""
+    crack = {"Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
+             "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": 12e-3, "Lower_Left_Corner_Z": -1.0,
+             "Bottom_Unit_Vector_X": 1.0, "Bottom_Unit_Vector_Y": 0.0, "Bottom_Unit_Vector_Z": 0.0,
+             "Bottom_Length": 1.012, "Side_Length": 2.0}
+
+    def moved(node_set, axis, value):
+        return {"Type": "Prescribed Displacement", "Node Set": node_set, "Coordinate": axis, "Value": value}
+
+    deck = plate_deck(
+        3.2 * SPACING, THICKNESS, GLASS,
+        conditions={"Top Node Set": {"Expression": "y > 20.7e-3"}, "Bottom Node Set": {"Expression": "y < 3.3e-3"},
+                    "Up": moved("Top Node Set", "y", f"{pull}*t"), "Down": moved("Bottom Node Set", "y", f"{-pull}*t"),
+                    "Top Does Not Slide": moved("Top Node Set", "x", 0.0),
+                    "Bottom Does Not Slide": moved("Bottom Node Set", "x", 0.0)},
+        solver={"QuasiStatic": {"Load Steps": 2, "Relative Tolerance": 1e-8, **solver}},
+        output={"Output Variables": ["Displacement"] + (["Damage"] if damage else [])})
+    deck["Discretization"]["Bond Filters"] = {"Crack": crack}
+    if damage:
+        deck["Damage Models"] = {"Limit": {"Damage Model": "Critical Stretch", "Critical Stretch": 1.0e-3}}
+        block = next(iter(deck["Blocks"].values()))
+        block["Damage Model"] = "Limit"
+    return deck
+
+
+class CrackedPlate(SceneTest):
+    def setUp(self):
+        super().setUp()
+        points = lattice([0.03, 0.024], SPACING)
+        points[:, :2] += 0.15 * SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, (len(points), 2))
+        self.write_mesh(points, SPACING**2 * THICKNESS)
+
+    def test_breaks_the_bonds_that_it_breaks_with_a_direct_solver(self):
+        springs = self.solve(plate({}, True))
+        with open(self.path("result.log")) as log:
+            self.assertIn(" 0 tangents", log.read())
+        direct = self.solve(plate({"Linear Solver": "Direct"}, True))
+        self.assertGreater(direct.field("Damage").max(), 0.5)
+        np.testing.assert_array_equal(springs.field("Damage"), direct.field("Damage"))
+        u, exact = springs.field("Displacement"), direct.field("Displacement")
+        self.assertLess(np.max(np.abs(u - exact)), 1e-7 * np.max(np.abs(exact)))  # 10 times the tolerance
+
+    def test_small_strain_is_the_limit_of_small_displacements(self):
+        small, smaller = ({"Kinematics": "Small Strain"}, 1.0e-5), ({}, 1.0e-9)
+        a, b = (self.solve(plate(solver, False, pull)).field("Displacement") / pull for solver, pull in (small, smaller))
+        # Strains of the latter are some 1e-7, and so is what is not linear in them; the tolerance is 1e-8.
+        self.assertLess(np.max(np.abs(a - b)), 1e-6 * np.max(np.abs(b)))
+
+
+class Refusals(SceneTest):
+    def test_what_needs_a_matrix_does_not_go_with_springs(self):
+        self.write_mesh(lattice([0.03, 0.024], SPACING), SPACING**2 * THICKNESS)
+        for solver in ({"Linear Solver": "GMRES", "Preconditioner": "Two Level"},
+                       {"Kinematics": "Small Strain", "Preconditioner": "Multigrid"}):
+            result = self.run_deck(plate(solver, False))
+            self.assertEqual(result.code, 2, result.text)
+            self.assertIn("without a matrix", result.text)
+
+
+if __name__ == "__main__":
+    unittest.main()
