@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from cracked_plate import CRACK, SPACING, cracked_plate  # noqa: E402
+from cracked_plate import CRACK, SPACING, THICKNESS, cracked_plate  # noqa: E402
 from scene import Result, SceneTest, pdrun_path  # noqa: E402
 
 DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
@@ -98,6 +98,22 @@ class CrackedPlate(SceneTest):
         life, mixed = self.life(), self.life({"Load Blocks": {"Cycles": [cycles, cycles], "Peaks": [1.0, 2.0]}},
                                             final_time=1e5)
         self.assertAlmostEqual(mixed * 4.5 / life, 1.0, delta=0.02)
+
+    def test_loads_keep_the_range_of_k_that_the_deck_asks_for_until_the_toughness(self):
+        intensity = {"Energy Release Rate": "J", "Effective Modulus": 200e9, "Crack Length": "Length",
+                     "Range": "10e6*(1 + 100*(a - 0.008))", "Fracture Toughness": 10e6 * 1.1 / 0.9}
+        deck = cracked_plate(self, solver={"Load Ratio": 0.1, "Stress Intensity": intensity})
+        deck["Compute Class Parameters"]["J"] = {
+            "Compute Class": "J_Integral", "Plane Stress": True, "Thickness": THICKNESS, "Tip X": CRACK,
+            "Inner Radius": 3e-3, "Outer Radius": 6e-3, "Output Label": "J"}
+        deck["Output"]["Output Variables"] += ["J", "Stress_Intensity_Range"]
+        result = self.solve(deck)
+        history = result.history()
+        np.testing.assert_allclose(history["Stress_Intensity_Range"][1:],
+                                   10e6 * (1 + 100 * (history["Length"][1:] - 0.008)), rtol=1e-9)
+        self.assertIn("fracture toughness", " ".join(result.report["solver"]))
+        self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
+        self.assertLess(history["Length"][-2], 0.009)
 
     def test_ends_when_the_plate_has_come_apart(self):
         result = self.solve(cracked_plate(self, width=12e-3))
