@@ -51,7 +51,7 @@ class StressIntensity : public TabledCompute {
       if (parameters.isParameter("Tip Field"))
         tip = readsIfThere(
             pd::fields::globalVector(parameters.get<std::string>("Tip Field"), "m", "Position of the crack tip."));
-      intensities = writes(outputField(parameters, pd::fields::globalVector, "Pa*m^0.5", "K_I, K_II and 0."));
+      intensities = writes(outputField(parameters, pd::fields::globalVector, "Pa m^0.5", "K_I, K_II and 0."));
     }
   };
   static void declareParameters(ParameterDeclarations& declarations);

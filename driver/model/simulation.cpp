@@ -178,6 +178,8 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   setup.initialize();
   const std::vector<std::string> notes = model.notes();
   for (const std::string& note : notes) output.log(note);
+  if (const auto* events = dynamic_cast<const EventSolver*>(setup.stages.front().solver.get()))
+    output.setTimeUnit(events->timeUnit());
   std::optional<Restart> restart;
   std::size_t firstStage = 0;
   if (options.restartFile.empty()) {

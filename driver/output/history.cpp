@@ -51,9 +51,9 @@ void History::row(int step, double time, const std::vector<double>& values) {
 }
 
 void writeColumnUnits(const std::string& base, const std::vector<std::string>& columns,
-                      const std::vector<std::string>& units) {
+                      const std::vector<std::string>& units, const std::string& timeUnit) {
   using nlohmann::ordered_json;
-  ordered_json described = {{{"name", "step"}}, {{"name", "time"}, {"schema:unitText", "s"}}};
+  ordered_json described = {{{"name", "step"}}, {{"name", "time"}, {"schema:unitText", timeUnit}}};
   for (std::size_t k = 0; k < columns.size(); ++k) {
     ordered_json column = {{"name", columns[k]}};
     if (!units[k].empty()) column["schema:unitText"] = units[k];

@@ -31,7 +31,7 @@ class History {
 /// Writes what the columns of <base>.csv are measured in (empty: only the deck knows) into <base>.csv-metadata.json,
 /// the place and form that the W3C's "Metadata Vocabulary for Tabular Data" gives it. Throws RunError.
 void writeColumnUnits(const std::string& base, const std::vector<std::string>& columns,
-                      const std::vector<std::string>& units);
+                      const std::vector<std::string>& units, const std::string& timeUnit = "s");
 
 /// Names of the columns of a field with `width` values: the label; with X, Y, Z; XX, XY .. ZZ; or _1, _2 ...
 std::vector<std::string> columnNames(const std::string& label, int width);

@@ -85,6 +85,7 @@ struct Output::Implementation {
   std::set<std::string> fieldsOfState;  ///< that are written
   int firstStep = 0;
   bool isOpen = false;
+  std::string timeUnit = "s";
 
   Implementation(const Deck& deck_, const Communicator& comm_, const std::string& folder_)
       : deck(deck_),
@@ -231,7 +232,7 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
   Implementation& self = *implementation_;
   if (!self.isOpen) {
     const Timers::Scope timer(model.timers(), "output");
-    for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), self.firstStep);
+    for (OutputFiles& files : self.files) files.open(model, self.orderOf(model), self.firstStep, self.timeUnit);
     self.isOpen = true;
   }
   const auto [areFieldsDue, isAnyDue] = self.evaluateDue(model, step, isLast);
@@ -259,6 +260,11 @@ void Output::checkpoint(Model& model, const Checkpoint& checkpoint, bool isLast)
     const Timers::Scope timer(model.timers(), "checkpoint");
     writeCheckpoint(model, self.orderOf(model), files.fileName() + endings::checkpoint, checkpoint);
   }
+}
+
+void Output::setTimeUnit(const std::string& unit) {
+  implementation_->timeUnit = unit;
+  if (implementation_->progress) implementation_->progress->setTimeUnit(unit);
 }
 
 void Output::startSolver() {

@@ -33,6 +33,9 @@ class Output {
   /// that step. What log() has kept so far is written, and the text of the resolved deck.
   void begin(int firstStep, const std::string& resolvedDeck);
 
+  /// What the times of the run are counted in, where that is not "s". Before begin().
+  void setTimeUnit(const std::string& unit);
+
   /// Tells that another solver goes on: its first state counts as an output in decks of Peridigm.
   void startSolver();
 

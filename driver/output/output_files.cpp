@@ -51,7 +51,7 @@ bool OutputFiles::writesFields() const {
                      [](const Part& part) { return !part.labels.point.empty() && part.section.writesFields(); });
 }
 
-void OutputFiles::open(Model& model, const GlobalOrder& order, int firstStep) {
+void OutputFiles::open(Model& model, const GlobalOrder& order, int firstStep, const std::string& timeUnit) {
   const Discretization& points = model.discretization();
   if (writesFields())
     fields_ = std::make_unique<FieldWriter>(fileName_, order, points.x.data(), points.blockId.data(),
@@ -65,7 +65,7 @@ void OutputFiles::open(Model& model, const GlobalOrder& order, int firstStep) {
         names.push_back(name);
         units.push_back(fields::unitOf(label));
       }
-    writeColumnUnits(fileName_, names, units);  // first: by it the history is known to be ours
+    writeColumnUnits(fileName_, names, units, timeUnit);  // first: by it the history is known to be ours
     history_ = std::make_unique<History>(fileName_ + endings::history, names, firstStep);
   });
 }

@@ -37,7 +37,7 @@ class OutputFiles {
   bool writesFields() const;
 
   /// Opens the files, which go on from `firstStep` (0: afresh). `order` must outlive this. Collective.
-  void open(Model& model, const GlobalOrder& order, int firstStep);
+  void open(Model& model, const GlobalOrder& order, int firstStep, const std::string& timeUnit = "s");
   /// Writes what is due. Collective; throws RunError on all ranks.
   void write(Model& model, int step, double time, bool isLast);
 

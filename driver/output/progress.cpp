@@ -36,10 +36,11 @@ void ProgressRate::update(int step, double seconds) {
   seconds_ = seconds;
 }
 
-std::string progressText(int step, int nSteps, double time, const std::string& what, double stepsPerSecond) {
+std::string progressText(int step, int nSteps, double time, const std::string& what, double stepsPerSecond,
+                         const std::string& timeUnit) {
   std::string text = fmt::format("step {}/{}", step, nSteps);
   if (nSteps > 0) text += fmt::format(" ({} %)", static_cast<int>(100.0 * step / nSteps));
-  text += fmt::format(", t = {:.6g} s", time);
+  text += fmt::format(", t = {:.6g} {}", time, timeUnit);
   if (!what.empty()) text += ", " + what;
   if (stepsPerSecond > 0.0)
     text += fmt::format(", {:.3g} steps/s, {} left", stepsPerSecond, durationText((nSteps - step) / stepsPerSecond));
@@ -50,12 +51,12 @@ void Progress::report(int step, int nSteps, double time, const std::string& what
   const double now = std::chrono::duration<double>(Clock::now() - start_).count();
   rate_.update(step, now);
   if (log_.hasTerminal() && (lastShown_ < 0.0 || now - lastShown_ >= secondsBetweenTerminalLines)) {
-    log_.replaceTerminalLine(progressText(step, nSteps, time, what, rate_.stepsPerSecond()));
+    log_.replaceTerminalLine(progressText(step, nSteps, time, what, rate_.stepsPerSecond(), timeUnit_));
     lastShown_ = now;
   }
   const int part = nSteps > 0 ? static_cast<int>(static_cast<long long>(partsInLog) * step / nSteps) : 0;
   if (part == lastLoggedPart_ && now - lastLogged_ < secondsBetweenLogLines) return;
-  log_.progressLine(progressText(step, nSteps, time, what, rate_.stepsPerSecond()));
+  log_.progressLine(progressText(step, nSteps, time, what, rate_.stepsPerSecond(), timeUnit_));
   lastLogged_ = now;
   lastLoggedPart_ = part;
 }

@@ -28,12 +28,14 @@ class ProgressRate {
 };
 
 /// "step 120/3000 (4 %), t = 739200 s, diffusion, 51.2 steps/s, 56 s left"
-std::string progressText(int step, int nSteps, double time, const std::string& what, double stepsPerSecond);
+std::string progressText(int step, int nSteps, double time, const std::string& what, double stepsPerSecond,
+                         const std::string& timeUnit = "s");
 
 /// Shows progress on the terminal a few times a second, and in the log at every 5 % and once a minute.
 class Progress {
  public:
   explicit Progress(RunLog& log) : log_(log), start_(Clock::now()) {}
+  void setTimeUnit(const std::string& unit) { timeUnit_ = unit; }
   void report(int step, int nSteps, double time, const std::string& what);
 
  private:
@@ -43,6 +45,7 @@ class Progress {
   ProgressRate rate_;
   double lastShown_ = -1.0, lastLogged_ = 0.0;
   int lastLoggedPart_ = 0;
+  std::string timeUnit_ = "s";
 };
 
 }  // namespace pd

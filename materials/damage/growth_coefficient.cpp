@@ -51,7 +51,7 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
                                                   ? family_.latticeElasticConstants(young, poisson, spacing_)
                                                   : family_.elasticConstants(young, poisson);
   hasTangential_ = constants.tangential != 0.0;
-  trial_.bonds = latticeBonds();
+  trial_.bonds = latticeBonds(owner);
   // The lattice against the integrals, by bonds without k_t; with it E' is that of the material.
   const kernels::Stiffness c = kernels::stiffness(family_.section.geometry, young, poisson);
   const double cell = family_.dimension() == 3 ? std::pow(spacing_, 3) : spacing_ * spacing_ * family_.section.size;
@@ -64,7 +64,7 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
 }
 
 /// Bonds of one projection onto the plane across the front and one length are one.
-std::vector<LatticeBond> GrowthCoefficient::latticeBonds() const {
+std::vector<LatticeBond> GrowthCoefficient::latticeBonds(const std::string& owner) const {
   const auto influence = PeridigmNS::InfluenceFunction::self().getInfluenceFunction();
   const int reach = static_cast<int>(std::ceil(trial_.horizon)) + 1, depth = family_.dimension() == 3 ? reach : 0;
   std::vector<LatticeBond> bonds;
@@ -75,7 +75,11 @@ std::vector<LatticeBond> GrowthCoefficient::latticeBonds() const {
         const double length = std::sqrt(x * x + y * y + z * z);
         const double share = kernels::volumeShare(family_.volumeCorrection, length, trial_.horizon, 1.0);
         const double weight = share * influence(length * spacing_, family_.horizon);
-        if (!(weight > 0.0)) continue;
+        if (weight < 0.0)
+          throw std::invalid_argument(owner + ": the influence function is negative at " +
+                                      std::to_string(length / trial_.horizon) +
+                                      " horizons, where this Volume Correction has bonds; write \"max(..., 0)\"");
+        if (weight == 0.0) continue;
         const double count = z == 0 ? 1.0 : 2.0;
         bonds.push_back({x, y, length, weight * length * count, count});
       }

@@ -26,7 +26,7 @@ class GrowthCoefficient {
   std::vector<std::string> notes() const;
 
  private:
-  std::vector<LatticeBond> latticeBonds() const;
+  std::vector<LatticeBond> latticeBonds(const std::string& owner) const;
 
   BondFamily family_;
   double spacing_, paris_;  ///< m; m/cycle at 1 MPa sqrt(m)

@@ -24,18 +24,28 @@ def history_panels(runs, columns=None, against=None, units=None):
                                 constrained_layout=True)
     for axis in axes.ravel()[len(columns):]:
         axis.axis("off")
-    seconds, unit = time_unit(max(np.max(run["time"]) for _, run in runs if "time" in run)) if against == "time" else (
-        1.0, units.get(against, ""))
+    length, across_label = _axis(runs, against, units)
     for axis, column in zip(axes.ravel(), columns):
         for label, history in runs:
             if column in history and against in history:
-                axis.plot(history[against] / seconds, history[column], label=label, linewidth=1.2)
-        axis.set_xlabel(with_unit(against, unit))
+                axis.plot(history[against] / length, history[column], label=label, linewidth=1.2)
+        axis.set_xlabel(across_label)
         axis.set_ylabel(with_unit(column, units.get(column, "")))
         axis.grid(alpha=0.3)
         if len(runs) > 1:
             axis.legend()
     return figure
+
+
+def _axis(runs, against, units):
+    """(what the column is divided by, label): times in the unit that people use, or counted as the run counts them."""
+    unit = units.get(against, "")
+    if against != "time":
+        return 1.0, with_unit(against, unit)
+    if unit not in ("", "s"):
+        return 1.0, unit
+    seconds, unit = time_unit(max(np.max(run["time"]) for _, run in runs if "time" in run))
+    return seconds, with_unit(against, unit)
 
 
 def _found(history, wanted):

@@ -6,8 +6,10 @@ import subprocess
 import sys
 import unittest
 
+import numpy as np
+
 sys.path.insert(0, sys.path[0] + "/../support")
-from cracked_plate import CRACK, SPACING, cracked_plate  # noqa: E402
+from cracked_plate import CRACK, SPACING, THICKNESS, cracked_plate  # noqa: E402
 from scene import Result, SceneTest, pdrun_path  # noqa: E402
 
 DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
@@ -56,6 +58,13 @@ class SmoothBar(SceneTest):
         life = self.life(2.0e-3, "Damage Models/Fatigue=" + json.dumps(table))
         self.assertAlmostEqual(life / 1e5, 1.0, delta=1e-8)
 
+    def test_as_a_part_of_staggered_time_scale_is_the_frequency(self):
+        solver = {"Final Time": 1e4, "Staggered": {"Load Steps": 20, "Solvers": {"Cycles": {
+            "Fatigue": {"Load Ratio": -1.0}, "Time Scale": 10.0}}}}
+        history = self.bar(2.0e-3, "Solver=" + json.dumps(solver)).history()
+        # 58 256 cycles at 10 a second, seen at the ends of load steps
+        self.assertEqual(history["time"][np.argmax(history["Largest_Damage"] == 1.0)], 6000.0)
+
 
 class CrackedPlate(SceneTest):
     """A crack that grows through a small plate, bond by bond."""
@@ -90,12 +99,59 @@ class CrackedPlate(SceneTest):
                                             final_time=1e5)
         self.assertAlmostEqual(mixed * 4.5 / life, 1.0, delta=0.02)
 
+    def test_loads_keep_the_range_of_k_that_the_deck_asks_for_until_the_toughness(self):
+        intensity = {"Energy Release Rate": "J", "Effective Modulus": 200e9, "Crack Length": "Length",
+                     "Range": "10e6*(1 + 100*(a - 0.008))", "Fracture Toughness": 10e6 * 1.1 / 0.9}
+        deck = cracked_plate(self, solver={"Load Ratio": 0.1, "Stress Intensity": intensity})
+        deck["Compute Class Parameters"]["J"] = {
+            "Compute Class": "J_Integral", "Plane Stress": True, "Thickness": THICKNESS, "Tip X": CRACK,
+            "Inner Radius": 3e-3, "Outer Radius": 6e-3, "Output Label": "J"}
+        deck["Output"]["Output Variables"] += ["J", "Stress_Intensity_Range"]
+        result = self.solve(deck)
+        history = result.history()
+        np.testing.assert_allclose(history["Stress_Intensity_Range"][1:],
+                                   10e6 * (1 + 100 * (history["Length"][1:] - 0.008)), rtol=1e-9)
+        self.assertIn("fracture toughness", " ".join(result.report["solver"]))
+        self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
+        self.assertLess(history["Length"][-2], 0.009)
+
     def test_ends_when_the_plate_has_come_apart(self):
         result = self.solve(cracked_plate(self, width=12e-3))
         self.assertIn("come apart", " ".join(result.report["solver"]))
         self.assertLess(result.history()["time"][-1], 1e9)
         broken = result.field("Cycles_To_First_Break")
         self.assertGreater(broken.max(), broken[broken > 0].min())
+
+    def test_two_cracks_meet(self):
+        width = 13e-3
+        deck = cracked_plate(self, width=width)
+        other = dict(deck["Discretization"]["Bond Filters"]["Crack"], Lower_Left_Corner_X=width - 2 * SPACING)
+        deck["Discretization"]["Bond Filters"]["Other"] = other
+        result = self.solve(deck)
+        self.assertIn("come apart", " ".join(result.report["solver"]))
+        rows = result.field("Cycles_To_First_Break").reshape(-1, 13)[7:11]  # two on either side
+        np.testing.assert_allclose(rows, rows[::-1], rtol=1e-6)             # as many cycles above as below
+        middle = rows[1, 8:11]
+        self.assertGreater(middle.min(), 0.0)
+        self.assertGreater(middle[1], min(middle[0], middle[2]))  # both tips went for it
+
+    def test_the_growth_coefficient_follows_from_paris_law_or_is_refused(self):
+        material = {"Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3, "Plane Stress": True, "Thickness": 2e-3}
+        damage = {"Damage Model": "Remaining Life", "Paris Coefficient": 1e-11, "Paris Exponent": 3.0,
+                  "Horizon": 3.015 * SPACING, "Spacing": SPACING, **material}
+        deck = cracked_plate(self, solver={"Intervals": 1}, final_time=1.0)
+        deck["Damage Models"]["Breakage"] = damage
+        note = next(line for line in self.solve(deck).report["solver"] if "growth coefficient" in line)
+        numbers = {key: float(note.split(key)[1].split()[0].rstrip(",")) for key in (" A2 = ", " B = ", "E' = ")}
+        # da/dN = B A2 delta (dK/(E' sqrt(delta)))^M at 1 MPa sqrt(m)
+        horizon = damage["Horizon"]
+        rate = numbers[" B = "] * numbers[" A2 = "] * horizon * (1e6 / (numbers["E' = "] * horizon**0.5))**3
+        self.assertAlmostEqual(rate / 1e-11, 1.0, delta=2e-3)  # four digits are printed
+        self.assertAlmostEqual(numbers[" B = "] / 0.204, 1.0, delta=0.04)
+        deck["Discretization"]["Influence Function"] = "1 - zeta/horizon"  # bonds reach beyond the horizon
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 2)
+        self.assertIn("influence function is negative", result.text)
 
 
 if __name__ == "__main__":

@@ -17,12 +17,12 @@ void CrackControl::declareParameters(ParameterDeclarations& declare) {
       .required()
       .positive();
   intensity
-      .function("Range", "Pa*m^0.5",
+      .function("Range", "unit of K, Pa m^0.5",
                 "Range of K that the load is to give, a number or a function of the crack length a (m); without it the "
                 "load is that of the conditions.")
       .of({"a"});
   intensity.text("Crack Length", "Output Label of a Crack_Length, for a Range that depends on it.");
-  intensity.real("Fracture Toughness", "Pa*m^0.5", "K at the largest load that ends the run.").positive();
+  intensity.real("Fracture Toughness", "unit of K, Pa m^0.5", "K at the largest load that ends the run.").positive();
   ParameterDeclarations& stop =
       declare.sublist("Stop When", "The run ends where a value for the whole body is reached.");
   stop.text("Value", "Output Label of a compute for the whole body, such as a Crack_Length.").required();

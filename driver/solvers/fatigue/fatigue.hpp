@@ -44,6 +44,7 @@ class Fatigue : public EventSolver {
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   double advanceToEvent(Simulation& simulation, double t, double end) override;
   std::string reasonToStop() const override { return reasonToStop_; }
+  const char* timeUnit() const override { return "cycles"; }
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
   void setRestartState(const RestartState& state) override;

@@ -1,0 +1,16 @@
+#!/usr/bin/python3
+"""A compact tension specimen of square cells, for compact_tension.yaml; specimen.py SPACING_IN_MM FILE"""
+import sys
+
+import numpy as np
+
+WIDTH, FRONT, HALF_HEIGHT, THICKNESS = 40.0, 10.0, 24.0, 3.2  # mm: W, 0.25 W, 0.6 W, B
+
+spacing = float(sys.argv[1])
+x = np.arange(round((WIDTH + FRONT) / spacing)) * spacing + spacing / 2 - FRONT
+half = np.arange(round(HALF_HEIGHT / spacing)) * spacing + spacing / 2
+y = np.concatenate([-half[::-1], half])  # the crack lies between two rows
+with open(sys.argv[2], "w") as file:
+    for b in y:
+        for a in x:
+            file.write(f"{a * 1e-3:.9g} {b * 1e-3:.9g} 0 1 {spacing**2 * THICKNESS * 1e-9:.12g}\n")
