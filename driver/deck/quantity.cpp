@@ -89,6 +89,8 @@ std::string unitComplaint(const std::string& text, const std::string& wanted) {
   if (!target) return "it takes no unit, since its own (" + wanted + ") depends on the rest of the deck";
   if (unknown == "\u00b0C" || unknown == "degC")
     return "degrees Celsius start elsewhere than " + wanted + "; write " + wanted;
+  for (const char* const variable : {"x", "y", "z", "t", "C", "pH"})
+    if (unknown == variable) return "a function has no units, its values are SI: 1.0e-3*t, not 1 mm*t";
   if (!unknown.empty())
     return "there is no unit \"" + unknown + "\"" + didYouMeanUnit(unknown) + "; it is in " + wanted;
   if (!unit) return "\"" + text + "\" is no unit; it is in " + wanted;

@@ -154,9 +154,9 @@ double PhaseGeometry::Surface::correctionAfter(double way) const {
   return plane * (nCurvatures == 1 ? 1.0 + growth : (1.0 + 0.5 * growth) * (1.0 + 0.5 * growth));
 }
 
-/// Of metal that keeps up with the point's. With solid f(n - kappa t^2/2) about the point (n along the normal, t
-/// across), sums over a Gaussian of width s give, by parts, N = sum f n = s^2 sum f' and T = sum f (t^2 - <t^2>) =
-/// -kappa s^4 sum f'. What solid points have lost, G, is the gap that the front is ahead by, times sum f'.
+/// None beside phases that another front passes through. With solid f(n - kappa t^2/2) about the point (n along the
+/// normal, t across), sums over a Gaussian of width s give, by parts, N = sum f n = s^2 sum f' and T = sum f (t^2 -
+/// <t^2>) = -kappa s^4 sum f'. What solid points have lost, G, is the gap that the front is ahead by, times sum f'.
 PhaseGeometry::Bend PhaseGeometry::bendOf(int point, const int* neighbors, const std::array<double, 3>& n) const {
   if (!knowsLoss_ || !weights_.isIsotropic()) return {};
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
@@ -165,7 +165,7 @@ PhaseGeometry::Bend PhaseGeometry::bendOf(int point, const int* neighbors, const
   for (std::size_t k = 0; k < bonds_.size(); ++k) {
     const int j = neighbors[k];
     const bool isLiquid = damage_[j] >= 1.0;
-    if (blockId_ != nullptr && !isLiquid && !phases_->areAlike(own, phases_->ofBlock(blockId_[j]))) continue;
+    if (blockId_ != nullptr && !isLiquid && !phases_->areAlike(own, phases_->ofBlock(blockId_[j]))) return {};
     const Bond& bond = bonds_[k];
     const double weight = volume_[j] * weights_.gaussian(bond);
     const double d = n[0] * bond.along[0] + n[1] * bond.along[1] + n[2] * bond.along[2];
@@ -180,7 +180,7 @@ PhaseGeometry::Bend PhaseGeometry::bendOf(int point, const int* neighbors, const
     solidAlong2 += metal * t2;
     lost += weight * damage_[j];
   }
-  constexpr double whole = 0.95;  // of a window; sides of the body and other phases cut it
+  constexpr double whole = 0.95;  // of a window; sides of the body cut it
   const double first = solidAcross - solid * across / total, second = solidAlong2 - solid * along2 / total;
   if (total < whole * weights_.gaussianSum() || !(first > 0.0)) return {};
   const double variance = weights_.gaussianVariance(), gap = lost * variance / first;

@@ -100,7 +100,7 @@ std::string unknownName(const std::string& token, const Names& names) {
     functions += (functions.empty() ? "" : ", ") + entry.first;
   }
   return "unknown name \"" + word + "\"" + didYouMean(word, known) + "; variables: " + variables +
-         "; constant: pi; functions: " + functions;
+         "; constant: pi; functions: " + functions + "; no units, values are SI: 1.0e-3*t, not 1 mm*t";
 }
 
 }  // namespace
