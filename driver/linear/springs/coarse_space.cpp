@@ -18,6 +18,7 @@ constexpr int nHeaders = 5, exchangedWidth = nHeaders + 12;
 
 // A point that has lost so many of its bonds may move by itself, or with the few that hang with it: it is a piece.
 constexpr float mostLost = 0.5F;
+constexpr std::size_t mostOfWeak = 50;  // one in so many points
 
 bool isWeak(const SpringNetwork& network, int point) {
   if (!network.isDamaged(point)) return false;
@@ -82,9 +83,13 @@ void CoarseSpace::findPieces(const SpringNetwork& network, int mostPoints) {
   std::vector<int> boxOfPoint(order_.size());
   for (std::size_t box = 0, k = 0; box < boxes_.size(); ++box)
     for (; k < boxes_[box]; ++k) boxOfPoint[static_cast<std::size_t>(order_[k])] = static_cast<int>(box);
-  int nextBox = static_cast<int>(boxes_.size());
+  std::vector<int> weak;
   for (int point = 0; point < nOwned_; ++point)
-    if (isWeak(network, point)) boxOfPoint[static_cast<std::size_t>(point)] = nextBox++;
+    if (isWeak(network, point)) weak.push_back(point);
+  // Beside a crack they are few. In a body that is broken all over, more unknowns cost more than they save.
+  if (weak.size() <= order_.size() / mostOfWeak)
+    for (std::size_t k = 0; k < weak.size(); ++k)
+      boxOfPoint[static_cast<std::size_t>(weak[k])] = static_cast<int>(boxes_.size() + k);
   pieceOfPoint_.assign(order_.size(), -1);
   for (const int seed : order_) {
     if (pieceOfPoint_[static_cast<std::size_t>(seed)] >= 0) continue;
