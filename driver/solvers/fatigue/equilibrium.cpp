@@ -37,7 +37,7 @@ void Equilibrium::declareParameters(ParameterDeclarations& declare) {
             "used before it is that small. What rounding of coordinates makes of the forces is always enough.")
       .defaultTo(1e-6)
       .strictlyBetween(0.0, 1e-2);
-  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid"});
+  LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
 }
 
 Equilibrium::Equilibrium(const Teuchos::ParameterList& parameters, std::string solver)
@@ -53,6 +53,11 @@ void Equilibrium::findSupports(Simulation& simulation) {
       "{}: {} part(s) of {} points in all that no prescribed displacement keeps from moving as rigid bodies, "
       "and {} point(s) without bonds: held in place",
       solver_, held_.parts.size(), held_.nPointsOfParts(), held_.nPointsWithoutBonds));
+}
+
+bool Equilibrium::keepsTogether() {
+  newton_.dropTangent();
+  return hasSupports_ && newton_.keepsTogether();
 }
 
 int Equilibrium::countLoadedParts(Simulation& simulation, double t) {

@@ -23,6 +23,13 @@ class Equilibrium {
   /// Finds what holds which part of the body. Collective.
   void findSupports(Simulation& simulation);
   bool hasSupports() const { return hasSupports_; }
+  /// For when bonds may have broken: whether what has broken is known to have parted nothing, so that supports are as
+  /// they were. Collective.
+  bool keepsTogether();
+  /// Throws RunError where the deck asks for springs, and the materials have none.
+  void requireSprings(Model& model) const { newton_.requireSprings(model); }
+  /// For the start of an increment: what follows is what follows from the state of the model alone, as after a restart.
+  void startAfresh(Simulation& simulation) { newton_.startAfresh(simulation.model); }
   /// Parts of more than 1 % of the points that loads or prescribed displacements act on at time t. Collective.
   int countLoadedParts(Simulation& simulation, double t);
   /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.

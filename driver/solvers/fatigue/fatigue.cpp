@@ -83,6 +83,7 @@ double Fatigue::incrementEnd(int increment, int nIncrements, double t0, double t
 void Fatigue::initialize(Simulation& simulation) {
   Model& model = simulation.model;
   requireMechanics(model, "Fatigue");
+  equilibrium_.requireSprings(model);
   bool someoneTires = false;
   for (PeridigmNS::Block& block : *model.blocks()) {
     if (block.getDamageModel().is_null()) continue;
@@ -145,10 +146,12 @@ void Fatigue::noteBreakage(Simulation& simulation, double t) {
 
 void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
   for (int pass = 0;; ++pass) {
-    equilibrium_.findSupports(simulation);
-    if (hasStarted_ && equilibrium_.countLoadedParts(simulation, t) != nLoadedParts_) {
-      reasonToStop_ = fmt::format("the body has come apart after {:.6g} cycles", t);
-      return;
+    if (!equilibrium_.keepsTogether()) {
+      equilibrium_.findSupports(simulation);
+      if (hasStarted_ && equilibrium_.countLoadedParts(simulation, t) != nLoadedParts_) {
+        reasonToStop_ = fmt::format("the body has come apart after {:.6g} cycles", t);
+        return;
+      }
     }
     equilibrium_.requireHeldLoads(simulation, t);
     fromRest&& pass == 0 ? equilibrium_.findFromRest(simulation, t) : equilibrium_.find(simulation, t);
@@ -198,6 +201,7 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
 double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   Model& model = simulation.model;
   const bool isAtWork = equilibrium_.hasSupports();
+  equilibrium_.startAfresh(simulation);
   if (!hasStarted_) start(simulation, t);
   if (!isSettled_) settle(simulation, t, false);
   isSettled_ = true;
