@@ -21,8 +21,10 @@ const std::string unfinishedEnding = ".pdrun-unfinished";  // a mark: whoever fi
 std::string unfinishedName(const std::string& path) { return path + unfinishedEnding; }
 
 bool isUnfinished(const std::string& path) {
-  return path.size() > unfinishedEnding.size() &&
-         path.compare(path.size() - unfinishedEnding.size(), unfinishedEnding.size(), unfinishedEnding) == 0;
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  const std::size_t at = name.rfind(unfinishedEnding);
+  if (at == std::string::npos || at == 0) return false;
+  return at + unfinishedEnding.size() == name.size() || name.front() == '.';
 }
 
 std::FILE* openForWriting(const std::string& path, bool isContinued) {

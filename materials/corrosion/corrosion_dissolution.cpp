@@ -229,10 +229,11 @@ void CorrosionDissolution::findSurfaces(Cache& cache, const Views& views) const 
       };
       int k = 0;
       while (k < chunk.nNeighbors && !dissolves(k)) ++k;
+      PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(points[lane])];
+      surface = {};  // of what a step that is taken back had at its surface
       if (k == chunk.nNeighbors) continue;
       cache.phases.findNeighborsWithoutWalls(points[lane], neighbors);
-      cache.surface[static_cast<std::size_t>(points[lane])] =
-          bonds.surface(points[lane], neighbors.data(), static_cast<int>(neighbors.size()));
+      surface = bonds.surface(points[lane], neighbors.data(), static_cast<int>(neighbors.size()));
     }
   }
 }

@@ -212,7 +212,7 @@ std::vector<ComputeSample> computeSamples() {
   given["Crack_Area"].set("Horizon", 1.5);
   for (const auto& [key, value] :
        std::map<const char*, double>{{"Thickness", 1.0}, {"Inner Radius", 0.5}, {"Outer Radius", 4.0}})
-    given["J_Integral"].set(key, value);
+    for (const char* plugin : {"J_Integral", "Stress_Intensity"}) given[plugin].set(key, value);
   std::vector<ComputeSample> samples;
   for (const std::string& name : pd::ComputeRegistry::self().names())
     if (name.find("Test") != 0) samples.push_back({name, given[name]});
