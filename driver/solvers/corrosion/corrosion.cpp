@@ -309,7 +309,8 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
       proposedStep_ = std::min(proposedStep_, ceiling_);
     }
   }
-  simulation.model.evaluateFluxDivergence(0.0, rateField_);  // pH and what else follows from concentrations, for results
+  // pH and what else follows from concentrations, for results.
+  simulation.model.evaluateFluxDivergence(0.0, rateField_);
   surface_.show(simulation.model);
   balance_ = std::abs(metal(simulation) + outflow_ - initialMetal_) / std::max(initialMetal_, 1e-300);
 }
