@@ -24,7 +24,8 @@ bool isUnfinished(const std::string& path) {
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const std::size_t at = name.rfind(unfinishedEnding);
   if (at == std::string::npos || at == 0) return false;
-  return at + unfinishedEnding.size() == name.size() || name.front() == '.';
+  const std::size_t end = at + unfinishedEnding.size();
+  return end == name.size() || name[end] == '.';
 }
 
 std::FILE* openForWriting(const std::string& path, bool isContinued) {

@@ -9,7 +9,7 @@ namespace pd {
 
 /// Name under which `path` is written before it is complete, and whether a name is such a one.
 std::string unfinishedName(const std::string& path);
-/// Such a name, or that of what Open MPI keeps beside such a file while it is open: ".NAME.data.RANK".
+/// Such a name, or that of what Open MPI keeps beside such a file while it is open: "NAME.data.RANK".
 bool isUnfinished(const std::string& path);
 
 /// Opens a file for writing, never through a symbolic link: `isContinued` at the end of what is there, else empty.

@@ -85,15 +85,15 @@ void removeFile(const fs::path& path) {
   if (unlink(path.c_str()) != 0 && errno != ENOENT) throwFileError("remove", path.string(), errno);
 }
 
-/// With what Open MPI leaves beside a file that a killed run had open: ".NAME.data.RANK", ".NAME.metadata.RANK".
+/// With what Open MPI leaves beside a file that a killed run had open: "NAME.data.RANK", "NAME.metadata.RANK".
 void removeWithUnfinished(const std::string& path) {
   if (isOfPdrun(path)) removeFile(path);
   const fs::path unfinished = unfinishedName(path);
   removeFile(unfinished);
-  const std::string hidden = "." + unfinished.filename().string() + ".";
+  const std::string beside = unfinished.filename().string() + ".";
   const fs::path folder = unfinished.parent_path();
   forEachEntry(folder.empty() ? "." : folder, [&](const fs::path& entry) {
-    if (entry.filename().string().compare(0, hidden.size(), hidden) == 0) removeFile(entry);
+    if (entry.filename().string().compare(0, beside.size(), beside) == 0) removeFile(entry);
   });
 }
 
