@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "plugins.hpp"
-#include "point_deformation.hpp"
+#include "tip_ring.hpp"
 #include "whole_body.hpp"
 
 namespace pd {
@@ -44,21 +44,19 @@ std::array<double, 4> williamsGradient(int mode, double x, double y, double kapp
 
 class StressIntensity : public TabledCompute {
  public:
-  struct Fields : DeformationGradients::Fields {
-    FieldHandle tip;  ///< unused where the deck gives a position
+  struct Fields : TipRingFields {
     FieldHandle intensities;
-    explicit Fields(const Teuchos::ParameterList& parameters) {
-      if (parameters.isParameter("Tip Field"))
-        tip = readsIfThere(
-            pd::fields::globalVector(parameters.get<std::string>("Tip Field"), "m", "Position of the crack tip."));
+    explicit Fields(const Teuchos::ParameterList& parameters) : TipRingFields(parameters) {
       intensities = writes(outputField(parameters, pd::fields::globalVector, "Pa m^0.5", "K_I, K_II and 0."));
     }
   };
-  static void declareParameters(ParameterDeclarations& declarations);
+  static void declareParameters(ParameterDeclarations& declarations) {
+    TipRing::declareParameters(declarations, "Stress_Intensity");
+  }
   StressIntensity(ComputeParameters params, ComputeComm comm, ComputeParameters globalData);
 
   const Fields& fields() const override { return fields_; }
-  void initialize(Blocks blocks) override;
+  void initialize(Blocks blocks) override { ring_.requireTip(blocks->front(), fields_.tip); }
   int compute(Blocks blocks) const override;
 
  private:
@@ -68,58 +66,34 @@ class StressIntensity : public TabledCompute {
 
   DeformationGradients gradients_;
   Fields fields_;
-  Vector3 tip_, direction_;
-  double innerRadius_, outerRadius_, thickness_;
-  bool isPlaneStress_;
+  TipRing ring_;
   Teuchos::RCP<const WholeBody> whole_;
 };
-
-void StressIntensity::declareParameters(ParameterDeclarations& declarations) {
-  declareCommonParameters(declarations, "Stress_Intensity");
-  HookesLaw::declareParameters(declarations);
-  declarations.real("Thickness", "m", "Thickness of the plane body.").positive().required();
-  declarations.real("Inner Radius", "m", "Inner radius of the ring; at least two horizons.").positive().required();
-  declarations.real("Outer Radius", "m", "Outer radius of the ring.").positive().required();
-  declareVector(declarations, "Direction", "1", "Direction in which the crack grows (default: x).");
-  declareVector(declarations, "Tip", "m", "Position of the crack tip; what is not given is 0.");
-  declarations.text("Tip Field", "Label of a Crack_Tip compute whose position is used instead of \"Tip X, Y, Z\".");
-}
 
 StressIntensity::StressIntensity(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
     : TabledCompute(completeParameters<StressIntensity>(params, "Stress_Intensity"), params, comm, globalData),
       fields_(parameters_),
-      tip_(vectorOf(parameters_, "Tip")),
-      direction_(directionOf(parameters_, "Direction")),
-      innerRadius_(parameters_.get<double>("Inner Radius")),
-      outerRadius_(parameters_.get<double>("Outer Radius")),
-      thickness_(parameters_.get<double>("Thickness")),
-      isPlaneStress_(parameters_.get<bool>("Plane Stress")),
+      ring_(parameters_, "Stress_Intensity"),
       whole_(WholeBody::of(globalData)) {
-  if (!(outerRadius_ > innerRadius_))
-    throw std::invalid_argument("Stress_Intensity: \"Outer Radius\" must be larger than \"Inner Radius\"");
-  if (direction_[2] != 0.0) throw std::invalid_argument("Stress_Intensity: \"Direction\" must lie in the x-y plane");
-}
-
-void StressIntensity::initialize(Blocks blocks) {
-  if (parameters_.isParameter("Tip Field") && !fields_.tip.isIn(*blocks->front().getDataManager()))
-    throw std::invalid_argument("Stress_Intensity: \"Tip Field\" \"" + parameters_.get<std::string>("Tip Field") +
-                                "\" is not the result of a Crack_Tip");
+  if (ring_.direction()[2] != 0.0)
+    throw std::invalid_argument("Stress_Intensity: \"Direction\" must lie in the x-y plane");
 }
 
 std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGradient,
                                                     const PeridigmNS::Material& material,
                                                     const Vector3& fromTip) const {
   const double radius = std::hypot(fromTip[0], fromTip[1]);
-  if (radius <= innerRadius_ || radius >= outerRadius_) return {0.0, 0.0};
+  if (!ring_.holds(radius)) return {0.0, 0.0};
   const double bulk = material.BulkModulus(), shear = material.ShearModulus();
   const double poisson = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
-  const double kappa = isPlaneStress_ ? (3.0 - poisson) / (1.0 + poisson) : 3.0 - 4.0 * poisson;
-  const double modulus = 2.0 * shear * (1.0 + poisson) / (isPlaneStress_ ? 1.0 : 1.0 - poisson * poisson);
-  const HookesLaw law(material, isPlaneStress_);
+  const double kappa = ring_.isPlaneStress() ? (3.0 - poisson) / (1.0 + poisson) : 3.0 - 4.0 * poisson;
+  const double modulus = 2.0 * shear * (1.0 + poisson) / (ring_.isPlaneStress() ? 1.0 : 1.0 - poisson * poisson);
+  const HookesLaw law(material, ring_.isPlaneStress());
   const Tensor stress = law.stress(strainOf(deformationGradient, false));
-  const std::array<double, 4> axes{direction_[0], -direction_[1], direction_[1], direction_[0]};  // columns: d, n
+  const std::array<double, 4> axes{ring_.direction()[0], -ring_.direction()[1], ring_.direction()[1],
+                                   ring_.direction()[0]};  // columns: d, n
   const double x = axes[0] * fromTip[0] + axes[2] * fromTip[1], y = axes[1] * fromTip[0] + axes[3] * fromTip[1];
-  const double slope = -1.0 / ((outerRadius_ - innerRadius_) * radius);
+  const double slope = ring_.slope(radius);
   std::array<double, 2> result{};
   for (int mode = 1; mode <= 2; ++mode) {
     const std::array<double, 4> local = williamsGradient(mode, x, y, kappa);
@@ -138,10 +112,10 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
           const double identity = i == d ? 1.0 : 0.0;
           sum += (stress[3 * i + j] * (gradient[3 * i + d] - identity) +
                   auxiliaryStress[3 * i + j] * (deformationGradient[3 * i + d] - identity)) *
-                 direction_[d] * gradientOfQ;
+                 ring_.direction()[d] * gradientOfQ;
         }
         for (std::size_t k = 0; k < 2; ++k)
-          sum -= stress[3 * i + k] * auxiliaryStrain[3 * i + k] * direction_[j] * gradientOfQ;
+          sum -= stress[3 * i + k] * auxiliaryStrain[3 * i + k] * ring_.direction()[j] * gradientOfQ;
       }
     }
     result[static_cast<std::size_t>(mode - 1)] = 0.5 * modulus / (auxiliary * shear) * sum;
@@ -150,11 +124,7 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
 }
 
 int StressIntensity::compute(Blocks blocks) const {
-  Vector3 tip = tip_;
-  if (fields_.tip.isUsed()) {
-    const double* position = view(blocks->front(), fields_.tip);
-    tip = {position[0], position[1], position[2]};
-  }
+  const Vector3 tip = ring_.tip(fields_.tip.isUsed() ? view(blocks->front(), fields_.tip) : nullptr);
   std::vector<double> sums(2, 0.0);
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);
@@ -171,7 +141,7 @@ int StressIntensity::compute(Blocks blocks) const {
     }
   }
   sums = sumOverRanks(*epetraComm, sums);
-  const std::array<double, 3> intensities{sums[0] / thickness_, sums[1] / thickness_, 0.0};
+  const std::array<double, 3> intensities{sums[0] / ring_.thickness(), sums[1] / ring_.thickness(), 0.0};
   setGlobal(blocks, fields_.intensities, intensities.data(), 3);
   return 0;
 }

@@ -1,0 +1,43 @@
+// The ring around the tip of a crack in a plane body over which J_Integral and Stress_Intensity integrate.
+#ifndef PD_TIP_RING_HPP
+#define PD_TIP_RING_HPP
+
+#include <string>
+
+#include "plugins.hpp"
+#include "point_deformation.hpp"
+
+namespace pd {
+
+struct TipRingFields : DeformationGradients::Fields {
+  FieldHandle tip;  ///< unused where the deck gives a position, or the label of no such field
+  explicit TipRingFields(const Teuchos::ParameterList& parameters);
+};
+
+class TipRing {
+ public:
+  static void declareParameters(ParameterDeclarations& declarations, const char* compute);
+  /// From a completed list. Throws std::invalid_argument.
+  TipRing(const Teuchos::ParameterList& parameters, std::string compute);
+  /// Throws std::invalid_argument where the deck's Tip Field is not the result of a Crack_Tip.
+  void requireTip(PeridigmNS::Block& block, const FieldHandle& tip) const;
+  /// `position` [3] of a Crack_Tip, m; null: the deck's.
+  Vector3 tip(const double* position) const;
+  bool holds(double radius) const { return radius > innerRadius_ && radius < outerRadius_; }
+  /// Of q, which falls from 1 at the inner to 0 at the outer radius, over the vector from the tip: 1/m2, inside the
+  /// ring.
+  double slope(double radius) const { return -1.0 / ((outerRadius_ - innerRadius_) * radius); }
+  const Vector3& direction() const { return direction_; }
+  double thickness() const { return thickness_; }  ///< m
+  bool isPlaneStress() const { return isPlaneStress_; }
+
+ private:
+  std::string compute_, tipField_;
+  Vector3 tip_, direction_;
+  double innerRadius_, outerRadius_, thickness_;
+  bool isPlaneStress_;
+};
+
+}  // namespace pd
+
+#endif
