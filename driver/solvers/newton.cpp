@@ -28,6 +28,14 @@ void Newton::dropTangent() {
   if (springs_) springs_->bondsHaveChanged();
 }
 
+void NewtonSettings::take(const LinearSolverSettings& linear) {
+  linearSolver = linear.method;
+  preconditioner = linear.preconditioner;
+  linearTolerance = linear.tolerance;
+  maximumLinearIterations = linear.maximumIterations;
+  logsLinearSolves = linear.logs;
+}
+
 Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
   model.updateCoordinates();

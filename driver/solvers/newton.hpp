@@ -8,6 +8,7 @@
 
 #include "../linear/linear_system.hpp"
 #include "../model/simulation.hpp"
+#include "linear_solver_settings.hpp"
 #include "mechanics.hpp"
 #include "spring_tangent.hpp"
 
@@ -24,6 +25,8 @@ struct NewtonSettings {
   int maximumLinearIterations = 2000;
   bool logsLinearSolves = false;
   double diagonalScale = 1.0, diagonalShift = 0.0;  ///< damped Newton: diagonal * scale + largest diagonal * shift
+
+  void take(const LinearSolverSettings& linear);
 };
 
 /// How one search for equilibrium went.

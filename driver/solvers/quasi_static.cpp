@@ -24,11 +24,7 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   else if (hasAbsolute)
     settings.relativeTolerance = 0.0;
   const LinearSolverSettings linear(parameters);
-  settings.linearSolver = linear.method;
-  settings.preconditioner = linear.preconditioner;
-  settings.linearTolerance = linear.tolerance;
-  settings.maximumLinearIterations = linear.maximumIterations;
-  settings.logsLinearSolves = linear.logs;
+  settings.take(linear);
   settings.hasSmallStrain = parameters.get<std::string>("Kinematics") == "Small Strain";
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");

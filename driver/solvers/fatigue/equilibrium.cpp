@@ -18,12 +18,7 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
   NewtonSettings settings;
   settings.maximumIterations = parameters.get<int>("Maximum Solver Iterations");
   settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
-  const LinearSolverSettings linear(parameters);
-  settings.linearSolver = linear.method;
-  settings.preconditioner = linear.preconditioner;
-  settings.linearTolerance = linear.tolerance;
-  settings.maximumLinearIterations = linear.maximumIterations;
-  settings.logsLinearSolves = linear.logs;
+  settings.take(LinearSolverSettings(parameters));
   return settings;
 }
 
