@@ -19,11 +19,14 @@ namespace {
 void leaveOutSharedFilePointers() { setenv("OMPI_MCA_sharedfp", "individual", 0); }
 
 /// A process alone would start a daemon (orted) that could start others, and load what carries messages over networks,
-/// neither of which anything here asks for. What the user has set stays.
+/// neither of which anything here asks for. Without the daemon it would share its session directory with all other
+/// such processes, and the one that ends first would remove it as the next one starts: it makes none. What the user
+/// has set stays.
 void keepToItself() {
   if (isWithinJob()) return;
-  for (const auto& [name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_pml", "ob1"),
-                                    std::pair("OMPI_MCA_btl", "self")})
+  for (const auto& [name, value] :
+       {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
+        std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self")})
     setenv(name, value, 0);
 }
 
