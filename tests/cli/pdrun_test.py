@@ -169,6 +169,12 @@ class Pdrun(unittest.TestCase):
             self.assertEqual(run.returncode, 0, arguments)
         self.assertFalse(os.path.exists(self.path("started")))
 
+    def test_runs_side_by_side_share_no_session_directory(self):
+        # Of Open MPI: the run that ends first would remove it as the next one starts.
+        run = self.start("deck.yaml", TMPDIR=self.path("is not there"))
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 0, errors)
+
     def test_list_names_every_kind(self):
         done = self.run_pdrun("--list")
         self.assertEqual(done.returncode, 0)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Corrosion on several ranks, and from checkpoints: the same phases, depth and concentrations."""
+"""Corrosion on several ranks, and from their checkpoints: the same phases, depth and concentrations."""
 import os
 import subprocess
 import sys
@@ -10,41 +10,11 @@ import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(here, "../support"), os.path.join(here, "../../decks/crevice")]
-from corrosion_scene import SPACING, STEEL, CorrosionTest, corrosion_deck  # noqa: E402
+from corroding_pits import FIELDS, SALTED, Plate, RestartTest  # noqa: E402
+from corrosion_scene import STEEL  # noqa: E402
 from gap_averaged import HOUR  # noqa: E402
 from scene import Result, SceneTest, mpirun, pdrun_path  # noqa: E402
 from time_steps import SHORT, prepare  # noqa: E402
-
-# Salt covers the surface most of the time.
-SALTED = {**STEEL, "Current Density": "5.0e5*(0.2 + C)"}
-PITS = " && ".join(f"(x - {x!r})*(x - {x!r}) + y*y > 3.6e-11" for x in (11.2e-6, 30.7e-6))
-HELD = " || ".join(f"(x - {x!r})*(x - {x!r}) + y*y < 4e-12" for x in (11.2e-6, 30.7e-6))
-FIELDS = ("Concentration", "Damage", "Salt_Coverage")
-
-
-class Plate(CorrosionTest):
-    """Two pits of different distance to the sides that grow and merge."""
-
-    def setUp(self):
-        super().setUp()
-        self.make_lattice([48e-6, 20e-6])
-
-    def deck(self, metal, time, steps, name="result", **solver):
-        deck = corrosion_deck(2, metal, PITS, HELD, time, steps, name, **solver)
-        # Results of another order of summation differ by what the tolerance of the linear systems leaves.
-        deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
-        return deck
-
-    def assert_same(self, found, expected, what, allowed=1e-8):
-        self.assertEqual(found.steps(), expected.steps())
-        for step in expected.steps():
-            a, b = found.field("Damage", step), expected.field("Damage", step)
-            np.testing.assert_array_equal(a == 1.0, b == 1.0, f"{what}: phases of step {step}")
-            np.testing.assert_allclose(a, b, rtol=0.0, atol=allowed, err_msg=f"{what}: Damage of step {step}")
-            np.testing.assert_allclose(found.field("Concentration", step), expected.field("Concentration", step),
-                                       rtol=0.0, atol=allowed * STEEL["Solid Concentration"], err_msg=what)
-        depths = found.history()["Dissolved"], expected.history()["Dissolved"]
-        np.testing.assert_allclose(depths[0], depths[1], rtol=allowed, atol=allowed * SPACING**2, err_msg=what)
 
 
 class Ranks(Plate):
@@ -87,31 +57,7 @@ class Ranks(Plate):
         self.compare(SALTED, 0.5, 30, **{"Nonlinear Solver": "Polak Ribiere"})
 
 
-class Restarts(Plate):
-    """A run that ends early, then goes on from its checkpoint, ends as one that ran through, to the last bit."""
-
-    def restart(self, metal, time, ranks, later_ranks, **solver):
-        """Of one run: the whole on `ranks`, and half of it, then the rest on `later_ranks`."""
-        expected = self.solve(self.deck(metal, time, 8, "whole", **solver), ranks=ranks)
-        half = self.deck(metal, time / 2, 4, "half", **solver)
-        half["Output"]["Checkpoint Frequency"] = 4
-        self.solve(half, ranks=ranks)
-        found = self.solve(self.deck(metal, time, 8, "half", **solver), ranks=later_ranks,
-                           arguments=["--restart", "half.checkpoint.h5"])
-        self.assertEqual(found.steps()[-1], 8)
-        return found, expected
-
-    def check_restart(self, metal, time, ranks=1, **solver):
-        found, expected = self.restart(metal, time, ranks, ranks, **solver)
-        for label in FIELDS:
-            np.testing.assert_array_equal(found.field(label, 8), expected.field(label, 8), label)
-
-    def test_activation_control(self):
-        self.check_restart(STEEL, 40.0)
-
-    def test_salt(self):
-        self.check_restart(SALTED, 2.0)
-
+class Restarts(RestartTest):
     def test_on_two_ranks(self):
         self.check_restart(SALTED, 2.0, ranks=2)
 
@@ -128,19 +74,6 @@ class Restarts(Plate):
             np.testing.assert_allclose(a, b, rtol=0.0, atol=1e-8)
             np.testing.assert_allclose(found.field("Concentration", 8), expected.field("Concentration", 8), rtol=0.0,
                                        atol=1e-8 * STEEL["Solid Concentration"])
-
-    def test_fixed_steps(self):
-        self.check_restart(STEEL, 40.0, **{"Fixed dt": 1.0})
-
-    def test_explicit_methods(self):
-        for method in ("Euler", "RKL"):
-            self.check_restart(SALTED, 1.0, Method=method)
-
-    def test_second_order(self):
-        self.check_restart(SALTED, 2.0, Method="SDIRK2")
-
-    def test_polak_ribiere(self):
-        self.check_restart(SALTED, 0.5, **{"Nonlinear Solver": "Polak Ribiere"})
 
 
 class CreviceRestarts(SceneTest):
