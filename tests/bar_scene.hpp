@@ -110,7 +110,7 @@ class BarMaterial : public Material {
   bool isProbed_;
   int coordinates_ = -1, reference_ = -1, force_ = -1, volume_ = -1, bondDamage_ = -1;
 };
-PD_REGISTER_MATERIAL(BarMaterial, "Test Bars", "Elastic bars.")
+inline const bool hasBarMaterial = registerPlugin<MaterialRegistry, BarMaterial>("Test Bars", "Elastic bars.");
 
 /// A bar breaks where its stretch exceeds a limit.
 class StretchDamage : public DamageModel {
@@ -154,7 +154,8 @@ class StretchDamage : public DamageModel {
   double greatest_;
   int coordinates_ = -1, reference_ = -1, bondDamage_ = -1, damage_ = -1;
 };
-PD_REGISTER_DAMAGE_MODEL(StretchDamage, "Test Stretch", "Bars of limited stretch.")
+inline const bool hasStretchDamage =
+    registerPlugin<DamageModelRegistry, StretchDamage>("Test Stretch", "Bars of limited stretch.");
 
 /// Points that a node set holds, by their reference place.
 using NodeSets = std::map<std::string, std::function<bool(const std::array<double, 3>&)>>;

@@ -109,7 +109,8 @@ class SpringMaterial : public Material, public FieldUser {
   bool isBreakable_;
   Fields fields_;
 };
-PD_REGISTER_MATERIAL(SpringMaterial, "Test Springs", "Linear springs.")
+inline const bool hasSpringMaterial =
+    registerPlugin<MaterialRegistry, SpringMaterial>("Test Springs", "Linear springs.");
 
 /// Breaks a bond whose ends are farther apart than a length. Damage = broken / all bonds.
 class LengthDamage : public DamageModel {
@@ -149,7 +150,8 @@ class LengthDamage : public DamageModel {
   double greatest_;
   int coordinates_ = -1, bondDamage_ = -1, damage_ = -1;
 };
-PD_REGISTER_DAMAGE_MODEL(LengthDamage, "Test Length", "Bonds of limited length.")
+inline const bool hasLengthDamage =
+    registerPlugin<DamageModelRegistry, LengthDamage>("Test Length", "Bonds of limited length.");
 
 /// A folder of this process, removed when it ends.
 class TemporaryFolder {

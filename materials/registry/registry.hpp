@@ -122,21 +122,27 @@ class PluginRegistry {
   std::map<std::string, Entry> entries_;
 };
 
+/// Registers `Class` as `name`; returns true. Class has a static `void declareParameters(pd::ParameterDeclarations&)`
+/// and a constructor with the registry's arguments.
+template <class Registry, class Class>
+bool registerPlugin(const char* name, const char* brief) {
+  return Registry::self().add({name, brief,
+                               [] {
+                                 ParameterDeclarations declarations;
+                                 Class::declareParameters(declarations);
+                                 return declarations;
+                               },
+                               [](auto&&... args) ->
+                               typename Registry::Created { return Teuchos::rcp(new Class(args...)); },
+                               [] { return fieldsOf<Class>(); }, partsKeyOf<Class>()});
+}
+
 }  // namespace pd
 
-/// Registers `Class` as "Name" in `Registry`. Class has a static `void declareParameters(pd::ParameterDeclarations&)`
-/// and a constructor with the registry's arguments. Use it once a .cpp, at file scope.
-#define PD_REGISTER(Registry, Class, Name, Brief)                                                                 \
-  namespace {                                                                                                     \
-  const bool isRegistered_##Class =                                                                               \
-      Registry::self().add({Name, Brief,                                                                          \
-                            [] {                                                                                  \
-                              pd::ParameterDeclarations declarations;                                             \
-                              Class::declareParameters(declarations);                                             \
-                              return declarations;                                                                \
-                            },                                                                                    \
-                            [](auto&&... args) -> Registry::Created { return Teuchos::rcp(new Class(args...)); }, \
-                            [] { return pd::fieldsOf<Class>(); }, pd::partsKeyOf<Class>()});                      \
+/// registerPlugin() as the program starts. Use it once a .cpp, at file scope.
+#define PD_REGISTER(Registry, Class, Name, Brief)                                     \
+  namespace {                                                                         \
+  const bool isRegistered_##Class = pd::registerPlugin<Registry, Class>(Name, Brief); \
   }
 
 #endif
