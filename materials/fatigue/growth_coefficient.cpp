@@ -1,5 +1,6 @@
 #include "growth_coefficient.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -23,12 +24,18 @@ void GrowthCoefficient::declareParameters(ParameterDeclarations& declare) {
             "a trial on the lattice then finds.")
       .positive();
   declare.real("Paris Exponent", "1", "M of da/dN = C dK^M.").atLeast(1.0).atMost(12.0);
+  declare
+      .real("Paris Threshold", "1",
+            "dK_th of da/dN = C (dK - dK_th)^M, in MPa m^0.5: a crack stands below it. The bonds' law that makes it is "
+            "found "
+            "by further trials, which take ten times as long as the one for C.")
+      .positive();
   declare.real("Spacing", "m", "Distance between points, for the trial.").positive();
   declare.real("Young's Modulus", "Pa", "As in the material, for the trial.").positive();
   declare.real("Poisson's Ratio", "1", "As in the material, for the trial.").strictlyBetween(-1.0, 0.5);
   BondFamily::declareParameters(declare);
   declare.needs("Paris Coefficient", {"Paris Exponent", "Spacing", "Young's Modulus", "Poisson's Ratio", "Horizon"});
-  declare.needs("Paris Exponent", {"Paris Coefficient"});
+  for (const char* key : {"Paris Exponent", "Paris Threshold"}) declare.needs(key, {"Paris Coefficient"});
 }
 
 GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const std::string& owner)
@@ -60,6 +67,10 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
   result_ = growthTrial(trial_);
   // A = C (E' sqrt(delta))^M / (B delta), C in Pa sqrt(m)
   const double logCore = std::log(modulus_ * 1e-6 * std::sqrt(family_.horizon));
+  if (params.isParameter("Paris Threshold")) {
+    thresholdRange_ = 1e6 * params.get<double>("Paris Threshold");
+    threshold_ = growthThreshold(trial_);
+  }
   coefficient_ = std::exp(std::log(paris_) + trial_.exponent * logCore - std::log(result_.factor * family_.horizon));
 }
 
@@ -86,6 +97,16 @@ std::vector<LatticeBond> GrowthCoefficient::latticeBonds(const std::string& owne
   return bonds;
 }
 
+kernels::LifeLaw GrowthCoefficient::law() const {
+  return kernels::LifeLaw::power(coefficient_, trial_.exponent, threshold_.limit * strainAt(thresholdRange_),
+                                 threshold_.sharpness);
+}
+
+/// da/dN at a range of K in Pa sqrt(m).
+double GrowthCoefficient::predicted(double range) const {
+  return paris_ * std::pow(1e-6 * std::max(range - thresholdRange_, 0.0), trial_.exponent);
+}
+
 std::vector<std::string> GrowthCoefficient::notes() const {
   std::ostringstream text;
   text.precision(4);
@@ -94,9 +115,13 @@ std::vector<std::string> GrowthCoefficient::notes() const {
        << " by da/dN = B A2 delta (dK / (E' "
        << "delta^0.5))^M, B = " << result_.factor << " (trial with " << trial_.horizon << " spacings a horizon, "
        << result_.nBroken << " bonds), E' = " << modulus_ << " Pa of the lattice"
-       << (hasTangential_ ? ", bonds without k_t" : "") << "; predicted da/dN at dK = 10, 20, 40 MPa m^0.5: ";
-  for (const double range : {10.0, 20.0, 40.0})
-    text << paris_ * std::pow(range, trial_.exponent) << (range < 40.0 ? ", " : " m/cycle");
+       << (hasTangential_ ? ", bonds without k_t" : "");
+  if (thresholdRange_ > 0.0)
+    text << "; dK - dK_th in place of dK, dK_th = " << 1e-6 * thresholdRange_ << " MPa m^0.5, by a limit of "
+         << threshold_.limit * strainAt(thresholdRange_) << " of bonds' strain ranges with sharpness "
+         << threshold_.sharpness << ", to " << 100.0 * threshold_.deviation << " % of growth";
+  text << "; predicted da/dN at dK = 10, 20, 40 MPa m^0.5: ";
+  for (const double range : {10.0, 20.0, 40.0}) text << predicted(1e6 * range) << (range < 40.0 ? ", " : " m/cycle");
   return {text.str()};
 }
 

@@ -5,19 +5,25 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "growth_strip.hpp"
+#include "life_law.hpp"
 
 namespace pd {
+
+using kernels::LifeLaw;
 
 namespace {
 
 constexpr double firstGrowth = 1.5, lastGrowth = 3.0;  ///< horizons between which growth is steady and measured
-constexpr double enoughLost = 1.0 - 1e-3;              ///< of a life: bonds that fail nearly together fail together
+constexpr double height = 8.0;                         ///< horizons, of the smaller strip
+const char* const noGrowth = "no crack grows in the trial that finds the growth coefficient";
+constexpr double enoughLost = 1.0 - 1e-3;  ///< of a life: bonds that fail nearly together fail together
 
-/// Life of all bonds of the strip that may break, event by event.
-double factorOf(const GrowthTrialCase& trial, double height, int& nBroken) {
-  GrowthStrip strip(trial.bonds, trial.horizon, height, lastGrowth);
+/// Growth in a cycle over A delta (dK / (E' sqrt(delta)))^M, where bonds lose what the law says of their strains over
+/// dK / (E' sqrt(delta)): life of all bonds of the strip that may break, event by event. 0 where the crack stands.
+double growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LifeLaw& law, int& nBroken) {
   const double unit = strip.strainUnit();
   const std::size_t n = strip.nBonds();
   std::vector<double> lost(n, 0.0), rate(n);
@@ -30,10 +36,10 @@ double factorOf(const GrowthTrialCase& trial, double height, int& nBroken) {
     double next = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < n; ++b) {
       const bool wears = !strip.isBroken(b) && strip.stretch(b) > 0.0 && strip.hasEndIn(nearTip, b);
-      rate[b] = wears ? std::pow(strip.stretch(b) / unit, trial.exponent) : 0.0;
-      if (wears) next = std::min(next, (1.0 - lost[b]) / rate[b]);
+      rate[b] = wears ? law.rate(strip.stretch(b) / unit) : 0.0;
+      if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
     }
-    if (!std::isfinite(next)) throw std::runtime_error("no crack grows in the trial that finds the growth coefficient");
+    if (!std::isfinite(next)) return 0.0;
     cycles += next;
     for (std::size_t b = 0; b < n; ++b) {
       lost[b] += next * rate[b];
@@ -45,6 +51,71 @@ double factorOf(const GrowthTrialCase& trial, double height, int& nBroken) {
     if (atFirst == 0.0 && tip >= first) atFirst = cycles;
     if (tip >= last) return (last - first) / (cycles - atFirst) / trial.horizon;
   }
+}
+
+GrowthStrip stripOf(const GrowthTrialCase& trial, double height) {
+  return {trial.bonds, trial.horizon, height, lastGrowth};
+}
+
+/// Growth in the smaller strip with a limit of strain ranges.
+class LimitedGrowth {
+ public:
+  explicit LimitedGrowth(const GrowthTrialCase& trial) : trial_(trial), strip_(stripOf(trial, height)) {}
+
+  double at(double limit, double sharpness) const {
+    int nBroken = 0;
+    return growthIn(strip_, trial_, LifeLaw::power(1.0, trial_.exponent, limit, sharpness), nBroken);
+  }
+
+  /// The limit at which the crack stands, to 2e-3 of it.
+  double largestLimit() const {
+    double grows = 0.0, stands = 2.0;
+    while (at(stands, 1.0) > 0.0) stands *= 2.0;
+    while (stands - grows > 2e-3 * stands) {
+      const double middle = 0.5 * (grows + stands);
+      (at(middle, 1.0) > 0.0 ? grows : stands) = middle;
+    }
+    return grows;
+  }
+
+  /// How far growth is from that with a threshold: largest |log| of their ratio at some ranges of K.
+  double deviation(double largestLimit, double sharpness, double unlimited) const {
+    double largest = 0.0;
+    for (const double share : {0.25, 0.5, 0.75}) {  // of dK that is dK_th
+      const double found = at(share * largestLimit, sharpness) / unlimited;
+      largest = std::max(largest, std::abs(std::log(found) - trial_.exponent * std::log(1.0 - share)));
+    }
+    return largest;
+  }
+
+ private:
+  const GrowthTrialCase& trial_;
+  GrowthStrip strip_;
+};
+
+/// The sharpness whose growth is nearest to the law, by golden sections of its logarithm.
+GrowthThreshold findThreshold(const GrowthTrialCase& trial) {
+  const LimitedGrowth growth(trial);
+  const double unlimited = growth.at(0.0, 1.0), limit = growth.largestLimit();
+  if (unlimited == 0.0) throw std::runtime_error(noGrowth);
+  const auto deviation = [&](double logSharpness) {
+    return growth.deviation(limit, std::exp(logSharpness), unlimited);
+  };
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = std::log(0.5), high = std::log(4.0);
+  double a = high - golden * (high - low), b = low + golden * (high - low), atA = deviation(a), atB = deviation(b);
+  while (high - low > 0.2) {
+    if (atA < atB) {
+      high = std::exchange(b, a);
+      a = high - golden * (high - low);
+      atB = std::exchange(atA, deviation(a));
+    } else {
+      low = std::exchange(a, b);
+      b = low + golden * (high - low);
+      atA = std::exchange(atB, deviation(b));
+    }
+  }
+  return {limit, std::exp(atA < atB ? a : b), std::exp(std::min(atA, atB)) - 1.0};
 }
 
 std::vector<double> keyOf(const GrowthTrialCase& trial) {
@@ -72,11 +143,19 @@ const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial) {
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   GrowthTrialResult result;
-  constexpr double height = 8.0;  // horizons
-  const double low = factorOf(trial, height, result.nBroken);
-  const double high = factorOf(trial, 2.0 * height, result.nBroken);
+  const LifeLaw law = LifeLaw::power(1.0, trial.exponent, 0.0);
+  const double low = growthIn(stripOf(trial, height), trial, law, result.nBroken);
+  const double high = growthIn(stripOf(trial, 2.0 * height), trial, law, result.nBroken);
+  if (low == 0.0 || high == 0.0) throw std::runtime_error(noGrowth);
   result.factor = 2.0 * high - low;
   return known.emplace(key, result).first->second;
+}
+
+const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial) {
+  static std::map<std::vector<double>, GrowthThreshold> known;
+  const std::vector<double> key = keyOf(trial);
+  const auto found = known.find(key);
+  return found != known.end() ? found->second : known.emplace(key, findThreshold(trial)).first->second;
 }
 
 }  // namespace pd

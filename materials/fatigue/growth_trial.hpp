@@ -6,6 +6,10 @@
 // with a pure number B of M, the lattice, the influence function and the rule by which bonds are near the tip (Silling
 // & Askari, SAND2014-18590, find A by a trial of the whole body instead). Here B comes from a long strip between grips,
 // in which the energy release rate is the same wherever the tip is.
+//
+// Where bonds lose A (e (1 - (limit/e)^q))^M instead, growth ends at a range of K, and with the right q goes as
+//   da/dN = B A delta ((dK - dK_th) / (E' sqrt(delta)))^M
+// nearly. The limit and q are the lattice's, too.
 #ifndef PD_GROWTH_TRIAL_HPP
 #define PD_GROWTH_TRIAL_HPP
 
@@ -38,9 +42,18 @@ struct GrowthTrialResult {
 /// E' (plane stress or strain) of the lattice, of the stiffnesses over the volume of a cell: (C11^2 - C12^2)/C11.
 double planeModulus(const std::vector<LatticeBond>& bonds);
 
+struct GrowthThreshold {
+  double limit = 0.0;      ///< of strain ranges, over dK_th / (E' sqrt(delta))
+  double sharpness = 1.0;  ///< q
+  double deviation = 0.0;  ///< largest of growth from that law, at 4/3, 2 and 4 times dK_th; part of it
+};
+
 /// Runs the trial in two strips, of 8 and 16 horizons, whose factors differ by the share of the horizon in the height,
 /// and takes that out. Once in a process for each case. Throws std::runtime_error where no crack grows.
 const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial);
+
+/// By some thirty trials in the smaller strip. Once in a process for each case. Throws as growthTrial() does.
+const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial);
 
 }  // namespace pd
 

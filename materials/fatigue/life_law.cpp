@@ -7,11 +7,12 @@
 
 namespace pd::kernels {
 
-LifeLaw LifeLaw::power(double coefficient, double exponent, double limit) {
+LifeLaw LifeLaw::power(double coefficient, double exponent, double limit, double sharpness) {
   LifeLaw law;
   law.coefficient_ = coefficient;
   law.exponent_ = exponent;
   law.limit_ = limit;
+  law.sharpness_ = sharpness;
   return law;
 }
 
@@ -36,7 +37,11 @@ LifeLaw LifeLaw::table(const std::vector<double>& lives, const std::vector<doubl
 
 double LifeLaw::rate(double strainRange) const {
   if (!(strainRange > limit_)) return 0.0;
-  if (segments_.empty()) return coefficient_ * std::pow(strainRange - limit_, exponent_);
+  if (segments_.empty()) {
+    const double excess =
+        sharpness_ == 1.0 ? strainRange - limit_ : strainRange * (1.0 - std::pow(limit_ / strainRange, sharpness_));
+    return coefficient_ * std::pow(excess, exponent_);
+  }
   std::size_t k = segments_.size() - 1;
   while (k > 0 && strainRange < segments_[k].from) --k;
   return std::exp(segments_[k].logRate + segments_[k].exponent * std::log(strainRange));

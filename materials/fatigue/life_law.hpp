@@ -6,13 +6,14 @@
 
 namespace pd::kernels {
 
-/// d(lost life)/dN, 1 at failure: a power of what the strain range exceeds a limit by (Silling & Askari,
+/// d(lost life)/dN, 1 at failure: a power of the strain range that fades out towards a limit (Silling & Askari,
 /// SAND2014-18590), or 1/N of a strain-life table, log-log between its rows and beyond them as between the last two.
 class LifeLaw {
  public:
   LifeLaw() = default;  ///< no loss
-  /// coefficient (strainRange - limit)^exponent; 0 up to the limit.
-  static LifeLaw power(double coefficient, double exponent, double limit);
+  /// coefficient (strainRange (1 - (limit/strainRange)^sharpness))^exponent; 0 up to the limit. With sharpness 1 that
+  /// is coefficient (strainRange - limit)^exponent.
+  static LifeLaw power(double coefficient, double exponent, double limit, double sharpness = 1.0);
   /// From lives (cycles, rising) and strain ranges (falling); 0 up to the limit. Throws std::invalid_argument.
   static LifeLaw table(const std::vector<double>& lives, const std::vector<double>& strainRanges, double limit);
 
@@ -24,7 +25,7 @@ class LifeLaw {
     double from;               ///< strain range at its lower end
     double logRate, exponent;  ///< rate = exp(logRate) strainRange^exponent
   };
-  double coefficient_ = 0.0, exponent_ = 1.0, limit_ = 0.0;
+  double coefficient_ = 0.0, exponent_ = 1.0, limit_ = 0.0, sharpness_ = 1.0;
   std::vector<Segment> segments_;  ///< rising; empty: the power law
 };
 

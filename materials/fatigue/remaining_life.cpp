@@ -129,11 +129,12 @@ RemainingLife::RemainingLife(const Teuchos::ParameterList& given) : BondDamageMo
                                   ": \"Fatigue Limit In Growth\" makes another law of growth than Paris'; give "
                                   "Growth Coefficient and Growth Exponent with it");
     paris_ = std::make_unique<GrowthCoefficient>(params, modelName);
-    growth_ = kernels::LifeLaw::power(paris_->coefficient(), paris_->exponent(), 0.0);
+    growth_ = paris_->law();
   }
   if (params.isParameter("Growth Coefficient"))
     growth_ = kernels::LifeLaw::power(params.get<double>("Growth Coefficient"), params.get<double>("Growth Exponent"),
                                       growthLimit);
+  hasInitiation_ = params.isParameter("Initiation Coefficient") || params.isParameter("Lives");
   hasGrowth_ = paris_ != nullptr || params.isParameter("Growth Coefficient");
 }
 
@@ -210,16 +211,18 @@ void RemainingLife::worsen(double dt, const Call& call, DataManager& data) const
   double *lossRate = fields_.lossRate.of(data), *overdrawn = fields_.overdrawn.of(data);
   for (int p = 0; p < call.nOwned; ++p) lossRate[call.ownedIds[p]] = overdrawn[call.ownedIds[p]] = 0.0;
   bool hasBroken = false;
+  // Away from cracks nothing happens to a bond where neither a law nor a largest stretch holds there.
+  const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
   // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken.
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     lost[bond] = lostBefore[bond];
+    const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
+    if (!grows && isIdleElsewhere) return;
     if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return;
     const double stretch = ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
     double rate = 0.0;
-    if (stretch > 0.0 || !seesOpeningAlone_) {
-      const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
+    if (stretch > 0.0 || !seesOpeningAlone_)
       rate = (grows ? growth_ : initiation_).rate(std::abs(cycles.range * stretch));
-    }
     lost[bond] += cycles.number * rate;
     if (lost[bond] < 1.0 - lifeTolerance_ && cycles.peak * stretch < criticalStretch_) {
       if (bondDamage[bond] < 1.0) lossRate[i] = std::max(lossRate[i], rate / (1.0 - lost[bond]));

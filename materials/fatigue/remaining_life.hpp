@@ -60,7 +60,7 @@ class RemainingLife : public BondDamageModel, public RunNotes {
   Fields fields_;
   bool hasOwnCycles_ = false;
   Cycles own_{0.0, 1.0, 1.0};
-  bool seesOpeningAlone_ = true, hasGrowth_ = false;
+  bool seesOpeningAlone_ = true, hasInitiation_ = false, hasGrowth_ = false;
   double growthDamage_, lifeTolerance_, criticalStretch_;
   kernels::LifeLaw initiation_, growth_;
   std::unique_ptr<GrowthCoefficient> paris_;

@@ -100,5 +100,14 @@ TEST(GrowthTrial, FactorsOfThePrototype) {
     EXPECT_NEAR(growthTrial({square(3.0), 3.0, exponent, 0.35}).factor / factor, 1.0, 0.06) << exponent;
 }
 
+TEST(GrowthTrial, AThresholdIsHeldByALimitOfStrains) {
+  for (const double exponent : {2.05, 3.0, 4.0}) {
+    const GrowthThreshold& threshold = growthThreshold({square(3.0), 3.0, exponent, 0.35});
+    EXPECT_GT(threshold.limit, 0.85) << exponent;  // the core bond of a crack that has grown: 1.1 to 1.25 in the mean
+    EXPECT_LT(threshold.limit, 1.1) << exponent;
+    EXPECT_LT(threshold.deviation, 0.15) << exponent;  // a power of strain - limit: 0.9 for the exponent of 2.05
+  }
+}
+
 }  // namespace
 }  // namespace pd

@@ -115,6 +115,34 @@ class CrackedPlate(SceneTest):
         self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
         self.assertLess(history["Length"][-2], 0.009)
 
+    def test_a_crack_stands_at_the_threshold_and_grows_as_the_range_exceeds_it(self):
+        damage = {"Damage Model": "Remaining Life", "Paris Coefficient": 1e-11, "Paris Exponent": 2.0, "Paris Threshold": 5.0,
+                  "Horizon": 3.015 * SPACING, "Spacing": SPACING, "Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3,
+                  "Plane Stress": True, "Thickness": THICKNESS}
+
+        def history(range_of_k, cycles):
+            intensity = {"Energy Release Rate": "J", "Effective Modulus": 200e9, "Range": range_of_k}
+            deck = cracked_plate(self, solver={"Stress Intensity": intensity,
+                                               "Stop When": {"Value": "Length", "Reaches": CRACK + 5.9 * SPACING}},
+                                 final_time=cycles)
+            deck["Damage Models"]["Breakage"] = damage
+            deck["Compute Class Parameters"]["Tip"] = {"Compute Class": "Crack_Tip", "Start X": 0.0, "Start Y": 0.0,
+                                                       "Output Label": "Tip"}
+            deck["Compute Class Parameters"]["J"] = {
+                "Compute Class": "J_Integral", "Plane Stress": True, "Thickness": THICKNESS, "Tip Field": "Tip",
+                "Inner Radius": 3e-3, "Outer Radius": 6e-3, "Output Label": "J"}
+            deck["Output"]["Output Variables"] += ["J", "Tip"]
+            return self.solve(deck).history()
+
+        def rate(range_of_k):
+            found = history(range_of_k, 1e9)
+            grown = np.interp([0.010, 0.013], found["Length"], found["time"])
+            return 0.003 / (grown[1] - grown[0])
+
+        # 20 times as fast at twice the range, 4 times without a threshold
+        self.assertAlmostEqual(rate(14e6) / rate(7e6) / (9.0 / 2.0)**2, 1.0, delta=0.25)
+        self.assertEqual(history(3.5e6, 1e9)["Length"][-1], history(3.5e6, 1.0)["Length"][-1])
+
     def test_ends_when_the_plate_has_come_apart(self):
         result = self.solve(cracked_plate(self, width=12e-3))
         self.assertIn("come apart", " ".join(result.report["solver"]))
