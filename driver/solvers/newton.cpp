@@ -36,6 +36,28 @@ void NewtonSettings::take(const LinearSolverSettings& linear) {
   logsLinearSolves = linear.logs;
 }
 
+void NewtonSettings::declareKinematics(ParameterDeclarations& declare) {
+  declare
+      .text("Kinematics",
+            "Finite: the forces that materials compute from the present places of the points. Small Strain: those of "
+            "the reference configuration, in proportion to the displacements; one linear solve is one equilibrium, "
+            "and bonds do not turn. For bodies that strain and turn by a few parts in a thousand, of materials whose "
+            "bonds are springs (PDHE, Elastic, Elastic Bond Based).")
+      .defaultTo("Finite")
+      .oneOf({"Finite", "Small Strain"});
+}
+
+void NewtonSettings::takeKinematics(const Teuchos::ParameterList& parameters, const std::string& solver) {
+  hasSmallStrain = parameters.get<std::string>("Kinematics") == "Small Strain";
+  const bool isTwoLevel = preconditioner == "Two Level";
+  const bool isPlain = diagonalScale == 1.0 && diagonalShift == 0.0 && linearSolver == "CG";
+  if ((isTwoLevel || hasSmallStrain) && !(isPlain && (isTwoLevel || preconditioner.empty())))
+    throw std::invalid_argument(
+        solver + (isTwoLevel ? ": \"Preconditioner: Two Level\"" : ": \"Kinematics: Small Strain\"") +
+        " is solved by conjugate gradients without a matrix: leave out other linear solvers, preconditioners and the "
+        "damping of the diagonal");
+}
+
 Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
   model.updateCoordinates();

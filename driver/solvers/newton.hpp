@@ -27,6 +27,9 @@ struct NewtonSettings {
   double diagonalScale = 1.0, diagonalShift = 0.0;  ///< damped Newton: diagonal * scale + largest diagonal * shift
 
   void take(const LinearSolverSettings& linear);
+  static void declareKinematics(ParameterDeclarations& declare);
+  /// After take() and the damping. Throws std::invalid_argument where what `solver` is given does not go together.
+  void takeKinematics(const Teuchos::ParameterList& parameters, const std::string& solver);
 };
 
 /// How one search for equilibrium went.

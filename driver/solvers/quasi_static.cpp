@@ -23,18 +23,10 @@ NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
     settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
   else if (hasAbsolute)
     settings.relativeTolerance = 0.0;
-  const LinearSolverSettings linear(parameters);
-  settings.take(linear);
-  settings.hasSmallStrain = parameters.get<std::string>("Kinematics") == "Small Strain";
+  settings.take(LinearSolverSettings(parameters));
   settings.diagonalScale = parameters.get<double>("Damped Newton Diagonal Scale Factor");
   settings.diagonalShift = parameters.get<double>("Damped Newton Diagonal Shift Factor");
-  const bool isTwoLevel = settings.preconditioner == "Two Level";
-  const bool isPlain = settings.diagonalScale == 1.0 && settings.diagonalShift == 0.0 && linear.method == "CG";
-  if ((isTwoLevel || settings.hasSmallStrain) && !(isPlain && (isTwoLevel || settings.preconditioner.empty())))
-    throw std::invalid_argument(
-        std::string("QuasiStatic: ") + (isTwoLevel ? "\"Preconditioner: Two Level\"" : "\"Kinematics: Small Strain\"") +
-        " is solved by conjugate gradients without a matrix: leave out other linear solvers, preconditioners and the "
-        "damping of the diagonal");
+  settings.takeKinematics(parameters, "QuasiStatic");
   return settings;
 }
 
@@ -49,14 +41,7 @@ void QuasiStatic::declareParameters(ParameterDeclarations& declare) {
             "tolerance is given. What rounding of coordinates makes of the forces is always enough.")
       .strictlyBetween(0.0, 1.0);
   declare.real("Absolute Tolerance", "N", "Norm of the unbalanced force that is enough.").positive();
-  declare
-      .text("Kinematics",
-            "Finite: the forces that materials compute from the present places of the points. Small Strain: those of "
-            "the reference configuration, in proportion to the displacements; one linear solve is one equilibrium, "
-            "and bonds do not turn. For bodies that strain and turn by a few parts in a thousand, of materials whose "
-            "bonds are springs (PDHE, Elastic, Elastic Bond Based).")
-      .defaultTo("Finite")
-      .oneOf({"Finite", "Small Strain"});
+  NewtonSettings::declareKinematics(declare);
   LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
   declare
       .real("Damped Newton Diagonal Scale Factor", "1",

@@ -14,11 +14,12 @@ namespace pd {
 
 namespace {
 
-NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters) {
+NewtonSettings newtonSettings(const Teuchos::ParameterList& parameters, const std::string& solver) {
   NewtonSettings settings;
   settings.maximumIterations = parameters.get<int>("Maximum Solver Iterations");
   settings.relativeTolerance = parameters.get<double>("Relative Tolerance");
   settings.take(LinearSolverSettings(parameters));
+  settings.takeKinematics(parameters, solver);
   return settings;
 }
 
@@ -32,11 +33,12 @@ void Equilibrium::declareParameters(ParameterDeclarations& declare) {
             "used before it is that small. What rounding of coordinates makes of the forces is always enough.")
       .defaultTo(1e-6)
       .strictlyBetween(0.0, 1e-2);
+  NewtonSettings::declareKinematics(declare);
   LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
 }
 
 Equilibrium::Equilibrium(const Teuchos::ParameterList& parameters, std::string solver)
-    : solver_(std::move(solver)), newton_(newtonSettings(parameters)) {}
+    : solver_(std::move(solver)), newton_(newtonSettings(parameters, solver_)) {}
 
 void Equilibrium::findSupports(Simulation& simulation) {
   const HeldInPlace before = std::move(held_);
