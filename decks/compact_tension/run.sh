@@ -1,23 +1,32 @@
 #!/bin/bash
-# Meshes, all runs and the picture of this scene, into results/compact_tension: half an hour or so of one core.
+# Meshes, all runs and the picture of this scene, into results/compact_tension: ten minutes or so of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
-run() { # name, spacing and horizon in mm, exponent of Paris' law, more overrides
-  local name=$1 spacing=$2 horizon=$3 exponent=$4
-  shift 4
-  "$here/specimen.py" "$spacing" "$here/specimen_$spacing.txt"
+times() { python3 -c "print($1 * $2)"; }
+run() { # name, horizon in mm, exponent of Paris' law, more overrides
+  local name=$1 horizon=$2 exponent=$3
+  shift 3
+  local spacing mesh
+  spacing=$(times "$horizon" 1/3)
+  mesh="specimen_$horizon.txt"
+  "$here/specimen.py" "$spacing" "$here/$mesh"
   "$pdrun" "$here/compact_tension.yaml" --quiet --set "Output/Output Filename=$name" \
-    --set "Discretization/Input Mesh File=specimen_$spacing.txt" --set "Blocks/Body/Horizon=${horizon}e-3" \
-    --set "Damage Models/Fatigue/Horizon=${horizon}e-3" --set "Damage Models/Fatigue/Spacing=${spacing}e-3" \
+    --set "Discretization/Input Mesh File=$mesh" --set "Blocks/Body/Horizon=$horizon mm" \
+    --set "Damage Models/Fatigue/Horizon=$horizon mm" --set "Damage Models/Fatigue/Spacing=$spacing mm" \
+    --set "Compute Class Parameters/J/Inner Radius=$(times 2 "$horizon") mm" \
+    --set "Compute Class Parameters/J/Outer Radius=$(times 3.1 "$horizon") mm" \
     --set "Damage Models/Fatigue/Paris Exponent=$exponent" "$@"
 }
 constant=(--set "Solver/Fatigue/Stress Intensity/Range=15.0e6" --set "Solver/Fatigue/Stop When/Reaches=0.021")
-for exponent in 2.0 3.0 4.0; do
-  run "amplitude_$exponent" 0.75 2.25 "$exponent"
-  run "range_$exponent" 0.75 2.25 "$exponent" "${constant[@]}"
+for horizon in 2.25 1.125; do
+  for exponent in 2.0 3.0 4.0; do
+    run "amplitude_${exponent}_$horizon" "$horizon" "$exponent"
+    run "range_${exponent}_$horizon" "$horizon" "$exponent" "${constant[@]}"
+  done
+  run "range_conical_$horizon" "$horizon" 3.0 "${constant[@]}" \
+    --set "Discretization/Influence Function=max(1 - zeta/horizon, 0)"
 done
-run range_conical 0.75 2.25 3.0 "${constant[@]}" --set "Solver/Fatigue/Stop When/Reaches=0.0185" \
-  --set "Discretization/Influence Function=max(1 - zeta/horizon, 0)"
+run range_3.0_0.5625 0.5625 3.0 "${constant[@]}"
 "$here/plot.py" "$results"
