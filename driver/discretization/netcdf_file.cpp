@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "classic_header.hpp"
+
 namespace pd {
 
 namespace {
@@ -35,6 +37,7 @@ NetcdfFile::NetcdfFile(const std::string& fileName) {
   std::error_code error;
   size_ = static_cast<std::size_t>(std::filesystem::file_size(fileName, error));
   if (error) throw std::runtime_error("it cannot be read as NetCDF: " + error.message());
+  checkClassicHeader(fileName);
   require(nc_open(fileName.c_str(), NC_NOWRITE, &file_), "it cannot be read as NetCDF");
 }
 
