@@ -214,8 +214,7 @@ std::string Parameter::complaint(double value) const {
     return "is " + numberText(value) + ", must be " + allowedText();
   const bool isSmall = value != 0.0 && std::abs(value) < 1.0 / largestMeant && !unit.empty() && unit != "1";
   if (std::abs(value) > largestMeant || isSmall)
-    return "is " + numberText(value) + ", too " + (isSmall ? "small" : "large") + " to be meant" +
-           (isSmall ? "; write 0 for nothing" : "");
+    return "is " + numberText(value) + ", too " + (isSmall ? "small" : "large") + " to be meant";
   return "";
 }
 
