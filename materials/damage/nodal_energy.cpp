@@ -23,21 +23,23 @@ constexpr double wholeShare = 0.8;
 /// Of a point that has lost more than that.
 constexpr double leastShare = 0.05;
 /// What a bond has of its own energy at least, over k.
-constexpr double ownShare = 0.6;
+constexpr double ownShare = 0.8;
 
-/// k in the plane and in space. Calibrated with slow growth over four horizons in clamped strips, the bond that needs
-/// the least load breaking first, on squares of 3, 3.5 and 4 spacings a horizon, turned by 0, 20 and 45 degrees, on
-/// jittered ones and on triangles, with a constant influence function and bonds without k_t: the largest energy on the
-/// way is within 8 % of the fracture energy on each. In space the lattice was stacked along the front, of 3 spacings.
+/// k in the plane and in space. Calibrated with slow growth over four horizons in clamped strips, without and with
+/// tension along the crack, the bond that needs the least load breaking first, on squares of 3 and 4 spacings a horizon,
+/// turned by 0, 20 and 45 degrees, on jittered ones and on triangles, with a constant influence function and bonds
+/// without k_t: the largest energy on the way is within 7 % of the fracture energy in the plane and 10 % in space, where
+/// the lattice was stacked along the front. Then lowered by 2 %, to the middle of what decks/fracture_energy finds in
+/// three bodies.
 double breakageConstant(kernels::VolumeCorrection rule, int dimension) {
   const bool isPlane = dimension == 2;
   switch (rule) {
     case kernels::VolumeCorrection::RampBeyondHorizon:
-      return isPlane ? 0.281 : 0.218;
+      return isPlane ? 0.274 : 0.294;
     case kernels::VolumeCorrection::RampToHorizon:
-      return isPlane ? 0.263 : 0.207;
+      return isPlane ? 0.291 : 0.297;
     default:
-      return isPlane ? 0.276 : 0.220;
+      return isPlane ? 0.287 : 0.313;
   }
 }
 

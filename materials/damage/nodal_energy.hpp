@@ -24,7 +24,7 @@ namespace pd {
 ///   U = [sum w (n.m)^2 / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
 ///
 /// is the utilisation of the point: what is stretched along a crack hardly helps to open it. A bond breaks where the
-/// mean U of its ends is 1 and its own stretch is at least sqrt(0.6 k) of the one with w = w_c. Bonds that were cut
+/// mean U of its ends is 1 and its own stretch is at least sqrt(0.8 k) of the one with w = w_c. Bonds that were cut
 /// before the run and are kept as broken count in D, those that a free surface lacks do not. k is calibrated
 /// (breakageConstant in the source).
 ///
