@@ -17,14 +17,14 @@ namespace pd {
 
 /// Where single bonds break at their stretch or energy, a lattice holds a crack up until 1.2 to 1.7 times the fracture
 /// energy is there, and bends it along its rows. Here a bond needs the energy of its neighbourhoods. With w the energy
-/// of an unbroken bond along n that is stretched, and w_c what it takes to break (their sum over a plane is the fracture
-/// energy), m is the direction in which a point stores most, the first principal axis of sum w n n^T, and with D the
-/// part of sum w_c (n.m)^2 that is broken,
+/// of an unbroken bond along n that is stretched, and w_c what it takes to break (their sum over a plane is the
+/// fracture energy), m is the direction in which a point stores most, the first principal axis of sum w n n^T, and with
+/// D the part of sum w_c (n.m)^2 that is broken,
 ///
-///   U = [sum w (n.m)^2 / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
+///   U = [sum w (0.8 (n.m)^2 + 0.2) / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
 ///
 /// is the utilisation of the point: what is stretched along a crack hardly helps to open it. A bond breaks where the
-/// mean U of its ends is 1 and its own stretch is at least sqrt(0.8 k) of the one with w = w_c. Bonds that were cut
+/// mean U of its ends is 1 and its own stretch is at least sqrt(0.6 k) of the one with w = w_c. Bonds that were cut
 /// before the run and are kept as broken count in D, those that a free surface lacks do not. k is calibrated
 /// (breakageConstant in the source).
 ///
