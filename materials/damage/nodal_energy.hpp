@@ -21,7 +21,7 @@ namespace pd {
 /// fracture energy), m is the direction in which a point stores most, the first principal axis of sum w n n^T, and with
 /// D the part of sum w_c (n.m)^2 that is broken,
 ///
-///   U = [sum w (0.8 (n.m)^2 + 0.2) / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
+///   U = [sum w (n.m)^2 / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
 ///
 /// is the utilisation of the point: what is stretched along a crack hardly helps to open it. A bond breaks where the
 /// mean U of its ends is 1 and its own stretch is at least sqrt(0.6 k) of the one with w = w_c. Bonds that were cut
