@@ -49,9 +49,7 @@ void NodalEnergy::declareCommonParameters(ParameterDeclarations& declare) {
   declare.text("Damage Model", "Name of this model.");
   declare
       .real("Fracture Energy", "J/m2",
-            "Energy at which a unit area of crack opens, within 10 % on lattices of 3 to 5 spacings a horizon; less "
-            "where "
-            "tension along the crack is large (0.8 of it in a double cantilever beam with arms of six horizons).")
+            "Energy at which a unit area of crack opens, within 10 % on lattices of 3 to 5 spacings a horizon.")
       .positive()
       .required();
   declare.real("Young's Modulus", "Pa", "As in the material.").positive().required();
