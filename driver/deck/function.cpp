@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "deck_data.hpp"
+#include "parameters.hpp"
 
 namespace pd {
 
@@ -150,15 +151,27 @@ double Function::operator()(double x, double y, double z, double t) const {
   return f.lastValue;
 }
 
+namespace {
+
+std::string whatIsWrongWith(double value) {
+  if (std::isnan(value)) return "not a number";
+  return std::isinf(value) ? "infinite" : fmt::format("{:g}, too large to be meant,", value);
+}
+
+}  // namespace
+
 double Function::at(const double* x, double t, int id) const {
   const double value = (*this)(x[0], x[1], x[2], t);
-  if (std::isfinite(value)) return value;
+  if (std::abs(value) <= largestMeant) return value;
   const Implementation& f = *implementation_;
-  throw DeckError(fmt::format("{}{} is {} at point {}, ({:.9g}, {:.9g}, {:.9g}) m{}",
-                              f.place.empty() ? "" : f.place + ": ",
-                              f.text.empty() ? "the value" : "the value of \"" + shortened(f.text) + "\"",
-                              std::isnan(value) ? "not a number" : "infinite", id + 1, x[0], x[1], x[2],
-                              f.dependsOnTime ? fmt::format(", at t = {:.9g} s", t) : ""));
+  // Unlike the branches of "? :", both are evaluated.
+  const bool hasBothSides = f.text.find("&&") != std::string::npos || f.text.find("||") != std::string::npos;
+  throw DeckError(fmt::format(
+      "{}{} is {} at point {}, ({:.9g}, {:.9g}, {:.9g}) m{}{}", f.place.empty() ? "" : f.place + ": ",
+      f.text.empty() ? "the value" : "the value of \"" + shortened(f.text) + "\"", whatIsWrongWith(value), id + 1, x[0],
+      x[1], x[2], f.dependsOnTime ? fmt::format(", at t = {:.9g} s", t) : "",
+      std::isnan(value) && hasBothSides ? "; both sides of && and || must have a value: a ? b : 0 in place of a && b"
+                                        : ""));
 }
 
 bool Function::isConstant() const { return !implementation_->program && implementation_->times.empty(); }

@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "classic_header.hpp"
+#include "trial_reading.hpp"
+
 namespace pd {
 
 namespace {
@@ -29,12 +32,39 @@ std::vector<Value> ofLength(std::vector<Value> values, std::size_t count, const 
                            std::to_string(count) + " are needed");
 }
 
+/// Has the library read all that it knows of a file but its values.
+void openAll(const std::string& fileName) {
+  int file = 0, nVariables = 0;
+  if (nc_open(fileName.c_str(), NC_NOWRITE, &file) != NC_NOERR) return;
+  nc_inq_nvars(file, &nVariables);
+  for (int variable = 0; variable < nVariables; ++variable) {
+    char name[NC_MAX_NAME + 1] = {};
+    int nDimensions = 0, nAttributes = 0;
+    if (nc_inq_var(file, variable, name, nullptr, &nDimensions, nullptr, &nAttributes) != NC_NOERR) continue;
+    std::vector<int> dimensions(static_cast<std::size_t>(nDimensions));
+    nc_inq_vardimid(file, variable, dimensions.data());
+    for (const int dimension : dimensions) nc_inq_dim(file, dimension, name, nullptr);
+    for (int attribute = 0; attribute < nAttributes; ++attribute) {
+      std::size_t length = 0;
+      nc_type type = NC_NAT;
+      if (nc_inq_attname(file, variable, attribute, name) != NC_NOERR) continue;
+      if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR || type != NC_CHAR) continue;
+      std::string text(length, '\0');
+      nc_get_att_text(file, variable, name, text.data());
+    }
+  }
+  nc_close(file);
+}
+
 }  // namespace
 
 NetcdfFile::NetcdfFile(const std::string& fileName) {
   std::error_code error;
   size_ = static_cast<std::size_t>(std::filesystem::file_size(fileName, error));
   if (error) throw std::runtime_error("it cannot be read as NetCDF: " + error.message());
+  checkClassicHeader(fileName);
+  if (const std::string misfortune = misfortuneOf([&] { openAll(fileName); }, size_); !misfortune.empty())
+    throw std::runtime_error("it cannot be read as NetCDF: it is damaged, and the library " + misfortune);
   require(nc_open(fileName.c_str(), NC_NOWRITE, &file_), "it cannot be read as NetCDF");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include "../discretization/discretization.hpp"
 #include "collective.hpp"
@@ -71,26 +72,54 @@ void fillHostFields(Model& model, const BoundaryConditions& conditions, double t
   conditions.addExternalForce(t, force);
 }
 
+namespace {
+
+/// Does a part of the start of a run; where it cannot be done, each line of why goes to `mistakes`, with `what` before
+/// it. Returns whether it was done.
+template <class Work>
+bool rehearsePart(const std::string& what, Mistakes& mistakes, const Work& work) {
+  std::string trouble, prefix;
+  try {
+    work();
+    return true;
+  } catch (const DeckError& error) {  // which names its place
+    trouble = error.what();
+  } catch (const RunError& error) {
+    trouble = error.what();
+    prefix = what + ": ";
+  }
+  std::istringstream lines(trouble);
+  for (std::string line; std::getline(lines, line);) mistakes.add("", prefix + line);
+  return false;
+}
+
+}  // namespace
+
 void rehearse(const Deck& deck, const Communicator& comm) {
   RunSetup setup(deck, comm, std::make_unique<Output>(deck, comm, true));
-  std::string what = deck.fileName() + ": the start of the run: ";
-  try {
+  const std::string ofRun = deck.fileName() + ": the start of the run";
+  Mistakes mistakes;
+  rehearsePart(ofRun, mistakes, [&] {
     setup.initialize();
     setup.start();
-    setup.output->evaluate(*setup.model, 0);
-    // Later solvers start from what the first one makes.
-    const Stage& first = setup.stages.front();
-    const DeckNode section = deck[first.section][first.name];
-    what = section.keyPlace() + ": " + section.path() + ": ";
-    Simulation simulation = setup.simulation();
+  });
+  mistakes.report();
+  rehearsePart(ofRun, mistakes, [&] { setup.output->evaluate(*setup.model, 0); });
+  // Later solvers start from what the first one makes.
+  const Stage& first = setup.stages.front();
+  const DeckNode section = deck[first.section][first.name];
+  const std::string ofSolver = section.keyPlace() + ": " + section.path();
+  Simulation simulation = setup.simulation();
+  double end = first.startTime;
+  const bool isReady = rehearsePart(ofSolver, mistakes, [&] {
     first.solver->initialize(simulation);
     const int n = first.solver->numberOfIncrements(simulation, first.startTime, first.endTime);
-    if (n == 0) return;
-    const double end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
-    first.solver->rehearse(simulation, first.startTime, end - first.startTime);
-  } catch (const RunError& error) {
-    throw DeckError(what + error.what());
-  }
+    if (n > 0) end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
+  });
+  if (isReady && end > first.startTime)
+    rehearsePart(ofSolver, mistakes,
+                 [&] { first.solver->rehearse(simulation, first.startTime, end - first.startTime); });
+  mistakes.report();
 }
 
 }  // namespace pd

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -11,10 +10,16 @@
 #include "../model/collective.hpp"
 #include "../model/model.hpp"
 #include "atomic_file.hpp"
+#include "disk_space.hpp"
 
 namespace pd {
 
 namespace {
+
+/// Bytes of a file's and of a table's entries in the tables of contents, more than HDF5 takes.
+constexpr std::size_t spaceOfContents = 1 << 14;
+/// Of a table with checksums, one a chunk, which HDF5 reads and writes as a whole.
+constexpr hsize_t valuesPerChunk = 1 << 17;
 
 hid_t memoryType(double) { return H5T_NATIVE_DOUBLE; }
 hid_t memoryType(int) { return H5T_NATIVE_INT; }
@@ -45,16 +50,6 @@ herr_t rememberReason(hid_t stack, void*) {
   return 0;
 }
 
-/// MPI-IO does not say that a disk is full, so this does.
-std::string freeSpace(const std::string& path) {
-  std::error_code error;
-  const auto folder = std::filesystem::absolute(path, error).parent_path();
-  if (error) return "";
-  const std::uintmax_t bytes = std::filesystem::space(folder, error).available;
-  constexpr std::uintmax_t little = 64 << 20;
-  return error || bytes > little ? "" : "; the disk has " + std::to_string(bytes >> 10) + " KiB left";
-}
-
 Hdf5Id withoutTimes(hid_t propertyClass) {
   Hdf5Id properties(H5Pcreate(propertyClass), H5Pclose);
   H5Pset_obj_track_times(properties, false);
@@ -67,7 +62,9 @@ Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator
   const std::string wholePath = std::filesystem::absolute(path, error).string();
   collectively(comm, [&] {
     if (error) throwFileError("open", path, error.value());
-    if (mode != Hdf5File::Mode::Read && comm.isRoot()) unlink(path.c_str());  // MPI would write through a link
+    if (mode == Hdf5File::Mode::Read || !comm.isRoot()) return;
+    unlink(path.c_str());  // MPI would write through a link
+    setSpaceAside(path, spaceOfContents);
   });
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -106,20 +103,31 @@ Hdf5Id selectRows(hid_t fileSpace, const RowRange& rows, const std::vector<hsize
 Hdf5File::Hdf5File(const std::string& path, Mode mode, const Communicator& comm)
     : path_(path), comm_(comm), isChecked_(mode == Mode::CreateChecked), file_(openFile(path, mode, comm)) {
   require(file_.isValid(), mode == Mode::Read ? "open" : "create");
-  if (mode != Mode::Read) require(markHdf5(file_), "write to");
+  if (mode == Mode::Read) return;
+  makeRoomFor(spaceOfContents);
+  require(markHdf5(file_), "write to");
+}
+
+void Hdf5File::makeRoomFor(std::size_t bytes) {
+  spaceSetAside_ += bytes;
+  onRoot(comm_, [&] { setSpaceAside(path_, spaceSetAside_); });
 }
 
 void Hdf5File::require(bool isDone, const std::string& what) const {
   collectively(comm_, [&] {
     if (!isDone)
-      throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason() + freeSpace(path_) +
+      throw RunError("cannot " + what + " \"" + path_ + "\": " + hdf5Reason() + littleSpaceLeft(path_) +
                      missingFolder(path_));
   });
 }
 
-void Hdf5File::close() { require(file_.reset(), "write"); }
+void Hdf5File::close() {
+  require(file_.reset(), "write");
+  onRoot(comm_, [&] { giveSpaceBack(path_, spaceSetAside_); });
+}
 
 void Hdf5File::makeGroup(const std::string& name) {
+  makeRoomFor(spaceOfContents);
   const Hdf5Id properties = withoutTimes(H5P_GROUP_CREATE);
   const Hdf5Id group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose);
   require(group.isValid(), "make group " + name + " in");
@@ -215,8 +223,6 @@ std::string Hdf5File::textAttribute(const std::string& object, const std::string
 Hdf5Id Hdf5File::tableProperties(const std::vector<hsize_t>& extent) const {
   Hdf5Id properties = withoutTimes(H5P_DATASET_CREATE);
   if (!isChecked_ || extent[0] == 0) return properties;
-  // A checksum a chunk, which HDF5 reads and writes as a whole.
-  constexpr hsize_t valuesPerChunk = 1 << 17;
   std::vector<hsize_t> chunk = extent;
   const hsize_t width = extent.size() > 1 ? extent[1] : 1;
   chunk[0] = std::min(extent[0], std::max<hsize_t>(1, valuesPerChunk / width));
@@ -229,6 +235,10 @@ template <class T>
 void Hdf5File::write(const std::string& name, const std::vector<T>& values, const RowRange& rows, int width) {
   std::vector<hsize_t> extent = {static_cast<hsize_t>(rows.total)};
   if (width > 1) extent.push_back(static_cast<hsize_t>(width));
+  const std::size_t nValues = static_cast<std::size_t>(rows.total) * static_cast<std::size_t>(width);
+  // The last chunk is stored whole; entries of chunks in the tables of contents take less than a thousandth.
+  const std::size_t nStored = nValues > valuesPerChunk ? nValues + nValues / 1000 + valuesPerChunk : nValues;
+  makeRoomFor(spaceOfContents + nStored * sizeof(T));
   const Hdf5Id fileSpace(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
   const Hdf5Id properties = tableProperties(extent);
   const Hdf5Id dataset(H5Dcreate2(file_, name.c_str(), fileType(T()), fileSpace, H5P_DEFAULT, properties, H5P_DEFAULT),

@@ -76,6 +76,8 @@ class Hdf5File {
   int width(const std::string& name) const;
 
  private:
+  /// Sets room on the disk aside, since HDF5 leaves other ranks waiting for one that met the end of the disk.
+  void makeRoomFor(std::size_t bytes);
   void require(bool isDone, const std::string& what) const;
   Hdf5Id tableProperties(const std::vector<hsize_t>& extent) const;
   std::vector<hsize_t> extent(const std::string& name) const;
@@ -84,6 +86,7 @@ class Hdf5File {
   const Communicator& comm_;
   bool isChecked_;
   Hdf5Id file_;
+  std::size_t spaceSetAside_ = 0;  ///< bytes
 };
 
 }  // namespace pd

@@ -100,12 +100,32 @@ double Staggered::leastSteps(double t0, double t1) const {
   return n;
 }
 
+template <class Work>
+void Staggered::withEachPart(const Work& work) {
+  std::vector<std::string> troubles;
+  bool areOfTheDeck = true;
+  for (StaggeredPart& part : parts_) {
+    try {
+      work(part);
+    } catch (const DeckError& error) {
+      troubles.emplace_back(error.what());
+    } catch (const RunError& error) {
+      troubles.emplace_back(error.what());
+      areOfTheDeck = false;
+    }
+  }
+  if (troubles.empty()) return;
+  const std::string all = fmt::format("{}", fmt::join(troubles, "\n"));
+  if (areOfTheDeck) throw DeckError(all);
+  throw RunError(all);
+}
+
 void Staggered::initialize(Simulation& simulation) {
-  for (const StaggeredPart& part : parts_) part.solver().initialize(simulation);
+  withEachPart([&](StaggeredPart& part) { part.solver().initialize(simulation); });
 }
 
 void Staggered::rehearse(Simulation& simulation, double t, double dt) {
-  for (StaggeredPart& part : parts_) part.rehearse(simulation, t, dt);
+  withEachPart([&](StaggeredPart& part) { part.rehearse(simulation, t, dt); });
 }
 
 int Staggered::numberOfIncrements(Simulation&, double, double t1) {

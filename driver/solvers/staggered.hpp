@@ -36,6 +36,10 @@ class Staggered : public Solver {
   void modelHasChanged() override;
 
  private:
+  /// Does the work with all parts before it throws what went wrong with any.
+  template <class Work>
+  void withEachPart(const Work& work);
+
   mutable FieldTable fields_;  ///< of the parts
   int nLoadSteps_;
   bool hasNames_;  ///< the parts have names that the deck gave them

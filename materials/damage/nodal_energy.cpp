@@ -6,6 +6,7 @@
 
 #include "Peridigm_InfluenceFunction.hpp"
 #include "plugins.hpp"
+#include "principal_direction.hpp"
 #include "rotation.hpp"
 
 namespace pd {
@@ -16,24 +17,29 @@ namespace {
 
 using kernels::Matrix3;
 
-/// Share of a neighbourhood's bonds that a crack cuts beside it, and a little more: what a point can lose.
-constexpr double wholeShare = 0.6;
+/// What a point can lose in one direction before it has no strength there: more than the half that a crack beside it
+/// cuts.
+constexpr double wholeShare = 0.8;
 /// Of a point that has lost more than that.
 constexpr double leastShare = 0.05;
+/// What a bond has of its own energy at least, over k.
+constexpr double ownShare = 0.6;
 
-/// k in the plane and in space. Calibrated with slow growth over four horizons in clamped strips, the bond that needs
-/// the least load breaking first, on squares of 3, 3.5 and 4 spacings a horizon, turned by 0, 20 and 45 degrees, on
-/// jittered ones and on triangles, with a constant influence function and bonds without k_t: the largest energy on the
-/// way is within 8 % of the fracture energy on each. In space the lattice was stacked along the front, of 3 spacings.
+/// k in the plane and in space. Calibrated with slow growth over four horizons in clamped strips, without and with
+/// tension along the crack of 0.8 of the strain across it, the bond that needs the least load breaking first, on
+/// squares of 3 and 4 spacings a horizon, turned by 0 and 20 degrees, on jittered ones and on triangles, with a
+/// constant influence function and bonds without k_t: the largest energy on the way is within 6 % of the fracture
+/// energy in the plane with a ramp beyond the horizon, within 10 % with other rules and in space, where the lattice was
+/// stacked along the front. Then lowered by 1.5 %, to the middle of what decks/fracture_energy finds in three bodies.
 double breakageConstant(kernels::VolumeCorrection rule, int dimension) {
   const bool isPlane = dimension == 2;
   switch (rule) {
     case kernels::VolumeCorrection::RampBeyondHorizon:
-      return isPlane ? 0.249 : 0.193;
+      return isPlane ? 0.277 : 0.297;
     case kernels::VolumeCorrection::RampToHorizon:
-      return isPlane ? 0.263 : 0.207;
+      return isPlane ? 0.293 : 0.300;
     default:
-      return isPlane ? 0.276 : 0.220;
+      return isPlane ? 0.290 : 0.315;
   }
 }
 
@@ -43,9 +49,7 @@ void NodalEnergy::declareCommonParameters(ParameterDeclarations& declare) {
   declare.text("Damage Model", "Name of this model.");
   declare
       .real("Fracture Energy", "J/m2",
-            "Energy at which a unit area of crack opens, within 10 % on lattices of 3 to 5 spacings a horizon; less "
-            "where "
-            "tension along the crack is large (0.8 of it in a double cantilever beam with arms of six horizons).")
+            "Energy at which a unit area of crack opens, within 10 % on lattices of 3 to 5 spacings a horizon.")
       .positive()
       .required();
   declare.real("Young's Modulus", "Pa", "As in the material.").positive().required();
@@ -204,37 +208,71 @@ double turnedStrain2(const ReferenceBond& reference, const ReferenceBond& curren
   return sum / (reference.length * reference.length);
 }
 
+/// Adds w n n^T of the bond's direction in the reference configuration.
+void addAlong(const ReferenceBond& bond, double w, Matrix3<double>& tensor) {
+  const double perLength2 = w / (bond.length * bond.length);
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) tensor[3 * r + c] += perLength2 * bond.xi[r] * bond.xi[c];
+}
+
+/// (n . direction)^2
+double alongness(const ReferenceBond& bond, const std::array<double, 3>& direction) {
+  const double part = (bond.xi[0] * direction[0] + bond.xi[1] * direction[1] + bond.xi[2] * direction[2]) / bond.length;
+  return part * part;
+}
+
+double along(const Matrix3<double>& tensor, const std::array<double, 3>& direction) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) sum += direction[r] * tensor[3 * r + c] * direction[c];
+  return sum;
+}
+
 }  // namespace
 
-double NodalEnergy::utilisationOf(const Family& family, const Views& views, const Cache& cache) const {
+/// Sum of w n n^T over the unbroken, stretched bonds of a point; per volume, in parts of the normal micromodulus.
+kernels::Matrix3<double> NodalEnergy::storedEnergy(const Family& family, const Views& views, const Cache& cache) const {
   const double* weight = cache.weight.data() + family.firstBond;
   const double* bondDamage = views.bondDamage + family.firstBond;
   const kernels::ElasticConstants constants = constantsOf(views.volume[family.point]);
   const double tangential = constants.tangential / constants.normal;
-  Matrix3<double> rotation{};
+  Matrix3<double> rotation{}, stored{};
   if (tangential != 0.0)
     rotation = rotationOf(views.x, views.y, family.point, family.neighbors, family.count, weight, bondDamage,
                           family_.dimension());
-  double all = 0.0, unbroken = 0.0, stored = 0.0, critical = 0.0;
   for (int k = 0; k < family.count; ++k) {
-    all += weight[k];
     const double w = weight[k] * (1.0 - bondDamage[k]);
     if (w == 0.0) continue;
-    const int j = family.neighbors[k];
-    unbroken += w;
-    critical += w * views.degradation2(degradation_, family.point, j);
-    const ReferenceBond reference(views.x, family.point, j), current(views.y, family.point, j);
+    const ReferenceBond reference(views.x, family.point, family.neighbors[k]);
+    const ReferenceBond current(views.y, family.point, family.neighbors[k]);
     const double stretch = current.length / reference.length - 1.0;
     if (stretch <= 0.0) continue;
-    stored += w * (1.0 - tangential) * stretch * stretch;
-    if (tangential != 0.0) stored += w * tangential * turnedStrain2(reference, current, rotation);
+    double strain2 = (1.0 - tangential) * stretch * stretch;
+    if (tangential != 0.0) strain2 += tangential * turnedStrain2(reference, current, rotation);
+    addAlong(reference, w * strain2, stored);
   }
-  if (unbroken == 0.0) return 0.0;
+  return stored;
+}
+
+double NodalEnergy::utilisationOf(const Family& family, const Views& views, const Cache& cache) const {
+  const double* weight = cache.weight.data() + family.firstBond;
+  const double* bondDamage = views.bondDamage + family.firstBond;
+  const Matrix3<double> stored = storedEnergy(family, views, cache);
+  if (stored[0] + stored[4] + stored[8] == 0.0) return 0.0;
+  const std::array<double, 3> direction = kernels::principalDirection(stored);
+  double all = 0.0, unbroken = 0.0, critical = 0.0;
+  for (int k = 0; k < family.count; ++k) {
+    const int j = family.neighbors[k];
+    const double w = weight[k] * alongness(ReferenceBond(views.x, family.point, j), direction);
+    all += w;
+    unbroken += w * (1.0 - bondDamage[k]);
+    critical += w * (1.0 - bondDamage[k]) * views.degradation2(degradation_, family.point, j);
+  }
   // Hydrogen may leave bonds without any strength: then any stretch is enough.
   constexpr double strengthless = 1e-12;
   const double lost = 1.0 - unbroken / all;
-  return stored / (std::max(critical, strengthless * unbroken) * views.limit2(family.point)) * (1.0 - lost) /
-         (std::max(wholeShare - lost, leastShare) * constant_);
+  return along(stored, direction) / (std::max(critical, strengthless * unbroken) * views.limit2(family.point)) *
+         (1.0 - lost) / (std::max(wholeShare - lost, leastShare) * constant_);
 }
 
 void NodalEnergy::precompute(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
@@ -267,7 +305,7 @@ void NodalEnergy::worsen(double dt, const Call& call, DataManager& data) const {
     if (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0)) return;
     const double stretch = ReferenceBond(views.y, i, j).length / ReferenceBond(views.x, i, j).length - 1.0;
     const double limit2 = 0.5 * (views.limit2(i) + views.limit2(j));
-    const double least2 = wholeShare * constant_ * limit2 * views.degradation2(degradation_, i, j);
+    const double least2 = ownShare * constant_ * limit2 * views.degradation2(degradation_, i, j);
     if (stretch <= 0.0 || stretch * stretch < least2) return;
     bondDamage[bond] = 1.0;
     hasBroken = true;

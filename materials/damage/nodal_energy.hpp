@@ -9,6 +9,7 @@
 #include "bond_damage_model.hpp"
 #include "bond_family.hpp"
 #include "point_arrays.hpp"
+#include "rotation.hpp"
 #include "stretch_kernel.hpp"
 #include "surface_correction.hpp"
 
@@ -16,14 +17,16 @@ namespace pd {
 
 /// Where single bonds break at their stretch or energy, a lattice holds a crack up until 1.2 to 1.7 times the fracture
 /// energy is there, and bends it along its rows. Here a bond needs the energy of its neighbourhoods. With w the energy
-/// of an unbroken bond that is stretched, w_c what it takes to break (their sum over a plane is the fracture energy)
-/// and D the part of a point's sum of w_c that is broken,
+/// of an unbroken bond along n that is stretched, and w_c what it takes to break (their sum over a plane is the
+/// fracture energy), m is the direction in which a point stores most, the first principal axis of sum w n n^T, and with
+/// D the part of sum w_c (n.m)^2 that is broken,
 ///
-///   U = [sum w / sum w_c (unbroken bonds)] (1 - D) / max(0.6 - D, 0.05) / k
+///   U = [sum w (n.m)^2 / sum w_c (n.m)^2 (unbroken bonds)] (1 - D) / max(0.8 - D, 0.05) / k
 ///
-/// is the utilisation of the point. A bond breaks where the mean U of its ends is 1 and its own stretch is at least
-/// sqrt(0.6 k) of the one with w = w_c. Bonds that were cut before the run and are kept as broken count in D, those
-/// that a free surface lacks do not. k is calibrated (breakageConstant in the source).
+/// is the utilisation of the point: what is stretched along a crack hardly helps to open it. A bond breaks where the
+/// mean U of its ends is 1 and its own stretch is at least sqrt(0.6 k) of the one with w = w_c. Bonds that were cut
+/// before the run and are kept as broken count in D, those that a free surface lacks do not. k is calibrated
+/// (breakageConstant in the source).
 ///
 /// U of neighbours is needed before any bond breaks: precompute() finds it, and the host exchanges it. A host that does
 /// not call precompute() is served where it has no ghosts, and told where it has.
@@ -83,6 +86,7 @@ class NodalEnergy : public BondDamageModel {
   Cache& cacheOf(const Call& call, PeridigmNS::DataManager& dataManager, Views& views) const;
   /// Of bonds of a point of this volume.
   kernels::ElasticConstants constantsOf(double volume) const;
+  kernels::Matrix3<double> storedEnergy(const Family& family, const Views& views, const Cache& cache) const;
   double utilisationOf(const Family& family, const Views& views, const Cache& cache) const;
 
   Fields fields_;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfenv>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -123,9 +125,17 @@ struct FunctionProgram::Statement {
 };
 
 struct FunctionProgram::Implementation {
+  double evaluate() {
+    if (expression) return expression->Eval();
+    value = 0.0;
+    for (const Statement& statement : statements) statement.run();
+    return value;
+  }
+
   std::deque<double> inputs;
   std::deque<double> locals;
   double value = 0.0;
+  bool hasValue = true;  ///< false where a constant part, such as sqrt(-1), has none
   std::vector<char> isUsed;
   std::unique_ptr<mu::Parser> expression;  ///< of a text that is one expression
   std::vector<Statement> statements;       ///< of a body
@@ -156,7 +166,14 @@ class BodyReader {
       for (const auto& [name, address] : names) parser->DefineVar(name, address);
       parser->SetExpr(text);
       int nResults = 0;
+      std::feclearexcept(FE_INVALID);
       parser->Eval(nResults);
+      if (std::fetestexcept(FE_INVALID) != 0) {
+        // The first time it works constant parts out for good.
+        std::feclearexcept(FE_INVALID);
+        parser->Eval(nResults);
+        program_.hasValue = program_.hasValue && std::fetestexcept(FE_INVALID) != 0;
+      }
       if (nResults != 1) refuse("\"" + text + "\" has several values; write decimals with a point");
       for (const auto& used : parser->GetUsedVar())
         for (std::size_t i = 0; i < program_.inputs.size(); ++i)
@@ -353,10 +370,13 @@ FunctionProgram::FunctionProgram(FunctionProgram&&) noexcept = default;
 double FunctionProgram::evaluate(const double* values) const {
   Implementation& program = *implementation_;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) program.inputs[i] = values[i];
-  if (program.expression) return program.expression->Eval();
-  program.value = 0.0;
-  for (const Statement& statement : program.statements) statement.run();
-  return program.value;
+  const double result = program.hasValue ? program.evaluate() : std::numeric_limits<double>::quiet_NaN();
+  // The processor remembers operations without a value, and comparisons with what they left; others may have caused
+  // them. To ask is quick, to have it forget is not.
+  if (std::fetestexcept(FE_INVALID) == 0) return result;
+  std::feclearexcept(FE_INVALID);
+  program.evaluate();
+  return std::fetestexcept(FE_INVALID) == 0 ? result : std::numeric_limits<double>::quiet_NaN();
 }
 
 bool FunctionProgram::uses(std::size_t variable) const { return implementation_->isUsed[variable] != 0; }

@@ -22,7 +22,8 @@ class FunctionProgram {
   ~FunctionProgram();
   FunctionProgram(FunctionProgram&&) noexcept;
 
-  /// `values`: one for each variable, in their order. The result may be NaN or infinite.
+  /// `values`: one for each variable, in their order. The result may be NaN or infinite. It is NaN where any part that
+  /// was evaluated has no value (sqrt(-1), 0/0), though a comparison, min() or an if made a number of it again.
   double evaluate(const double* values) const;
   bool uses(std::size_t variable) const;
 

@@ -212,6 +212,9 @@ std::string Parameter::complaint(double value) const {
   const bool high = highestExcluded ? !(value < highest) : value > highest;
   if ((low && std::isfinite(lowest)) || (high && std::isfinite(highest)))
     return "is " + numberText(value) + ", must be " + allowedText();
+  const bool isSmall = value != 0.0 && std::abs(value) < 1.0 / largestMeant && !unit.empty() && unit != "1";
+  if (std::abs(value) > largestMeant || isSmall)
+    return "is " + numberText(value) + ", too " + (isSmall ? "small" : "large") + " to be meant";
   return "";
 }
 

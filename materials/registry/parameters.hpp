@@ -13,6 +13,10 @@
 
 namespace pd {
 
+/// Larger values, and smaller ones than its inverse that have a unit, are slips: products of a few given ones with
+/// powers of lengths would overflow.
+constexpr double largestMeant = 1e100;
+
 enum class ParameterType {
   Real,      ///< double; an integer is accepted
   Integer,   ///< int

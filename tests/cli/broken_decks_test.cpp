@@ -93,6 +93,7 @@ TEST(RefusedStarts, AreKnownToTheCheck) {
     const Outcome checked = outcomeOf(broken, {"--check"});
     EXPECT_EQ(checked.exitCode, 2);
     expectLines(checked, broken.expected);
+    EXPECT_EQ(countMistakes(checked), broken.expected.size()) << checked.errors;
     EXPECT_EQ(outcomeOf(broken, {}, true).exitCode, 3);
   }
 }

@@ -165,6 +165,12 @@ std::vector<Broken> brokenRuns() {
        {{"Type: Prescribed Concentration\n", "Type: Prescribed Temperature\n"}},
        {"deck.yaml:53:3: Boundary Conditions/Charge: it acts on the field \"Temperature\", which no material, damage "
         "model or solver of this deck uses"}},
+      {"ValueNobodyMeansAtAPoint",
+       {{"    Value: \"1.0e-5*min(t/10, 1)\"", "    Value: \"1.0e105*x\""}},
+       {"deck.yaml:56:12: the value of \"1.0e105*x\" is 1e+102, too large to be meant, at point "}},
+      {"NodeSetOfNoValue",
+       {{"{Expression: \"y > 0.0015\"}", "{Expression: \"sqrt(y) > 0.04\"}"}},
+       {"deck.yaml:41:30: the value of \"sqrt(y) > 0.04\" is not a number at point 1, (0, -0.002, 0) m"}},
       {"VelocityInStatics",
        {{"Type: Prescribed Concentration\n", "Type: Initial Velocity\n"}},
        {"deck.yaml:53:3: Boundary Conditions/Charge: Initial Velocity does nothing, since no solver of this deck moves "

@@ -265,11 +265,10 @@ class Locks(ResultsTest):
 
 
 class FullDisks(ResultsTest):
-    """A file system in memory, in a mount space of the run's own, is full after a few files. On one rank: where several
-    write a file together, HDF5 may wait without end for the one that met the end of the disk."""
+    """A file system in memory, in a mount space of the run's own, is full after a few files."""
 
-    def run_on_a_small_disk(self, deck, kilobytes):
-        command = " ".join(self.prepare(deck, arguments=["--output-folder", "small"]))
+    def run_on_a_small_disk(self, deck, kilobytes, ranks):
+        command = " ".join(self.prepare(deck, ranks=ranks, arguments=["--output-folder", "small"]))
         os.makedirs(self.path("small"), exist_ok=True)
         script = (f"mount -t tmpfs -o size={kilobytes}k none small || exit 77; {command}; code=$?; "
                   "rm -rf after; cp -r small after; exit $code")
@@ -280,10 +279,11 @@ class FullDisks(ResultsTest):
         return done
 
     def test_end_the_run_with_a_message_and_leave_what_can_be_read(self):
+        # On several ranks HDF5 would wait without end for the one that met the end of the disk.
         nRead = 0
-        for kilobytes in (4, 16, 64, 90):
-            with self.subTest(kilobytes=kilobytes):
-                done = self.run_on_a_small_disk(self.deck(60, **{"Output Frequency": 1}), kilobytes)
+        for ranks, kilobytes in ((1, 4), (1, 16), (1, 64), (1, 90), (1, 200), (2, 4), (2, 40), (2, 90), (2, 200)):
+            with self.subTest(ranks=ranks, kilobytes=kilobytes):
+                done = self.run_on_a_small_disk(self.deck(60, **{"Output Frequency": 1}), kilobytes, ranks)
                 self.assertEqual(done.returncode, 3, done.stderr)
                 self.assertRegex(done.stderr, 'the run cannot go on: .*small/plate')
                 self.assertFalse(os.path.exists(self.path("after/plate.lock")))

@@ -1,6 +1,8 @@
 // Functions of place and time in decks.
 #include "driver/deck/function.hpp"
 
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <random>
 
@@ -62,6 +64,37 @@ TEST(Function, UnderstandsTheBodiesOfPeridigm) {
       valueOf("/* note */ double r = sqrt(x^2 + y^2); // radius\n if (r > 0.5) { double s = r; value = s; }"),
       std::sqrt(0.09 + 0.49));
   EXPECT_DOUBLE_EQ(valueOf("if ((x < 1) && (y <= 0.7)) { if (z != 0) { value = 1; } else { value = 2; } }"), 1.0);
+}
+
+TEST(Function, HasNoValueWhereAPartHasNone) {
+  // Each compares what is no number, or chooses by it; in C all of them are numbers.
+  for (const char* text :
+       {"sqrt(x - 1) < 2", "!(log(x - 1) > 0)", "min(2, sqrt(x - 1))", "max(sqrt(x - 1), 0)", "sqrt(x - 1) < 2 ? 3 : 4",
+        "(y - 0.7)/(x - 0.3) == 0", "x > 1 && sqrt(x - 1) < 2", "asin(t) >= 0 || x > 0",
+        "value = 1; if (sqrt(x - 1) < 2) value = 2;", "double a = pow(x - 1, 0.5); value = 1;"}) {
+    const Function function = make(text);
+    EXPECT_TRUE(std::isnan(function(0.3, 0.7, -1.2, 2.0))) << text;
+    EXPECT_TRUE(std::isnan(function(0.3, 0.7, -1.2, 2.0))) << text << ": the second time";
+    EXPECT_TRUE(std::isfinite(function(1.5, 0.2, -1.2, 0.5))) << text;
+    const double place[3] = {0.3, 0.7, -1.2};
+    EXPECT_THAT(complaintOf([&] { function.at(place, 2.0, 6); }), testing::HasSubstr("is not a number at point 7"));
+  }
+  EXPECT_TRUE(std::isnan(make("x < 1 && sqrt(-1) < 2")(0.3, 0.7, -1.2, 2.0)));
+  EXPECT_NE(refusal("sqrt(-1) < 2"), "");
+  // What is not evaluated has no need of a value; infinity is one.
+  EXPECT_EQ(valueOf("x > 1 ? sqrt(x - 1) : 0"), 0.0);
+  EXPECT_EQ(valueOf("if (x > 1) value = sqrt(x - 1); else value = 5;"), 5.0);
+  EXPECT_EQ(valueOf("1/(x - 0.3) > 2"), 1.0);
+  const double place[3] = {0.3, 0.7, -1.2};
+  EXPECT_THAT(complaintOf([&] { make("x > 1 && sqrt(x - 1) < 2").at(place, 0.0, 6); }),
+              testing::HasSubstr("both sides of && and || must have a value: a ? b : 0 in place of a && b"));
+}
+
+TEST(Function, OperationsOfOthersDoNotMatter) {
+  volatile double zero = 0.0;
+  const volatile double none = zero / zero;
+  EXPECT_TRUE(std::isnan(none));
+  EXPECT_DOUBLE_EQ(valueOf("x + 2*y < 3"), 1.0);
 }
 
 TEST(Function, KnowsWhatItDependsOn) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "alive_bonds.hpp"
+#include "principal_direction.hpp"
 #include "simd.hpp"
 
 using namespace pd::kernels;
@@ -24,6 +25,29 @@ TEST(Simd, InverseSquareRootIsGoodToRoundOff) {
       worst = std::max(worst, std::abs(y[lane] * std::sqrt(x[lane]) - 1.0));
   }
   EXPECT_LT(worst, 6e-16);
+}
+
+TEST(PrincipalDirection, IsThatOfTheLargestPart) {
+  // sum of l_i u_i u_i^T with known, orthogonal u_i: the columns of a product of three turns.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(-3.0, 3.0), size(-1.0, 1.0);
+  for (int repetition = 0; repetition < 500; ++repetition) {
+    const double a = angle(random), b = angle(random), c = angle(random);
+    const double u[3][3] = {
+        {std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), -std::sin(b)},
+        {std::cos(a) * std::sin(b) * std::sin(c) - std::sin(a) * std::cos(c),
+         std::sin(a) * std::sin(b) * std::sin(c) + std::cos(a) * std::cos(c), std::cos(b) * std::sin(c)},
+        {std::cos(a) * std::sin(b) * std::cos(c) + std::sin(a) * std::sin(c),
+         std::sin(a) * std::sin(b) * std::cos(c) - std::cos(a) * std::sin(c), std::cos(b) * std::cos(c)}};
+    const double sizes[3] = {size(random), 1.5, size(random)};
+    Matrix3<double> tensor{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t s = 0; s < 3; ++s) tensor[3 * r + s] += sizes[i] * u[i][r] * u[i][s];
+    const std::array<double, 3> found = principalDirection(tensor);
+    EXPECT_NEAR(std::abs(found[0] * u[1][0] + found[1] * u[1][1] + found[2] * u[1][2]), 1.0, 1e-13);
+  }
+  EXPECT_EQ(principalDirection({1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0})[1], 1.0);
 }
 
 TEST(Simd, FourValuesOfAPointAreGatheredAndScattered) {

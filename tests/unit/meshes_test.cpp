@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fstream>
 #include <numeric>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -242,22 +243,23 @@ const char* const surfaceDeck =
     "  Bond Filters:\n    Cut: {Type: Exodus Mesh, File Name: mesh.g}\n"
     "Blocks:\n  Body:\n    Block Names: default\n    Material: None\n    Horizon: 1.5\n";
 
-/// What is said of a file with the length of a dimension changed in its heading alone. In NetCDF's classic format the
-/// length, 4 bytes, highest first, follows the name, which is filled up to a multiple of 4 bytes.
-std::string complaintsWith(const std::string& dimension, std::uint32_t length, const ExodusMesh& mesh,
-                           const std::string& deck) {
-  const SceneFiles files("exodus_damaged");
-  files.write("points.txt", pd_test::latticeMesh(3, 3, 3));
+std::string bytesOf(const ExodusMesh& mesh, int format) {
+  const SceneFiles files("exodus_whole");
   const std::string path = files.path("mesh.g");
-  pd_test::writeExodus(path, mesh);
+  pd_test::writeExodus(path, mesh, format);
   std::stringstream content;
   content << std::ifstream(path, std::ios::binary).rdbuf();
-  std::string bytes = content.str();
-  const std::size_t at = bytes.find(dimension);
-  EXPECT_NE(at, std::string::npos) << dimension;
-  for (std::size_t k = 0; k < 4; ++k)
-    bytes[at + (dimension.size() + 3) / 4 * 4 + k] = static_cast<char>(length >> (24 - 8 * k));
-  std::ofstream(path, std::ios::binary) << bytes;
+  return content.str();
+}
+
+void putBigEndian(std::string& bytes, std::size_t at, std::uint32_t value) {
+  for (std::size_t k = 0; k < 4; ++k) bytes[at + k] = static_cast<char>(value >> (24 - 8 * k));
+}
+
+std::string complaintsOfBytes(const std::string& bytes, const std::string& deck = exodusDeck) {
+  const SceneFiles files("exodus_damaged");
+  files.write("points.txt", pd_test::latticeMesh(3, 3, 3));
+  std::ofstream(files.path("mesh.g"), std::ios::binary) << bytes;
   try {
     pd::readDiscretization(pd::Deck::read(files.write("deck.yaml", deck)), pd::Communicator(MPI_COMM_SELF));
   } catch (const pd::DeckError& error) {
@@ -266,6 +268,16 @@ std::string complaintsWith(const std::string& dimension, std::uint32_t length, c
   return "no error";
 }
 
+/// What is said of a file with the length of a dimension changed in its heading alone. In NetCDF's classic format the
+/// length, 4 bytes, highest first, follows the name, which is filled up to a multiple of 4 bytes.
+std::string complaintsWith(const std::string& dimension, std::uint32_t length, const ExodusMesh& mesh,
+                           const std::string& deck) {
+  std::string bytes = bytesOf(mesh, NC_64BIT_OFFSET);
+  const std::size_t at = bytes.find(dimension);
+  EXPECT_NE(at, std::string::npos) << dimension;
+  putBigEndian(bytes, at + (dimension.size() + 3) / 4 * 4, length);
+  return complaintsOfBytes(bytes, deck);
+}
 ExodusMesh cubesAndSphere() {
   ExodusMesh mesh = cubes(3, 1, 1);
   mesh.nodes.push_back({0.5, 2.5, 0.5});
@@ -324,6 +336,49 @@ TEST(DamagedExodus, AnyDimensionMayBeWrong) {
     }
   EXPECT_GT(nRefused, 100);
   EXPECT_GT(nRead, 10);  // lengths of names, and those that are right
+}
+
+/// By counts of the heading NetCDF takes memory before it looks for what is counted.
+TEST(DamagedExodus, CountsOfTheHeadingAreThoseOfTheFile) {
+  for (const int format : {0, NC_64BIT_OFFSET}) {
+    const std::string whole = bytesOf(cubes(3, 2, 1), format);
+    // Lists of dimensions and of variables begin with the tags 10 and 11 (NetCDF User's Guide, classic format); this
+    // mesh has ten of each.
+    for (const char tag : {'\n', '\v'}) {
+      const std::size_t at = whole.find(std::string("\0\0\0", 3) + tag + std::string("\0\0\0\n", 4));
+      ASSERT_NE(at, std::string::npos);
+      for (const std::uint32_t count : {0x08000000u, 0x7fffffffu, 0xffffffffu}) {
+        std::string bytes = whole;
+        putBigEndian(bytes, at + 4, count);
+        EXPECT_THAT(complaintsOfBytes(bytes),
+                    HasSubstr(tag == '\n' ? " dimensions, more than its" : " variables, more than its"));
+      }
+    }
+  }
+}
+
+TEST(DamagedExodus, NothingOfAFileMayBeMissing) {
+  for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
+    const std::string whole = bytesOf(cubes(3, 2, 1), format);
+    EXPECT_EQ(complaintsOfBytes(whole), "no error") << format;
+    for (std::size_t size = 4; size + 8 < whole.size(); size += whole.size() / 37)
+      EXPECT_THAT(complaintsOfBytes(whole.substr(0, size)), HasSubstr("mesh.g\": it")) << format << ", " << size;
+  }
+}
+
+/// The library dies of some of these, or runs in circles.
+TEST(DamagedExodus, AnyByteOfAFileOfHdf5MayBeWrong) {
+  const std::string whole = bytesOf(cubes(2, 1, 1), NC_NETCDF4);
+  std::mt19937 random(5);
+  int nRefused = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes = whole;
+    for (int k = 0; k < 4; ++k) bytes[random() % bytes.size()] = static_cast<char>(random() % 2 == 0 ? 0xff : 0x80);
+    const std::string said = complaintsOfBytes(bytes);
+    EXPECT_TRUE(said == "no error" || said.find("mesh.g") != std::string::npos) << said;
+    nRefused += said == "no error" ? 0 : 1;
+  }
+  EXPECT_GT(nRefused, 20);
 }
 
 TEST(DamagedExodus, NodesAreSomewhere) {
