@@ -83,7 +83,8 @@ void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vect
   for (std::size_t i = 0; i < n; ++i) displacement[i] = start[i] + part * moved[i];
   evaluate(simulation, dt, externalForce);
   for (std::size_t i = 0; i < n; ++i) residual_[i] = atStart[i] + (residual_[i] - atStart[i]) / part;
-  const LinearSolveReport report = solveLinear(simulation, dt, externalForce, 1e-5);
+  const LinearSolveReport report =
+      solveLinear(simulation, dt, externalForce, std::clamp(settings_.relativeTolerance, 1e-5, 1e-2));
   const bool isUseful = report.relativeResidual < 0.5;
   for (std::size_t i = 0; i < n; ++i)
     displacement[i] = start[i] + moved[i] + (isUseful && !isHeld_[i] ? step_[i] : 0.0);

@@ -230,7 +230,7 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
   simulation.model.fieldAtN("Displacement");  // kept from now on: where each part of the load step starts
   takeUpBreakage(simulation);
-  newton_.startAfresh(simulation.model);
+  newton_.startIncrement(simulation.model);
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "../../materials/registry/linear_bonds.hpp"
@@ -88,6 +90,7 @@ SpringTangent::SpringTangent(Model& model)
       stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
       seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()) {
+  stalePoints_ = allPoints();
   for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
 }
@@ -97,11 +100,18 @@ void SpringTangent::hold(const std::vector<char>& isHeld) {
   isHeld_ = isHeld;
   if (isSame) return;
   stiffness_.hold(isHeld);
-  smootherIsCurrent_ = coarseIsCurrent_ = false;
+  stalePoints_ = allPoints();
+  coarseIsCurrent_ = false;
 }
 
-void SpringTangent::startAfresh() {
-  mustRebuild_ = mustRebuild_ || nChanges_ > 0;
+std::vector<int> SpringTangent::allPoints() const {
+  std::vector<int> points(static_cast<std::size_t>(model_.nOwned()));
+  std::iota(points.begin(), points.end(), 0);
+  return points;
+}
+
+void SpringTangent::forgetHistory() {
+  mustRebuild_ = true;
   freshRate_ = 0.0;
 }
 
@@ -134,8 +144,12 @@ void SpringTangent::takeUpDamage() {
   std::vector<const double*> ofPoint(static_cast<std::size_t>(model_.nOwned()), nullptr);
   for (std::size_t k = 0; k < changed.size(); ++k) ofPoint[static_cast<std::size_t>(changed[k])] = bondsOf[k];
   network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
-  stiffness_.refresh();
-  smootherIsCurrent_ = coarseIsCurrent_ = false;
+  std::sort(changed.begin(), changed.end());
+  stiffness_.refresh(changed);
+  std::vector<int> stale;
+  std::set_union(stalePoints_.begin(), stalePoints_.end(), changed.begin(), changed.end(), std::back_inserter(stale));
+  stalePoints_ = std::move(stale);
+  coarseIsCurrent_ = false;
 }
 
 bool SpringTangent::keepsTogether() {
@@ -151,16 +165,16 @@ void SpringTangent::prepare() {
   if (!isCurrent) ++nChanges_;
   const bool isStale = mustRebuild_ || nChanges_ >= mostChanges;
   coarseIsCurrent_ = true;
+  if (model_.comm().any(!stalePoints_.empty()))
+    levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);
+  stalePoints_.clear();
   if (isStale) {
     levels_.rebuild();
     ++nRebuilds;
     nChanges_ = 0;
     freshRate_ = 0.0;
     mustRebuild_ = false;
-  } else if (model_.comm().any(!smootherIsCurrent_)) {
-    levels_.refreshSmoother();
   }
-  smootherIsCurrent_ = true;
 }
 
 void SpringTangent::force(const double* displacement, double* forceDensity) {
