@@ -132,8 +132,9 @@ void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
-  const bool hasBroken = looksForBreakage_ && simulation.model.hasDamage() &&
-                         totalBondDamage(simulation.model) > bondDamage_ * (1.0 + 1e-12);
+  const double bondDamage = simulation.model.hasDamage() ? totalBondDamage(simulation.model) : 0.0;
+  const bool hasBroken = looksForBreakage_ && bondDamage > bondDamage_ * (1.0 + 1e-12);
+  bondDamage_ = bondDamage;
   if (hasBroken) {
     newton_.dropTangent();
     mustRestoreTangent_ = false;
@@ -158,7 +159,7 @@ bool QuasiStatic::reachEquilibrium(Simulation& simulation, double dt) {
 void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
   Model& model = simulation.model;
   if (!model.hasDamage()) return;
-  double before = totalBondDamage(model);
+  double before = bondDamage_;
   for (int pass = 0;; ++pass) {
     model.evaluateDamage(dt);
     const double after = totalBondDamage(model);

@@ -19,6 +19,9 @@ using namespace PeridigmNS;
 // A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
 constexpr int mostChanges = 20;
 constexpr double slowest = 0.65;
+// Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
+// its own in double precision.
+constexpr double singlePrecision = 1e-3;
 
 bool hasForce(Block& block) {
   const auto ids = block.getMaterialModel()->FieldIds();
@@ -93,6 +96,7 @@ SpringTangent::SpringTangent(Model& model)
   stalePoints_ = allPoints();
   for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
+  single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
 }
 
 void SpringTangent::hold(const std::vector<char>& isHeld) {
@@ -170,11 +174,24 @@ void SpringTangent::prepare() {
   stalePoints_.clear();
   if (isStale) {
     levels_.rebuild();
-    ++nRebuilds;
     nChanges_ = 0;
     freshRate_ = 0.0;
     mustRebuild_ = false;
   }
+}
+
+void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
+  const int n = model_.nOwned();
+  double largest = 0.0;
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) largest = std::max(largest, std::abs(x[c][i]));
+  largest = model_.comm().max(largest);
+  const double scale = largest > 0.0 ? largest : 1.0;
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) single_[c][i] = static_cast<float>(x[c][i] / scale);
+  stiffness_.apply(single_, singleImage_);
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) y[c][i] = scale * static_cast<double>(singleImage_[c][i]);
 }
 
 void SpringTangent::force(const double* displacement, double* forceDensity) {
@@ -212,7 +229,8 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
   stiffness_.zeroHeld(right_);
   std::vector<double> flat(product ? 3 * n : 0), flatImage(flat.size());
   const PointMap stiffness = [&](PointVector<double>& from, PointVector<double>& to) {
-    if (!product) return stiffness_.apply(from, to);
+    if (!product && tolerance < singlePrecision) return stiffness_.apply(from, to);
+    if (!product) return applyInSinglePrecision(from, to);
     for (int c = 0; c < dimension; ++c)
       for (std::size_t i = 0; i < n; ++i) flat[3 * i + static_cast<std::size_t>(c)] = from[c][i];
     product(flat.data(), flatImage.data());

@@ -47,12 +47,12 @@ class SpringTangent {
 
   int nCoarseUnknowns() const { return levels_.nCoarseUnknowns(); }
   std::size_t bytes() const { return network_.bytes(); }
-  long long nRebuilds = 0;
   int nStiffenedPoints() const { return static_cast<int>(stiffness_.additions().size()); }
 
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
   std::vector<int> allPoints() const;
 
   Model& model_;
@@ -66,6 +66,7 @@ class SpringTangent {
   int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
   PointVector<double> right_, solution_, full_, image_;
+  PointVector<float> single_, singleImage_;
 };
 
 }  // namespace pd

@@ -378,10 +378,12 @@ void SpringNetwork::makeCorrections() {
     }
   }
   for (const SpringStrip& strip : strips_)
-    forEachOf(strip, [&](int i, int k, std::size_t at) {
-      if (const float left = alive(i, k); left != 1.0F)
-        add(corrections_, i, neighbors(i)[k], left - 1.0F, strip.in<double>().at(at));
-    });
+    forEachOf(
+        strip, [&](int i) { return isDamaged(i); },
+        [&](int i, int k, std::size_t at) {
+          if (const float left = alive(i, k); left != 1.0F)
+            add(corrections_, i, neighbors(i)[k], left - 1.0F, strip.in<double>().at(at));
+        });
 }
 
 std::vector<char> SpringNetwork::around(const std::vector<int>& points) const {

@@ -189,9 +189,10 @@ class SpringNetwork {
   void findStrips(RowReader reader);
   void endStrip(SpringStrip& strip, std::vector<Row>& rows);
   void makeLists(RowReader reader);
-  /// visit(point, number of the neighbour, place in the columns) for each spring of a strip's points.
-  template <class Visit>
-  void forEachOf(const SpringStrip& strip, const Visit& visit) const;
+  /// visit(point, number of the neighbour, place in the columns) for each spring of those points of a strip that
+  /// isWanted(point).
+  template <class IsWanted, class Visit>
+  void forEachOf(const SpringStrip& strip, const IsWanted& isWanted, const Visit& visit) const;
   std::array<double, 3> difference(int i, int j) const {
     std::array<double, 3> xi{};
     const PointVector<double>& x = places<double>();
@@ -220,9 +221,10 @@ class SpringNetwork {
   int nVisits_ = 0;
 };
 
-template <class Visit>
-void SpringNetwork::forEachOf(const SpringStrip& strip, const Visit& visit) const {
+template <class IsWanted, class Visit>
+void SpringNetwork::forEachOf(const SpringStrip& strip, const IsWanted& isWanted, const Visit& visit) const {
   for (int i = strip.first; i < strip.first + strip.count; ++i) {
+    if (!isWanted(i)) continue;
     std::size_t offset = 0;
     for (int k = 0; k < nNeighbors(i); ++k) {
       while (strip.offsets[offset] < neighbors(i)[k] - i) ++offset;
@@ -240,29 +242,33 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
   };
   for (const SpringRun& run : runs_) {
     const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-    for (int i = run.first; i < run.first + run.count; ++i)
-      for (std::size_t k = 0; k < pattern.offsets.size() && isWanted(i); ++k) {
+    for (int i = run.first; i < run.first + run.count; ++i) {
+      if (!isWanted(i)) continue;
+      for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
         const int j = i + pattern.offsets[k];
         if (j < i && isComplete(j)) continue;
         const float share = alive(i, static_cast<int>(k));
         if (share != 0.0F && pattern.constants[k].acts())
           visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
       }
+    }
   }
   for (const SpringStrip& strip : strips_)
-    forEachOf(strip, [&](int i, int k, std::size_t at) {
+    forEachOf(strip, isWanted, [&](int i, int k, std::size_t at) {
       const int j = neighbors(i)[k];
-      if (!isWanted(i) || (j < i && isComplete(j)) || alive(i, k) == 0.0F) return;
+      if ((j < i && isComplete(j)) || alive(i, k) == 0.0F) return;
       const auto xi = difference(i, j);
       visit(i, j, xi.data(), scaled(strip.in<double>().at(at), alive(i, k)));
     });
-  for (std::size_t r = 0; r < pairs_.rows.size(); ++r)
-    for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1] && isWanted(pairs_.rows[r]); ++k) {
+  for (std::size_t r = 0; r < pairs_.rows.size(); ++r) {
+    if (!isWanted(pairs_.rows[r])) continue;
+    for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1]; ++k) {
       if (pairs_.alive[k] == 0.0F) continue;
       const int i = pairs_.rows[r], j = pairs_.other[k];
       const auto xi = difference(i, j);
       visit(i, j, xi.data(), scaled(pairs_.in<double>().at(k), pairs_.alive[k]));
     }
+  }
 }
 
 }  // namespace pd
