@@ -1,6 +1,6 @@
 #include "damage_watch.hpp"
 
-#include <array>
+#include <experimental/simd>
 #include <numeric>
 
 #include "Peridigm_Field.hpp"
@@ -22,13 +22,13 @@ long long DamageMonitor::countChanged(Model& model) {
 
 namespace {
 
-/// In several sums at once, which wait for each other no more.
 double sumOf(const double* values, int n) {
-  std::array<double, 8> sums{};
+  using Vector = std::experimental::native_simd<double>;
+  constexpr int lanes = static_cast<int>(Vector::size());
+  Vector sums = 0.0;
   int k = 0;
-  for (; k + 8 <= n; k += 8)
-    for (std::size_t lane = 0; lane < 8; ++lane) sums[lane] += values[k + static_cast<int>(lane)];
-  return std::accumulate(values + k, values + n, std::accumulate(sums.begin(), sums.end(), 0.0));
+  for (; k + lanes <= n; k += lanes) sums += Vector(values + k, std::experimental::element_aligned);
+  return std::accumulate(values + k, values + n, std::experimental::reduce(sums));
 }
 
 }  // namespace
