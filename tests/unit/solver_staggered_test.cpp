@@ -125,9 +125,10 @@ TEST_F(StaggeredTest, EveryAdvancesOverAllTheTimeSinceTheLastRunAndInTheLastLoad
 
 TEST_F(StaggeredTest, EveryAndWhenRunWhereEitherAsksForIt) {
   SolverScene scene(comm, chain, heldEnds);
-  const auto solver = scene.make("Staggered",
-                                 "{Load Steps: 7, Solvers: {Hydrogen: {Diffusion: {Method: Euler, Sub Steps: 1}, Every: "
-                                 "3, When: {Field: Concentration, Has Changed By: 9.0}}}}");
+  const auto solver =
+      scene.make("Staggered",
+                 "{Load Steps: 7, Solvers: {Hydrogen: {Diffusion: {Method: Euler, Sub Steps: 1}, Every: "
+                 "3, When: {Field: Concentration, Has Changed By: 9.0}}}}");
   scene.start("Concentration", mode);
   scene.run(*solver, 0.0, 0.7);
   // Nothing changes by that much: load steps 3, 6 and 7.
