@@ -39,15 +39,19 @@ double totalBondDamage(Model& model) {
   const int id = fields.hasField("Bond_Damage") ? fields.getFieldId("Bond_Damage") : -1;
   // Most points have lost nothing: their bonds need not be read.
   const double* ofPoint = model.hasField("Damage") ? model.field("Damage") : nullptr;
+  const auto& starts = model.discretization().neighborhoodStart;
   double sum = 0.0;
   for (Block& block : *model.blocks()) {
     if (id < 0 || !block.hasData(id, PeridigmField::STEP_NP1)) continue;
     double* damage = nullptr;
     block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&damage);
     const auto list = block.getNeighborhoodData();
-    const int* count = list->NeighborhoodList();
-    for (int p = 0; p < list->NumOwnedPoints(); ++p, damage += *count, count += *count + 1)
-      if (ofPoint == nullptr || ofPoint[list->OwnedIDs()[p]] != 0.0) sum += sumOf(damage, *count);
+    for (int p = 0; p < list->NumOwnedPoints(); ++p) {
+      const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
+      const auto count = static_cast<int>(starts[point + 1] - starts[point]) - 1;
+      if (ofPoint == nullptr || ofPoint[point] != 0.0) sum += sumOf(damage, count);
+      damage += count;
+    }
   }
   return model.comm().sum(sum);
 }

@@ -17,7 +17,7 @@ namespace {
 using namespace PeridigmNS;
 
 // A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
-constexpr int mostChanges = 20;
+constexpr int mostChanges = 40;
 constexpr double slowest = 0.65;
 // Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
 // its own in double precision.

@@ -202,7 +202,7 @@ class Loops {
           eta[d] = load(x[d] + first + offset) - own[d];
         }
         M::add(xi, eta, sum);
-        gives += strip.nColumns();
+        gives += strip.count;
       }
       for (int m = 0; m < M::width; ++m) store(sum[m], s[m] + first, count);
     }
@@ -239,7 +239,7 @@ class Loops {
         for (int m = 0; m < M::width; ++m) response[m] = gives * ownResponse[m] + takes * load(t[m] + first + offset);
         M::addGradient(xi, response, sum);
       }
-      k += static_cast<std::size_t>(strip.nColumns());
+      k += static_cast<std::size_t>(strip.count);
     }
     for (int d = 0; d < D; ++d) store(-sum[d], y[d] + first, count);
   }

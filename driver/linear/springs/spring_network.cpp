@@ -18,7 +18,7 @@ constexpr std::size_t nRemembered = 64;
 // Strips of so many points, of whose places so large a part holds springs, are faster than lists; they are larger, and
 // therefore stand beside runs alone.
 constexpr int longestStrip = 2 * SpringStrip::lanes, shortestStrip = 4;
-constexpr double leastFilled = 0.4;
+constexpr double leastFilled = 0.7;
 
 }  // namespace
 
@@ -239,12 +239,13 @@ void SpringNetwork::findRuns(RowReader reader) {
 /// Writes the columns of points that follow each other, and starts anew.
 void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
   strip.count = static_cast<int>(rows.size());
-  const int end = strip.first + strip.nColumns(), nPoints = points_.nPoints;
+  const int end = strip.first + (strip.count + SpringStrip::lanes - 1) / SpringStrip::lanes * SpringStrip::lanes;
+  const int nPoints = points_.nPoints;
   // Lanes without a point read beside the others.
   const bool isInside = !rows.empty() && strip.first + strip.offsets.front() >= 0 && end <= nPoints &&
                         end + strip.offsets.back() <= nPoints;
   if (strip.count >= shortestStrip && isInside) {
-    const std::size_t size = strip.offsets.size() * static_cast<std::size_t>(strip.nColumns());
+    const std::size_t size = strip.offsets.size() * rows.size() + SpringStrip::lanes;
     const bool hasFamily = family_ != Family::None;
     std::get<0>(strip.columns).resize(size, hasAcross_, hasFamily);
     std::get<1>(strip.columns).resize(size, hasAcross_, hasFamily);

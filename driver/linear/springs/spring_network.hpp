@@ -91,14 +91,13 @@ struct SpringRun {
 /// Consecutive points whose springs differ, as near the faces of a lattice: a spring of each point to each of the
 /// offsets, without constants where it has none.
 struct SpringStrip {
-  static constexpr int lanes = 16;  ///< the number of columns is a multiple of this
+  static constexpr int lanes = 16;  ///< that a loop may read from a column on, whatever it makes of them
   int first, count;
   std::vector<int> offsets;                                         ///< rising
-  std::tuple<SpringColumns<double>, SpringColumns<float>> columns;  ///< [offsets][nColumns()]
+  std::tuple<SpringColumns<double>, SpringColumns<float>> columns;  ///< [offsets][count], and `lanes` more
 
-  int nColumns() const { return (count + lanes - 1) / lanes * lanes; }
   std::size_t at(std::size_t offset, int point) const {
-    return offset * static_cast<std::size_t>(nColumns()) + static_cast<std::size_t>(point - first);
+    return offset * static_cast<std::size_t>(count) + static_cast<std::size_t>(point - first);
   }
   template <class Real>
   const SpringColumns<Real>& in() const {
