@@ -8,7 +8,7 @@ source "$here/../scene.sh"
 cd "$results"
 "$pdrun" "$here/intact.yaml"
 "$pdrun" "$here/cracked.yaml"
-# Hydrogen on the crack lips: the hydrogen plate, its pre-cut bonds left out of the damage.
-"$pdrun" "$here/../hydrogen_plate/hydrogen_plate.yaml" --set "Output/Output Filename=lips" \
+# Hydrogen on the crack lips: the hydrogen plate by one relaxation a load step, its pre-cut bonds left out of the damage.
+"$pdrun" "$here/../hydrogen_plate/one_relaxation.yaml" --set "Output/Output Filename=lips" \
   --set "Discretization/Bond Filters/Pre-Crack/Count In Damage=false"
 "$here/plot.py" "$results"

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Pictures of the hydrogen plate: plot.py [FOLDER OF THE RESULTS]
 
-damage.png and coverage.png at the load steps of the reference, crack_length.png over time, and, where run.sh compare
-has been run, comparison.png: crack length against the place where the coverage is 0.74, for the three cases.
+damage.png and coverage.png at four load steps, crack_length.png over time, and, where run.sh compare has been run,
+comparison.png: crack length against the place where the coverage is 0.74, for its cases.
 """
 import sys
 from pathlib import Path
@@ -33,8 +33,8 @@ def maps(folder):
     results = Results(folder / "hydrogen_plate")
     damage = figures.View("Damage", limits=(0.0, 0.6))
     coverage = figures.View("Concentration", factor=1 / SATURATION, unit="C / C_sv", limits=(0.0, 1.0), crack=0.36)
-    for view, name, wanted in ((damage, "damage", (1300, 1800, 2300, 3000)),
-                               (coverage, "coverage", (1300, 1800, 2600, 3000))):
+    for view, name, wanted in ((damage, "damage", (900, 1200, 1500, 1700)),
+                               (coverage, "coverage", (900, 1200, 1500, 3000))):
         steps = [step for step in wanted if step in results.steps] or results.steps[-1:]
         figure = figures.map_panels([(results, step, figures.step_title(results, step)) for step in steps], view)
         save(figure, folder / f"{name}.png")
@@ -53,14 +53,14 @@ def crack_length(folder):
 
 def comparison(folder):
     cases = [("hydrogen_plate", "s_c ∝ f(ψ)", "C3"), ("fracture_energy_law", "G_c ∝ f(ψ)", "C0"),
-             ("no_hydrogen", "no hydrogen", "C2")]
-    if not (folder / "no_hydrogen.csv").exists():
+             ("no_hydrogen", "no hydrogen", "C2"), ("one_relaxation", "s_c ∝ f(ψ), one relaxation a load step", "C1")]
+    if not all((folder / f"{name}.csv").exists() for name, _, _ in cases):
         return
     figure, axis = figures.plt.subplots(figsize=(6.4, 4), constrained_layout=True)
     for name, label, color in cases:
         history = read_history(folder / f"{name}.csv")
         axis.plot(history["time"] / DAY, history["Crack_Length"] * 1e3, color=color, label=label)
-        if name != "no_hydrogen":
+        if name not in ("no_hydrogen", "one_relaxation"):
             results = Results(folder / name)
             front = [coverage_front(results, step) * 1e3 for step in results.steps]
             axis.plot([results.time(step) / DAY for step in results.steps], front, "--", color=color, linewidth=1,

@@ -111,8 +111,10 @@ class Run {
       fillHostFields(model, simulation_.conditions, end);
       const bool isLast = isOver_ || (stageNumber + 1 == stages_.size() && increment == nSteps);
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
-      if (simulation_.output.isCheckpointDue(step, isLast))
+      if (simulation_.output.isCheckpointDue(step, isLast)) {
         simulation_.output.checkpoint(model, {step, end, stage.name, stage.solver->restartState(), deck_, {}}, isLast);
+        stage.solver->checkpointWritten();
+      }
       simulation_.output.progress(step, firstStep_ + nSteps, end, stage.name);
       start = end;
     }

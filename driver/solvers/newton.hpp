@@ -57,9 +57,13 @@ class Newton {
   void dropTangent();
   /// After dropTangent(): whether bonds that have broken are known to have parted nothing. Collective.
   bool keepsTogether() { return springs_ && springs_->keepsTogether(); }
-  /// Forgets how far tangents, and what they are kept with, have proved good: what follows is what follows from the
-  /// state of the model alone. For the start of an increment, where a run may be taken up from a checkpoint.
-  void startAfresh(Model& model);
+  /// For the start of an increment: tries the cheapest tangent again, whatever the one before took.
+  void startIncrement(Model& model);
+  /// What follows is to follow from the state of the model alone, as in a run that is taken up from a checkpoint of it:
+  /// what springs are kept with is made anew from the bonds that there are.
+  void forgetHistory() {
+    if (springs_) springs_->forgetHistory();
+  }
   /// Throws RunError where the settings ask for springs, and the materials have none.
   void requireSprings(Model& model) const;
   /// Makes the tangent at the present displacements, if there is none.
@@ -120,7 +124,7 @@ class Newton {
   std::unique_ptr<LinearSystem> system_;
   std::unique_ptr<SpringTangent> springs_;
   Tangent tangent_ = Tangent::Springs;
-  bool hasChosen_ = false, usesSprings_ = false;
+  bool hasChosen_ = false, usesSprings_ = false, derivesFields_ = false;
   double nonlinearity_ = 1e-3;           ///< what a step leaves of the residual that solves the linear problem exactly
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m

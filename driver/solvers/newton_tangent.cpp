@@ -40,6 +40,17 @@ class FamilyCouplingProbe : public PeridigmNS::SerialMatrix {
   bool isCoupled_ = false;
 };
 
+/// Whether a material writes fields each time that it computes forces (as Elastic does the dilatation).
+bool someMaterialDerivesFields(Model& model) {
+  bool someone = false;
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    const FieldTable fields = fieldsIn(*block.getMaterialModel());
+    for (const FieldUse& use : fields.uses())
+      someone = someone || (use.access == FieldAccess::Writes && use.ghosts != Ghosts::AfterInitialize);
+  }
+  return someone;
+}
+
 // A first guess at how far the tangent changes with the displacements of a load step: strains of metals.
 constexpr double firstNonlinearity = 1e-3;
 // Products by difference quotients before a matrix is made after all.
@@ -167,15 +178,15 @@ void Newton::chooseTangent(Model& model) {
   const Timers::Scope timer(model.timers(), "springs");
   springs_ = std::make_unique<SpringTangent>(model);
   springs_->hold(isHeld_);
+  derivesFields_ = model.comm().any(someMaterialDerivesFields(model));
 }
 
-void Newton::startAfresh(Model& model) {
+void Newton::startIncrement(Model& model) {
   chooseTangent(model);
   if (!usesSprings_) return;
   hasTangent_ = false;
   tangent_ = Tangent::Springs;
   nonlinearity_ = firstNonlinearity;
-  springs_->startAfresh();
 }
 
 bool Newton::improveTangent(Tangent better) {
@@ -212,10 +223,13 @@ void Newton::springForce(Model& model) {
   springs_->force(model.field(fields_.displacement), model.field(fields_.force));
 }
 
-/// What materials and computes derive from forces follows from theirs; the forces are those of the springs again.
+/// What materials derive from displacements beside forces follows from theirs; the forces are those of the springs
+/// again.
 void Newton::completeSmallStrain(Model& model, double dt) {
-  model.evaluateForce(dt);
-  springForce(model);
+  if (derivesFields_) {
+    model.evaluateForce(dt);
+    springForce(model);
+  }
   springs_->copyForceToBlocks();
 }
 
@@ -231,7 +245,7 @@ void Newton::prepareTangent(Simulation& simulation, double dt) {
 void Newton::restoreTangent(Simulation& simulation, double dt) {
   Model& model = simulation.model;
   chooseTangent(model);
-  if (usesSprings_) return;  // startAfresh() has forgotten it before the checkpoint, too
+  if (usesSprings_) return;  // forgetHistory() has forgotten it at the checkpoint, too
   double* displacement = model.field(fields_.displacement);
   const std::vector<double> present(displacement, displacement + isHeld_.size());
   const double* remembered = model.field(fields_.tangentDisplacement);

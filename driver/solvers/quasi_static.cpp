@@ -117,8 +117,9 @@ void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
-  const bool hasBroken = looksForBreakage_ && simulation.model.hasDamage() &&
-                         totalBondDamage(simulation.model) > bondDamage_ * (1.0 + 1e-12);
+  const double bondDamage = simulation.model.hasDamage() ? totalBondDamage(simulation.model) : 0.0;
+  const bool hasBroken = looksForBreakage_ && bondDamage > bondDamage_ * (1.0 + 1e-12);
+  bondDamage_ = bondDamage;
   if (hasBroken) {
     newton_.dropTangent();
     mustRestoreTangent_ = false;
@@ -143,7 +144,7 @@ bool QuasiStatic::reachEquilibrium(Simulation& simulation, double dt) {
 void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
   Model& model = simulation.model;
   if (!model.hasDamage()) return;
-  double before = totalBondDamage(model);
+  double before = bondDamage_;
   for (int pass = 0;; ++pass) {
     model.evaluateDamage(dt);
     const double after = totalBondDamage(model);
@@ -215,7 +216,7 @@ void QuasiStatic::advance(Simulation& simulation, double t, double dt) {
   ++loadStep_;
   simulation.model.fieldAtN("Displacement");  // kept from now on: where each part of the load step starts
   takeUpBreakage(simulation);
-  newton_.startAfresh(simulation.model);
+  newton_.startIncrement(simulation.model);
   if (mustRestoreTangent_) newton_.restoreTangent(simulation, dt);
   mustRestoreTangent_ = false;
   newton_.prepareTangent(simulation, dt);

@@ -40,6 +40,7 @@ class QuasiStatic : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
+  void checkpointWritten() override { newton_.forgetHistory(); }
   void setRestartState(const RestartState& state) override;
   void modelHasChanged() override { mustRestoreTangent_ = false; }
   void fieldsHaveChanged() override { looksForBreakage_ = true; }

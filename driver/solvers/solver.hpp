@@ -44,6 +44,9 @@ class Solver : public FieldUser {
 
   /// State beyond the fields that a bit-identical restart needs.
   virtual RestartState restartState() const { return {}; }
+  /// A checkpoint has been written: what follows must not depend on more than it holds, so that a run that is taken up
+  /// from it is the same to the last bit. Caches of what the past has been are renewed here.
+  virtual void checkpointWritten() {}
   /// After initialize(); `state` has the names of restartState(). The increments that follow may be others than before.
   virtual void setRestartState(const RestartState& /*state*/) {}
   /// After setRestartState(): materials, conditions or bonds of the deck are others now. What was estimated from them

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "../../materials/registry/linear_bonds.hpp"
@@ -15,8 +17,11 @@ namespace {
 using namespace PeridigmNS;
 
 // A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
-constexpr int mostChanges = 20;
+constexpr int mostChanges = 40;
 constexpr double slowest = 0.65;
+// Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
+// its own in double precision.
+constexpr double singlePrecision = 1e-3;
 
 bool hasForce(Block& block) {
   const auto ids = block.getMaterialModel()->FieldIds();
@@ -88,8 +93,10 @@ SpringTangent::SpringTangent(Model& model)
       stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
       seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()) {
+  stalePoints_ = allPoints();
   for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
+  single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
 }
 
 void SpringTangent::hold(const std::vector<char>& isHeld) {
@@ -97,11 +104,18 @@ void SpringTangent::hold(const std::vector<char>& isHeld) {
   isHeld_ = isHeld;
   if (isSame) return;
   stiffness_.hold(isHeld);
-  smootherIsCurrent_ = coarseIsCurrent_ = false;
+  stalePoints_ = allPoints();
+  coarseIsCurrent_ = false;
 }
 
-void SpringTangent::startAfresh() {
-  mustRebuild_ = mustRebuild_ || nChanges_ > 0;
+std::vector<int> SpringTangent::allPoints() const {
+  std::vector<int> points(static_cast<std::size_t>(model_.nOwned()));
+  std::iota(points.begin(), points.end(), 0);
+  return points;
+}
+
+void SpringTangent::forgetHistory() {
+  mustRebuild_ = true;
   freshRate_ = 0.0;
 }
 
@@ -134,8 +148,12 @@ void SpringTangent::takeUpDamage() {
   std::vector<const double*> ofPoint(static_cast<std::size_t>(model_.nOwned()), nullptr);
   for (std::size_t k = 0; k < changed.size(); ++k) ofPoint[static_cast<std::size_t>(changed[k])] = bondsOf[k];
   network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
-  stiffness_.refresh();
-  smootherIsCurrent_ = coarseIsCurrent_ = false;
+  std::sort(changed.begin(), changed.end());
+  stiffness_.refresh(changed);
+  std::vector<int> stale;
+  std::set_union(stalePoints_.begin(), stalePoints_.end(), changed.begin(), changed.end(), std::back_inserter(stale));
+  stalePoints_ = std::move(stale);
+  coarseIsCurrent_ = false;
 }
 
 bool SpringTangent::keepsTogether() {
@@ -151,16 +169,29 @@ void SpringTangent::prepare() {
   if (!isCurrent) ++nChanges_;
   const bool isStale = mustRebuild_ || nChanges_ >= mostChanges;
   coarseIsCurrent_ = true;
+  if (model_.comm().any(!stalePoints_.empty()))
+    levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);
+  stalePoints_.clear();
   if (isStale) {
     levels_.rebuild();
-    ++nRebuilds;
     nChanges_ = 0;
     freshRate_ = 0.0;
     mustRebuild_ = false;
-  } else if (model_.comm().any(!smootherIsCurrent_)) {
-    levels_.refreshSmoother();
   }
-  smootherIsCurrent_ = true;
+}
+
+void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
+  const int n = model_.nOwned();
+  double largest = 0.0;
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) largest = std::max(largest, std::abs(x[c][i]));
+  largest = model_.comm().max(largest);
+  const double scale = largest > 0.0 ? largest : 1.0;
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) single_[c][i] = static_cast<float>(x[c][i] / scale);
+  stiffness_.apply(single_, singleImage_);
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) y[c][i] = scale * static_cast<double>(singleImage_[c][i]);
 }
 
 void SpringTangent::force(const double* displacement, double* forceDensity) {
@@ -198,7 +229,8 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
   stiffness_.zeroHeld(right_);
   std::vector<double> flat(product ? 3 * n : 0), flatImage(flat.size());
   const PointMap stiffness = [&](PointVector<double>& from, PointVector<double>& to) {
-    if (!product) return stiffness_.apply(from, to);
+    if (!product && tolerance < singlePrecision) return stiffness_.apply(from, to);
+    if (!product) return applyInSinglePrecision(from, to);
     for (int c = 0; c < dimension; ++c)
       for (std::size_t i = 0; i < n; ++i) flat[3 * i + static_cast<std::size_t>(c)] = from[c][i];
     product(flat.data(), flatImage.data());

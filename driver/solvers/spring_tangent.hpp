@@ -25,7 +25,7 @@ class SpringTangent {
   /// Bonds have broken, or have been put back.
   void bondsHaveChanged() { bondsAreKnown_ = false; }
   /// What is kept from now on depends on bonds and held points alone, not on how they came to be so.
-  void startAfresh();
+  void forgetHistory();
   /// Takes up what has changed. Collective.
   void prepare();
   /// Takes up changed bonds; false where they may have parted the body. Collective.
@@ -47,12 +47,13 @@ class SpringTangent {
 
   int nCoarseUnknowns() const { return levels_.nCoarseUnknowns(); }
   std::size_t bytes() const { return network_.bytes(); }
-  long long nRebuilds = 0;
   int nStiffenedPoints() const { return static_cast<int>(stiffness_.additions().size()); }
 
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
+  std::vector<int> allPoints() const;
 
   Model& model_;
   SpringNetwork network_;
@@ -60,10 +61,12 @@ class SpringTangent {
   TwoLevel levels_;
   std::vector<char> isHeld_;
   std::vector<double> seenDamage_;  ///< [nOwned] Damage when its bonds were last read; NaN: never
-  bool bondsAreKnown_ = false, smootherIsCurrent_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
+  std::vector<int> stalePoints_;    ///< whose springs or held degrees of freedom the smoother does not know
+  bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
   int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
   PointVector<double> right_, solution_, full_, image_;
+  PointVector<float> single_, singleImage_;
 };
 
 }  // namespace pd

@@ -158,6 +158,10 @@ RestartState Staggered::restartState() const {
   return state;
 }
 
+void Staggered::checkpointWritten() {
+  for (const StaggeredPart& part : parts_) part.solver().checkpointWritten();
+}
+
 void Staggered::setRestartState(const RestartState& state) {
   loadStep_ = static_cast<long long>(state["load steps"]);
   nNewSources_ = static_cast<long long>(state["sources"]);

@@ -32,6 +32,7 @@ class Staggered : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
+  void checkpointWritten() override;
   void setRestartState(const RestartState& state) override;
   void modelHasChanged() override;
 

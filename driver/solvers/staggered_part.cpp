@@ -62,7 +62,7 @@ void StaggeredPart::declareParameters(ParameterDeclarations& declare) {
       .integer(
           "Every",
           "The solver runs in load steps whose number is a multiple of this, and in the last one, over all the time "
-          "since it last ran.")
+          "since it last ran. With When, in load steps that either of them asks for.")
       .atLeast(1);
   ParameterDeclarations& when = declare.sublist(
       "When",
@@ -74,7 +74,6 @@ void StaggeredPart::declareParameters(ParameterDeclarations& declare) {
             "which on it runs.")
       .positive()
       .required();
-  declare.atMostOneOf({"Every", "When"});
   declare
       .real("Time Scale", "1", "Seconds of this solver in one second of the run. Conditions keep the time of the run.")
       .defaultTo(1.0)
@@ -91,9 +90,10 @@ StaggeredPart::StaggeredPart(std::string name, const Teuchos::ParameterList& ent
       solver_ = SolverRegistry::self().create(solver, entry.sublist(solver));
     }
   if (entry.isParameter("Sub Steps")) nSubSteps_ = entry.get<int>("Sub Steps");
-  if (entry.isParameter("Every")) every_ = entry.get<int>("Every");
+  const bool hasWhen = entry.isSublist("When");
+  every_ = entry.isParameter("Every") ? entry.get<int>("Every") : (hasWhen ? 0 : 1);
   timeScale_ = entry.get<double>("Time Scale");
-  if (!entry.isSublist("When")) return;
+  if (!hasWhen) return;
   watchedField_ = entry.sublist("When").get<std::string>("Field");
   enoughChange_ = entry.sublist("When").get<double>("Has Changed By");
 }
@@ -125,8 +125,8 @@ FieldTable StaggeredPart::fields() const {
 }
 
 double StaggeredPart::leastSteps(int nLoadSteps, double t0, double t1) const {
-  const double nRuns = watchedField_.empty() ? std::ceil(static_cast<double>(nLoadSteps) / every_) : 1.0;
-  const double share = watchedField_.empty() ? (t1 - t0) / nRuns : t1 - t0;
+  const double nRuns = every_ > 0 ? std::ceil(static_cast<double>(nLoadSteps) / every_) : 1.0;
+  const double share = (t1 - t0) / nRuns;
   const double start = timeScale_ * t0;
   return nRuns * std::max<double>(nSubSteps_, solver_->leastSteps(start, start + timeScale_ * share));
 }
@@ -145,7 +145,7 @@ bool StaggeredPart::isLike(const StaggeredPart& other) const {
 void StaggeredPart::rehearse(Simulation& simulation, double t, double dt) {
   const TimeScale scale(simulation.conditions, timeScale_);
   t *= timeScale_;
-  dt *= timeScale_ * every_;
+  dt *= timeScale_ * std::max(1, every_);
   solver_->rehearse(simulation, t, dt / numberOfIncrements(simulation, t, t + dt));
 }
 
@@ -163,7 +163,7 @@ double StaggeredPart::largestChange(Model& model) const {
 }
 
 bool StaggeredPart::isDue(Model& model, long long number) const {
-  return watchedField_.empty() ? number % every_ == 0 : largestChange(model) >= enoughChange_;
+  return (every_ > 0 && number % every_ == 0) || (!watchedField_.empty() && largestChange(model) >= enoughChange_);
 }
 
 int StaggeredPart::numberOfIncrements(Simulation& simulation, double t0, double t1) const {

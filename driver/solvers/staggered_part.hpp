@@ -11,10 +11,10 @@
 
 namespace pd {
 
-/// Runs in every load step, in each `Every`-th one, or `When` a field has changed enough since it last ran, and always
-/// in the last load step of the run. It then advances over all the time since it last ran, in `Sub Steps` increments or
-/// as many as the solver itself chooses. Its solver counts `Time Scale` seconds where the run counts one, and so do the
-/// plug-ins that it calls; conditions keep the time of the run.
+/// Runs in every load step, in each `Every`-th one, `When` a field has changed enough since it last ran, or where
+/// either is so, and always in the last load step of the run. It then advances over all the time since it last ran, in
+/// `Sub Steps` increments or as many as the solver itself chooses. Its solver counts `Time Scale` seconds where the run
+/// counts one, and so do the plug-ins that it calls; conditions keep the time of the run.
 class StaggeredPart {
  public:
   static void declareParameters(ParameterDeclarations& declare);
@@ -56,7 +56,7 @@ class StaggeredPart {
   std::string name_, solverName_;
   Teuchos::RCP<Solver> solver_;
   int nSubSteps_ = 0;  ///< 0: the solver chooses
-  int every_ = 1;
+  int every_ = 1;      ///< 0: only `When`
   double timeScale_ = 1.0;
   std::string watchedField_;  ///< of `When`; empty: none
   double enoughChange_ = 0.0;

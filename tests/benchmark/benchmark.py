@@ -88,8 +88,8 @@ class Benchmark:
         for name, rate in self.yardstick.now.items():
             show(self._result(name, [rate], UNITS[name]))
 
-    def own_run(self, counts, content, **options):
-        scenes.write_lattice(self.folder / "lattice.txt", counts)
+    def own_run(self, counts, content, jitter=0.0, **options):
+        scenes.write_lattice(self.folder / "lattice.txt", counts, jitter)
         return scenes.run_own(self.pdrun, content, self.folder, **options)
 
     def kernels(self):
@@ -131,10 +131,14 @@ class Benchmark:
         return found[0]
 
     def hydrogen_plate(self):
-        """The seed's work, and the same hydrogen by an error-controlled integrator."""
-        deck = self._hydrogen_plate_deck()
+        """The plate in equilibrium at all times; the seed's work, one relaxation a load step; and the same hydrogen by an
+        error-controlled integrator."""
+        folder = self._hydrogen_plate_decks()
         steps = 4 if self.is_quick else 3000
         size = {"Solver/Staggered/Load Steps": steps, "Solver/Final Time": repr(6160.0 * steps)}
+        report, _ = self._hydrogen_run(folder / "hydrogen_plate.yaml", size)
+        self.add("hydrogen_plate_converged_s", report["seconds"], "s")
+        deck = folder / "one_relaxation.yaml"
         report, euler = self._hydrogen_run(deck, size)
         self.add("hydrogen_plate_seed_case_s", report["seconds"], "s")
         for phase in report["phases"]:
@@ -151,12 +155,14 @@ class Benchmark:
             self.add(f"{name}_hydrogen_ratio", self._hydrogen_seconds(controlled) / self._hydrogen_seconds(report), "1")
             self.add(f"{name}_error", self._difference(field, reference), "1")
 
-    def _hydrogen_plate_deck(self):
-        """The scene with a mesh of its own, so that one made elsewhere is not touched."""
+    def _hydrogen_plate_decks(self):
+        """A folder with the scene's decks and a mesh of its own, so that one made elsewhere is not touched."""
         folder = self.folder / "hydrogen_plate"
         folder.mkdir()
         subprocess.run([str(SCENE / "make_mesh.sh"), str(folder)], check=True, capture_output=True)
-        return shutil.copy(SCENE / "hydrogen_plate.yaml", folder)
+        for deck in SCENE.glob("*.yaml"):
+            shutil.copy(deck, folder)
+        return folder
 
     @staticmethod
     def _controlled(method, tolerance):
@@ -176,6 +182,26 @@ class Benchmark:
     @staticmethod
     def _difference(field, reference):
         return np.linalg.norm(field - reference) / np.linalg.norm(reference)
+
+    def statics(self):
+        """Equilibria of a plate from nothing, and after bonds broke at the tip of its crack."""
+        for name, counts in (("11k", (104, 104, 1)), ("90k", (300, 300, 1))):
+            counts = (40, 40, 1) if self.is_quick else counts
+            for mesh, jitter in (("lattice", 0.0), ("jittered", 0.2)):
+                cold, _ = self._equilibria(counts, jitter, 1e-6)
+                whole, n_warm = self._equilibria(counts, jitter, scenes.crack_opening(counts))
+                self.add(f"statics_{mesh}_{name}_cold_s", cold, "s")
+                if n_warm > 0:
+                    self.add(f"statics_{mesh}_{name}_warm_s", (whole - cold) / n_warm, "s")
+                self.add(f"statics_{mesh}_{name}_warm_equilibria", n_warm, "1")
+
+    def _equilibria(self, counts, jitter, opening):
+        """(seconds for the equilibria of a load step, how many of them after bonds broke)."""
+        report = self.own_run(counts, scenes.opened_plate(counts, opening), jitter=jitter)
+        seconds = sum(phase["seconds"] for phase in report["phases"]
+                      if phase["name"] in ("springs", "two-level set-up", "linear solve", "force of springs"))
+        broken = [line for line in report["solver"] if "further equilibria" in line]
+        return seconds, int(broken[0].split()[1]) if broken else 0
 
     def crevice(self):
         """The crevice by adaptive steps, and by those of its source: 5 s, for a tenth of its 72 h or for all of them."""
@@ -275,7 +301,7 @@ def main():
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
         benchmark = Benchmark(build, Path(folder), options.quick, options.whole_crevice)
-        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.crevice, benchmark.mechanics,
+        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.statics, benchmark.crevice, benchmark.mechanics,
                      benchmark.speedup, benchmark.million_points, benchmark.kernels):
             try:
                 benchmark.measure_yardstick()

@@ -9,13 +9,16 @@ SPACING = 1e-3
 _CRITICAL_STRETCH = 0.01
 
 
-def write_lattice(path, counts):
-    """A text discretization of the centres of counts[0] x counts[1] x counts[2] cells; one layer is a plane at z = 0."""
+def write_lattice(path, counts, jitter=0.0):
+    """A text discretization of the centres of counts[0] x counts[1] x counts[2] cells; one layer is a plane at z = 0.
+    Places are moved by up to `jitter` spacings, in the plane."""
     axes = [SPACING * (np.arange(n) + 0.5) for n in counts]
     if counts[2] == 1:
         axes[2][:] = 0.0
     z, y, x = (axis.ravel() for axis in np.meshgrid(axes[2], axes[1], axes[0], indexing="ij"))
     ones = np.ones(len(x))
+    if jitter > 0.0:
+        x, y = (axis + SPACING * jitter * np.random.default_rng(1).uniform(-1.0, 1.0, len(x)) for axis in (x, y))
     np.savetxt(path, np.column_stack([x, y, z, ones, SPACING**3 * ones]), fmt=["%.10g"] * 3 + ["%d", "%.10g"])
 
 
@@ -56,6 +59,36 @@ def breaking_body(counts, steps):
                                 "Value": f"{0.9 * _CRITICAL_STRETCH!r}*(y - {0.5 * height!r})"}}
     return deck(is_plane, {"Verlet": {"Fixed dt": float(time_step)}}, float(steps * time_step), 3.015,
                 damage={"Damage Model": "Critical Stretch", "Critical Stretch": _CRITICAL_STRETCH},
+                conditions=conditions, filters=notch)
+
+
+def crack_opening(counts):
+    """For opened_plate(): the crack grows by a few spacings, in some thirty equilibria of a plate of 104 x 104 points."""
+    return 0.005 * counts[0]
+
+
+def opened_plate(counts, opening):
+    """A plate with a notch from its left edge, whose mouth is opened by `opening` spacings in one load step: bonds break
+    in front of the notch, equilibrium by equilibrium, until the crack is so long that it stops."""
+    height, width = SPACING * counts[1], SPACING * counts[0]
+    middle = SPACING * (counts[1] // 2)
+    notch = {"Notch": {"Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
+                       "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": middle,
+                       "Lower_Left_Corner_Z": -1.0, "Bottom_Unit_Vector_X": 1.0, "Bottom_Unit_Vector_Y": 0.0,
+                       "Bottom_Unit_Vector_Z": 0.0, "Bottom_Length": 1.0 + 0.3 * width, "Side_Length": 2.0}}
+    left = f"x < {6.0 * SPACING!r}"
+    conditions = {"Upper Node Set": {"Expression": f"{left} && y > {middle!r}"},
+                  "Lower Node Set": {"Expression": f"{left} && y < {middle!r}"},
+                  "Right Node Set": {"Expression": f"x > {width - 4.0 * SPACING!r}"},
+                  "Mouth Node Set": {"Expression": left}}
+    for name, nodes, axis, value in (("Up", "Upper", "y", opening), ("Down", "Lower", "y", -opening),
+                                     ("Still", "Right", "x", 0.0), ("Level", "Right", "y", 0.0)):
+        conditions[name] = {"Type": "Prescribed Displacement", "Node Set": nodes + " Node Set", "Coordinate": axis,
+                            "Value": f"{0.5 * SPACING * value!r}*t"}
+    # The mouth and its grips hold together.
+    conditions["Whole"] = {"Type": "No Failure", "Node Set": "Mouth Node Set"}
+    solver = {"QuasiStatic": {"Kinematics": "Small Strain", "Relative Tolerance": 1e-5, "Load Steps": 1}}
+    return deck(True, solver, 1.0, 4.015, damage={"Damage Model": "Critical Stretch", "Critical Stretch": _CRITICAL_STRETCH},
                 conditions=conditions, filters=notch)
 
 

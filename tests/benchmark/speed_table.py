@@ -66,8 +66,10 @@ def _rows(f):
            lambda: (f.rate("yardstick_lattice_bond_updates_per_s"), "1"), "")
     yield (["yardstick_triad_bytes_per_s"], "yardstick: STREAM triad, bytes/s",
            lambda: (f.rate("yardstick_triad_bytes_per_s"), ""), "")
+    yield (["hydrogen_plate_converged_s"], "hydrogen plate, 10952 points, 3000 load steps, each to equilibrium",
+           plain(lambda: f"{f.number('hydrogen_plate_converged_s'):.1f} s"), "10 s")
     yield (["hydrogen_plate_seed_case_s"],
-           "hydrogen plate, 10952 points, 591 k bonds, 3000 load steps × 20 Euler steps × 1 relaxation",
+           "the same by 20 Euler steps and one relaxation a load step, 591 k bonds",
            plain(lambda: f"{f.number('hydrogen_plate_seed_case_s'):.1f} s: {f.phases('hydrogen_plate_phase_s ')}"),
            "30 s (its model, a thesis code: 910.6 s)")
     for method, text in (("rkc", "the same hydrogen field by RKC, tolerance 1e-4, hydrogen time against Euler's"),
@@ -87,6 +89,12 @@ def _rows(f):
     yield (["speedup_2_ranks_mechanics", "speedup_2_ranks_diffusion"], "two ranks, 100 k points",
            plain(lambda: f"mechanics {f.number('speedup_2_ranks_mechanics'):.2f} ×, diffusion "
                  f"{f.number('speedup_2_ranks_diffusion'):.2f} ×"), "1.7 ×")
+    for size, aims in (("11k", ("", "0.015 s, 0.04 s")), ("90k", ("1 s, 1.5 s", "0.12 s, 0.4 s"))):
+        for case, aim, text in (("cold", aims[0], "from nothing"), ("warm", aims[1], "after bonds broke")):
+            names = [f"statics_{mesh}_{size}_{case}_s" for mesh in ("lattice", "jittered")]
+            yield (names, f"equilibrium of a plate of {size[:-1]} k points, horizon 4 spacings, to 1e-5, {text}",
+                   plain(lambda names=names: f"{f.number(names[0]):.3f} s (jittered lattice: {f.number(names[1]):.3f} s)"),
+                   aim)
     yield (["crevice_adaptive_s"], "crevice, 216 k points, 72 h of dissolution (`decks/crevice`), adaptive steps",
            plain(lambda: f"{f.number('crevice_adaptive_s'):.0f} s"), "45 s")
     yield (["crevice_fixed_step_s"], "the same by 51840 steps of 5 s",

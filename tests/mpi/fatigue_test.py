@@ -38,6 +38,19 @@ class Fatigue(SceneTest):
             np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
         np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
 
+    def test_springs_go_on_to_the_last_bit_where_both_runs_wrote_the_checkpoint(self):
+        # What conjugate gradients have of the bonds that were is renewed there, in the run that goes on as well.
+        deck = cracked_plate(self, solver={**until(1.4), "Preconditioner": "Two Level"})
+        deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 6,
+                           "Checkpoint Frequency": 6}
+        whole = self.solve(deck)
+        history, displacement = whole.history(), whole.field("Displacement")
+        self.assertGreater(len(history["time"]), 12)
+        resumed = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+        for label, values in history.items():
+            np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
+        np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
+
 
 if __name__ == "__main__":
     unittest.main()

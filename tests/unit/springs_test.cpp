@@ -85,6 +85,13 @@ class Springs : public ::testing::TestWithParam<Body> {
       }
   }
 
+  void healBonds() {
+    PeridigmNS::Block& block = model_.blocks()->front();
+    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
+    block.getData(id, PeridigmNS::PeridigmField::STEP_NP1)->PutScalar(0.0);
+    std::fill_n(model_.field("Damage"), model_.nOwned(), 0.0);
+  }
+
   std::vector<double> someDisplacement(bool isFree) const {
     const Discretization& points = model_.discretization();
     std::vector<double> u(3 * static_cast<std::size_t>(points.nOwned), 0.0);
@@ -152,6 +159,24 @@ TEST_P(Springs, SolveAsADirectSolverDoes) {
   EXPECT_LT(norm(difference(solution, exact)), 1e-4 * norm(exact));
 }
 
+TEST_P(Springs, ThatFollowBondsAreThoseOfAFreshStartToTheLastBit) {
+  const std::vector<char> isHeld(isHeld_.begin(), isHeld_.begin() + 3LL * model_.nOwned());
+  const std::vector<double> right = someDisplacement(true);
+  std::vector<double> followed(right.size()), fresh(right.size());
+  healBonds();
+  SpringTangent following(model_);
+  following.hold(isHeld);
+  following.solve(right.data(), followed.data(), 1e-4, 60);
+  breakBonds();
+  following.bondsHaveChanged();
+  following.forgetHistory();
+  following.solve(right.data(), followed.data(), 1e-4, 60);
+  SpringTangent afresh(model_);
+  afresh.hold(isHeld);
+  afresh.solve(right.data(), fresh.data(), 1e-4, 60);
+  EXPECT_EQ(followed, fresh);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Bodies, Springs,
     ::testing::Values(
@@ -173,6 +198,30 @@ INSTANTIATE_TEST_SUITE_P(
              0.3,
              "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, "
              "Thickness: 1.0, Volume Correction: None}"},
+        // So large that points in runs are the most, and those beside them form strips.
+        Body{"LargeBrokenLattice",
+             {40, 30, 1, 3.01},
+             0.0,
+             0.05,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.3333333333333333, Plane Stress: true, "
+             "Thickness: 1.0, Volume Correction: None}"},
+        Body{"LargeTwoParameters",
+             {40, 30, 1, 3.01},
+             0.0,
+             0.05,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Stress: true, Thickness: 1.0, "
+             "Surface Correction: Volume Method}"},
+        Body{"LargeElastic",
+             {40, 30, 1, 3.01},
+             0.0,
+             0.05,
+             "{Material Model: Elastic, Density: 1.0, Young's Modulus: 1.0, Poisson's Ratio: 0.1, Plane Stress: true, "
+             "Thickness: 1.0}"},
+        Body{"LargeSolidTwoParameters",
+             {20, 12, 12, 1.5},
+             0.0,
+             0.02,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.1, Volume Correction: None}"},
         Body{"BrokenJitteredPoints",
              {24, 14, 1, 3.2},
              0.3,

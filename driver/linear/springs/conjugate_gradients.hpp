@@ -11,7 +11,7 @@ namespace pd {
 
 struct ConjugateGradientsResult {
   int iterations = 0;
-  double relativeResidual = 1.0;  ///< |b - A x| / |b|, from a product with the last x
+  double relativeResidual = 1.0;  ///< |b - A x| / |b|, below 1e-6 from a product with the last x
   bool hasBrokenDown = false;     ///< A or the preconditioner is not positive definite, or something is not finite
 };
 

@@ -49,49 +49,42 @@ void sumOverCopies(const SpringOperator& stiffness, PointVector<double>& diagona
 
 }  // namespace
 
-PointVector<double> springDiagonal(const SpringOperator& stiffness) {
+void findSpringDiagonal(const SpringOperator& stiffness, const std::vector<int>& points,
+                        PointVector<double>& diagonal) {
   const SpringNetwork& network = stiffness.network();
-  const PointVector<double>& x = network.places<double>();
-  const int d = network.dimension(), width = d * (d + 1) / 2;
-  PointVector<double> diagonal(network.points().nPoints, width);
-  for (const SpringRun& run : network.runs()) {
-    const auto& tables =
-        std::get<SpringPattern::Tables<double>>(network.patterns()[static_cast<std::size_t>(run.pattern)].tables);
-    std::array<double, 6> sum{};
-    for (std::size_t k = 0; k < tables.stiffness.size(); ++k)
-      sum[k % static_cast<std::size_t>(width)] += tables.stiffness[k];
-    for (int c = 0; c < width; ++c) std::fill_n(diagonal[c] + run.first, run.count, sum[static_cast<std::size_t>(c)]);
+  const int d = network.dimension();
+  const auto nPoints = static_cast<std::size_t>(network.points().nPoints);
+  // Ghosts and images bring what other ranks and the points that they mirror have found.
+  const bool findsAll = stiffness.isDistributed();
+  std::vector<char> isWanted(nPoints, findsAll ? 1 : 0), isAround = isWanted;
+  if (findsAll) diagonal.zero();
+  if (!findsAll) isAround = network.around(points);
+  for (const int i : points) {
+    isWanted[static_cast<std::size_t>(i)] = 1;
+    for (int c = 0; c < diagonal.nComponents(); ++c) diagonal[c][i] = 0.0;
   }
-  const auto addList = [&](const SpringList& list, bool actsOnBoth) {
-    const SpringColumns<double>& columns = list.in<double>();
-    for (std::size_t r = 0; r < list.rows.size(); ++r)
-      for (std::size_t k = list.start[r]; k < list.start[r + 1]; ++k) {
-        const int i = list.rows[r], j = list.other[k];
-        const double share = list.alive[k], across = columns.across.empty() ? 0.0 : columns.across[k];
-        for (int a = 0, at = 0; a < d; ++a)
-          for (int b = a; b < d; ++b, ++at) {
-            const double value =
-                share * (columns.radial[k] * (x[a][j] - x[a][i]) * (x[b][j] - x[b][i]) + (a == b ? across : 0.0));
-            diagonal[at][i] += value;
-            if (actsOnBoth) diagonal[at][j] += value;
-          }
-      }
-  };
-  addList(network.pairs(), true);
-  addList(network.singles(), false);
-  addList(network.corrections(), false);
+  // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
+  network.forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+                          [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+                            for (const int point : {i, j}) {
+                              if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
+                              for (int a = 0, at = 0; a < d; ++a)
+                                for (int b = a; b < d; ++b, ++at)
+                                  diagonal[at][point] += c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
+                            }
+                          });
   if (stiffness.isDistributed()) sumOverCopies(stiffness, diagonal);
-  return diagonal;
 }
 
 std::vector<SpringOperator::Addition> stiffeningOfLoosePoints(const SpringOperator& stiffness,
-                                                              const PointVector<double>& diagonal) {
+                                                              const PointVector<double>& diagonal,
+                                                              const std::vector<int>& points) {
   constexpr double negligible = 1e-6, added = 1e-4;  // of the point's largest stiffness
   const int d = stiffness.network().dimension();
   std::vector<SpringOperator::Addition> additions;
   std::vector<int> axes;
   std::vector<double> own;
-  for (int point = 0; point < stiffness.network().points().nOwned; ++point) {
+  for (const int point : points) {
     axes.clear();
     own.clear();
     for (int axis = 0; axis < d; ++axis)

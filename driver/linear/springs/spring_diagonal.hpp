@@ -6,14 +6,16 @@
 
 namespace pd {
 
-/// [D (D + 1)/2][nPoints] upper triangles of the diagonal blocks of K without its families, complete at owned points,
-/// in units of the network. Collective.
-PointVector<double> springDiagonal(const SpringOperator& stiffness);
+/// Writes `diagonal` [D (D + 1)/2][nPoints] at `points`, or everywhere where ranks or images share it: the upper
+/// triangles of the diagonal blocks of K without its families, complete at owned points, in units of the network.
+/// Collective.
+void findSpringDiagonal(const SpringOperator& stiffness, const std::vector<int>& points, PointVector<double>& diagonal);
 
 /// A point that hangs on too few springs (one, or some in a line) can move along some direction without force. What is
-/// to be added to the diagonal, so that it cannot: a little of its own stiffness.
+/// to be added to the diagonal of `points`, so that they cannot: a little of their own stiffness.
 std::vector<SpringOperator::Addition> stiffeningOfLoosePoints(const SpringOperator& stiffness,
-                                                              const PointVector<double>& diagonal);
+                                                              const PointVector<double>& diagonal,
+                                                              const std::vector<int>& points);
 
 }  // namespace pd
 

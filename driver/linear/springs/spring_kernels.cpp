@@ -53,6 +53,9 @@ class Loops {
     forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
       addFamiliesOfBlock<decltype(width)::value>(first, pattern, x, s);
     });
+    forEachBlockOfStrips([&](int first, int count, std::size_t column, const SpringStrip& strip) {
+      addFamiliesOfStrip(first, count, column, strip, x, s);
+    });
     addFamiliesOfList<true>(network_.pairs(), x, s);
     addFamiliesOfList<false>(network_.singles(), x, s);
     addFamiliesOfList<false>(network_.corrections(), x, s);
@@ -61,6 +64,9 @@ class Loops {
     y.zero();
     forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
       forcesOfBlock<decltype(width)::value>(first, pattern, x, t, y);
+    });
+    forEachBlockOfStrips([&](int first, int count, std::size_t column, const SpringStrip& strip) {
+      forcesOfStrip(first, count, column, strip, x, t, y);
     });
     addForcesOfList<true>(network_.pairs(), x, t, y);
     addForcesOfList<false>(network_.singles(), x, t, y);
@@ -162,6 +168,80 @@ class Loops {
     }
     for (int w = 0; w < width; ++w)
       for (int d = 0; d < D; ++d) (-sum[w][d]).copy_to(y[d] + first + w * lanes, stdx::element_aligned);
+  }
+
+  /// work(first point, number of points, first column, strip)
+  template <class Work>
+  void forEachBlockOfStrips(const Work& work) const {
+    for (const SpringStrip& strip : network_.strips())
+      for (int at = 0; at < strip.count; at += lanes)
+        work(strip.first + at, std::min(lanes, strip.count - at), static_cast<std::size_t>(at), strip);
+  }
+  /// Lanes beyond `count` belong to other points.
+  static void store(const Vector& value, Real* to, int count) {
+    if (count == lanes) return value.copy_to(to, stdx::element_aligned);
+    std::array<Real, static_cast<std::size_t>(lanes)> all;
+    value.copy_to(all.data(), stdx::element_aligned);
+    std::copy_n(all.begin(), count, to);
+  }
+
+  void addFamiliesOfStrip(int first, int count, std::size_t column, const SpringStrip& strip,
+                          const PointVector<Real>& x, PointVector<Real>& s) const {
+    if constexpr (M::width > 0) {
+      const PointVector<Real>& places = network_.places<Real>();
+      Vector own[D], place[D], sum[nArrays];
+      for (int d = 0; d < D; ++d) own[d] = load(x[d] + first);
+      for (int d = 0; d < D; ++d) place[d] = load(places[d] + first);
+      for (int m = 0; m < M::width; ++m) sum[m] = Real(0);
+      const Real* gives = strip.in<Real>().own.data() + column;
+      for (const int offset : strip.offsets) {
+        Vector xi[D], eta[D];
+        const Vector share = load(gives);
+        for (int d = 0; d < D; ++d) {
+          xi[d] = share * (load(places[d] + first + offset) - place[d]);
+          eta[d] = load(x[d] + first + offset) - own[d];
+        }
+        M::add(xi, eta, sum);
+        gives += strip.count;
+      }
+      for (int m = 0; m < M::width; ++m) store(sum[m], s[m] + first, count);
+    }
+  }
+
+  void forcesOfStrip(int first, int count, std::size_t column, const SpringStrip& strip, const PointVector<Real>& x,
+                     const PointVector<Real>& t, PointVector<Real>& y) const {
+    const PointVector<Real>& places = network_.places<Real>();
+    const SpringColumns<Real>& c = strip.in<Real>();
+    Vector own[D], place[D], sum[D], ownResponse[nArrays];
+    for (int d = 0; d < D; ++d) {
+      own[d] = load(x[d] + first);
+      place[d] = load(places[d] + first);
+      sum[d] = Real(0);
+    }
+    for (int m = 0; m < M::width; ++m) ownResponse[m] = load(t[m] + first);
+    std::size_t k = column;
+    for (const int offset : strip.offsets) {
+      Vector xi[D], eta[D], along = Real(0);
+      for (int d = 0; d < D; ++d) {
+        xi[d] = load(places[d] + first + offset) - place[d];
+        eta[d] = load(x[d] + first + offset) - own[d];
+        along += xi[d] * eta[d];
+      }
+      along *= load(c.radial.data() + k);
+      for (int d = 0; d < D; ++d) sum[d] += along * xi[d];
+      if constexpr (hasAcross) {
+        const Vector across = load(c.across.data() + k);
+        for (int d = 0; d < D; ++d) sum[d] += across * eta[d];
+      }
+      if constexpr (M::width > 0) {
+        const Vector gives = load(c.own.data() + k), takes = load(c.others.data() + k);
+        Vector response[nArrays];
+        for (int m = 0; m < M::width; ++m) response[m] = gives * ownResponse[m] + takes * load(t[m] + first + offset);
+        M::addGradient(xi, response, sum);
+      }
+      k += static_cast<std::size_t>(strip.count);
+    }
+    for (int d = 0; d < D; ++d) store(-sum[d], y[d] + first, count);
   }
 
   template <bool actsOnBoth>
@@ -266,6 +346,14 @@ void springForces(const SpringNetwork& network, const PointVector<Real>& x, cons
   withLoops<Real>(network, [&](const auto& loops) { loops.forces(x, responses, y); });
 }
 
+template <class Real>
+void stiffSpringForces(const SpringNetwork& network, const PointVector<Real>& x, PointVector<Real>& y) {
+  const PointVector<Real> none;
+  if (network.dimension() == 2) return Loops<Real, 2, Family::None, true>(network).forces(x, none, y);
+  Loops<Real, 3, Family::None, true>(network).forces(x, none, y);
+}
+
+template void stiffSpringForces(const SpringNetwork&, const PointVector<float>&, PointVector<float>&);
 template void addSpringFamilies(const SpringNetwork&, const PointVector<double>&, PointVector<double>&);
 template void addSpringFamilies(const SpringNetwork&, const PointVector<float>&, PointVector<float>&);
 template void springForces(const SpringNetwork&, const PointVector<double>&, const PointVector<double>&,

@@ -17,6 +17,10 @@ template <class Real>
 void springForces(const SpringNetwork& network, const PointVector<Real>& x, const PointVector<Real>& responses,
                   PointVector<Real>& y);
 
+/// y = K0 x: of a network whose families give way (Rotation), as if they did not.
+template <class Real>
+void stiffSpringForces(const SpringNetwork& network, const PointVector<Real>& x, PointVector<Real>& y);
+
 }  // namespace pd
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace pd {
@@ -14,6 +15,10 @@ constexpr int shortestRun = 16;
 constexpr double patternTolerance = 1e-10;
 // Patterns that a new run is compared with.
 constexpr std::size_t nRemembered = 64;
+// Strips of so many points, of whose places so large a part holds springs, are faster than lists; they are larger, and
+// therefore stand beside runs alone.
+constexpr int longestStrip = 2 * SpringStrip::lanes, shortestStrip = 4;
+constexpr double leastFilled = 0.7;
 
 }  // namespace
 
@@ -31,9 +36,8 @@ void SpringList::add(int point, int neighbor, float unbroken, const SpringConsta
 }
 
 std::size_t SpringList::bytes() const {
-  const SpringColumns<double>& c = in<double>();
   return rows.size() * (sizeof(int) + sizeof(std::size_t)) + other.size() * (sizeof(int) + sizeof(float)) +
-         (c.radial.size() + c.across.size() + c.own.size() + c.others.size()) * (sizeof(double) + sizeof(float));
+         in<double>().bytes() + in<float>().bytes();
 }
 
 /// The springs of a point.
@@ -144,9 +148,12 @@ SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& poi
     }
   }
   const auto nOwned = static_cast<std::size_t>(points.nOwned);
-  runOfPoint_.assign(nOwned, -1);
+  isComplete_.assign(nOwned, 0);
   aliveOfPoint_.resize(nOwned);
-  if (findsRuns) findRuns(RowReader(*this, along, across));
+  if (findsRuns) {
+    findRuns(RowReader(*this, along, across));
+    findStrips(RowReader(*this, along, across));
+  }
   makeLists(RowReader(*this, along, across));
 }
 
@@ -196,8 +203,7 @@ void SpringNetwork::endRun(SpringRun& run, SpringPattern& pattern) {
       fill(pattern, dimension(), std::get<1>(pattern.tables));
       patterns_.push_back(std::move(pattern));
     }
-    for (int i = run.first; i < run.first + run.count; ++i)
-      runOfPoint_[static_cast<std::size_t>(i)] = static_cast<int>(runs_.size());
+    std::fill_n(isComplete_.begin() + run.first, run.count, 1);
     runs_.push_back(run);
   }
   run = {0, 0, -1};
@@ -230,16 +236,74 @@ void SpringNetwork::findRuns(RowReader reader) {
   endRun(run, pattern);
 }
 
+/// Writes the columns of points that follow each other, and starts anew.
+void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
+  strip.count = static_cast<int>(rows.size());
+  const int end = strip.first + (strip.count + SpringStrip::lanes - 1) / SpringStrip::lanes * SpringStrip::lanes;
+  const int nPoints = points_.nPoints;
+  // Lanes without a point read beside the others.
+  const bool isInside = !rows.empty() && strip.first + strip.offsets.front() >= 0 && end <= nPoints &&
+                        end + strip.offsets.back() <= nPoints;
+  if (strip.count >= shortestStrip && isInside) {
+    const std::size_t size = strip.offsets.size() * rows.size() + SpringStrip::lanes;
+    const bool hasFamily = family_ != Family::None;
+    std::get<0>(strip.columns).resize(size, hasAcross_, hasFamily);
+    std::get<1>(strip.columns).resize(size, hasAcross_, hasFamily);
+    for (const Row& row : rows)
+      for (std::size_t k = 0, offset = 0; k < row.constants.size(); ++k) {
+        while (strip.offsets[offset] < neighbors(row.point)[k] - row.point) ++offset;
+        std::get<0>(strip.columns).set(strip.at(offset, row.point), row.constants[k]);
+        std::get<1>(strip.columns).set(strip.at(offset, row.point), row.constants[k]);
+      }
+    std::fill_n(isComplete_.begin() + strip.first, strip.count, 1);
+    strips_.push_back(std::move(strip));
+  }
+  strip = {};
+  rows.clear();
+}
+
+void SpringNetwork::findStrips(RowReader reader) {
+  const auto inRuns = std::count(isComplete_.begin(), isComplete_.end(), 1);
+  if (2 * inRuns < points_.nOwned) return;
+  SpringStrip strip{};
+  std::vector<Row> rows;
+  std::size_t nSprings = 0;
+  for (int i = 0; i < points_.nOwned; ++i) {
+    const bool isInRun = isComplete(i);
+    const Row& row = reader.next(!isInRun);
+    if (isInRun || !row.isInside || row.constants.empty()) {
+      endStrip(strip, rows);
+      continue;
+    }
+    std::vector<int> own, all;
+    for (std::size_t k = 0; k < row.constants.size(); ++k) own.push_back(neighbors(i)[k] - i);
+    std::set_union(own.begin(), own.end(), strip.offsets.begin(), strip.offsets.end(), std::back_inserter(all));
+    const double places = static_cast<double>(all.size() * (rows.size() + 1));
+    if (rows.size() == longestStrip || static_cast<double>(nSprings + own.size()) < leastFilled * places) {
+      endStrip(strip, rows);
+      all = own;
+    }
+    if (rows.empty()) {
+      strip.first = i;
+      nSprings = 0;
+    }
+    strip.offsets = all;
+    nSprings += own.size();
+    rows.push_back(row);
+  }
+  endStrip(strip, rows);
+}
+
 void SpringNetwork::makeLists(RowReader reader) {
   pairRow_.assign(static_cast<std::size_t>(points_.nOwned), -1);
   singleRow_ = pairRow_;
   for (int i = 0; i < points_.nOwned; ++i) {
-    const Row& row = reader.next(!isInRun(i));
-    if (isInRun(i)) continue;
+    const Row& row = reader.next(!isComplete(i));
+    if (isComplete(i)) continue;
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
       if (!row.constants[k].acts()) continue;
-      if (j < points_.nOwned && isInRun(j))
+      if (j < points_.nOwned && isComplete(j))
         add(singles_, i, j, 1.0F, row.constants[k]);
       else if (j > i || row.reverse[k] < 0)
         add(pairs_, i, j, 1.0F, row.constants[k]);
@@ -314,10 +378,28 @@ void SpringNetwork::makeCorrections() {
           add(corrections_, i, i + pattern.offsets[k], left - 1.0F, pattern.constants[k]);
     }
   }
+  for (const SpringStrip& strip : strips_)
+    forEachOf(
+        strip, [&](int i) { return isDamaged(i); },
+        [&](int i, int k, std::size_t at) {
+          if (const float left = alive(i, k); left != 1.0F)
+            add(corrections_, i, neighbors(i)[k], left - 1.0F, strip.in<double>().at(at));
+        });
+}
+
+std::vector<char> SpringNetwork::around(const std::vector<int>& points) const {
+  std::vector<char> isAround(static_cast<std::size_t>(points_.nPoints), 0);
+  for (const int i : points) {
+    isAround[static_cast<std::size_t>(i)] = 1;
+    for (int k = 0; k < nNeighbors(i); ++k) isAround[static_cast<std::size_t>(neighbors(i)[k])] = 1;
+  }
+  return isAround;
 }
 
 std::size_t SpringNetwork::bytes() const {
   std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes();
+  for (const SpringStrip& strip : strips_)
+    sum += strip.offsets.size() * sizeof(int) + strip.in<double>().bytes() + strip.in<float>().bytes();
   for (const SpringPattern& pattern : patterns_)
     sum += pattern.offsets.size() * (sizeof(int) + sizeof(SpringConstants<double>) + 12 * 8 + 8);
   return sum + static_cast<std::size_t>(points_.nPoints) * static_cast<std::size_t>(dimension()) * 12;

@@ -33,6 +33,21 @@ struct SpringColumns {
     own.push_back(static_cast<Real>(c.own));
     others.push_back(static_cast<Real>(c.others));
   }
+  void resize(std::size_t size, bool hasAcross, bool hasFamily) {
+    radial.resize(size, Real(0));
+    if (hasAcross) across.resize(size, Real(0));
+    if (!hasFamily) return;
+    own.resize(size, Real(0));
+    others.resize(size, Real(0));
+  }
+  void set(std::size_t k, const SpringConstants<double>& c) {
+    radial[k] = static_cast<Real>(c.radial);
+    if (!across.empty()) across[k] = static_cast<Real>(c.across);
+    if (own.empty()) return;
+    own[k] = static_cast<Real>(c.own);
+    others[k] = static_cast<Real>(c.others);
+  }
+  std::size_t bytes() const { return (radial.size() + across.size() + own.size() + others.size()) * sizeof(Real); }
   SpringConstants<double> at(std::size_t k) const {
     return {radial[k], across.empty() ? 0.0 : across[k], own.empty() ? 0.0 : own[k], own.empty() ? 0.0 : others[k]};
   }
@@ -73,10 +88,27 @@ struct SpringRun {
   int first, count, pattern;
 };
 
-/// Every bond between two owned points is here once: in the runs, seen from a point that belongs to one, and else in
-/// `pairs`, which act on both ends. Between a point of no run and one of a run a `single` acts on the former. A bond to
-/// a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs,
-/// `corrections` take away: they act on their rows alone.
+/// Consecutive points whose springs differ, as near the faces of a lattice: a spring of each point to each of the
+/// offsets, without constants where it has none.
+struct SpringStrip {
+  static constexpr int lanes = 16;  ///< that a loop may read from a column on, whatever it makes of them
+  int first, count;
+  std::vector<int> offsets;                                         ///< rising
+  std::tuple<SpringColumns<double>, SpringColumns<float>> columns;  ///< [offsets][count], and `lanes` more
+
+  std::size_t at(std::size_t offset, int point) const {
+    return offset * static_cast<std::size_t>(count) + static_cast<std::size_t>(point - first);
+  }
+  template <class Real>
+  const SpringColumns<Real>& in() const {
+    return std::get<SpringColumns<Real>>(columns);
+  }
+};
+
+/// Every bond between two owned points is here once: in the runs and strips, seen from a point that belongs to one, and
+/// else in `pairs`, which act on both ends. Between a point of neither and one of either a `single` acts on the former.
+/// A bond to a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs
+/// and strips, `corrections` take away: they act on their rows alone.
 ///
 /// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
 /// whatever it is made of.
@@ -109,10 +141,12 @@ class SpringNetwork {
 
   const std::vector<SpringRun>& runs() const { return runs_; }
   const std::vector<SpringPattern>& patterns() const { return patterns_; }
+  const std::vector<SpringStrip>& strips() const { return strips_; }
   const SpringList& pairs() const { return pairs_; }
   const SpringList& singles() const { return singles_; }
   const SpringList& corrections() const { return corrections_; }
-  bool isInRun(int point) const { return runOfPoint_[static_cast<std::size_t>(point)] >= 0; }
+  /// Whether a run or a strip has all springs of the point.
+  bool isComplete(int point) const { return isComplete_[static_cast<std::size_t>(point)] != 0; }
   /// Of all local points, in units of length.
   template <class Real>
   const PointVector<Real>& places() const {
@@ -130,7 +164,14 @@ class SpringNetwork {
 
   /// visit(i, j, xi [D], constants) for each spring of this rank once, as damage has left it.
   template <class Visit>
-  void forEachSpring(const Visit& visit) const;
+  void forEachSpring(const Visit& visit) const {
+    forEachSpringIn([](int) { return true; }, visit);
+  }
+  /// Of those of rows that isWanted(point), in the same order. A spring is in the row of one of its ends.
+  template <class IsWanted, class Visit>
+  void forEachSpringIn(const IsWanted& isWanted, const Visit& visit) const;
+  /// [nPoints] 1 for `points` and their neighbours.
+  std::vector<char> around(const std::vector<int>& points) const;
 
  private:
   struct Row;
@@ -144,7 +185,19 @@ class SpringNetwork {
   bool follows(const Row& row, const SpringPattern& pattern) const;
   void endRun(SpringRun& run, SpringPattern& pattern);
   void findRuns(RowReader reader);
+  void findStrips(RowReader reader);
+  void endStrip(SpringStrip& strip, std::vector<Row>& rows);
   void makeLists(RowReader reader);
+  /// visit(point, number of the neighbour, place in the columns) for each spring of those points of a strip that
+  /// isWanted(point).
+  template <class IsWanted, class Visit>
+  void forEachOf(const SpringStrip& strip, const IsWanted& isWanted, const Visit& visit) const;
+  std::array<double, 3> difference(int i, int j) const {
+    std::array<double, 3> xi{};
+    const PointVector<double>& x = places<double>();
+    for (int c = 0; c < dimension(); ++c) xi[static_cast<std::size_t>(c)] = x[c][j] - x[c][i];
+    return xi;
+  }
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
   bool areJoined(int i, int j);
@@ -157,7 +210,8 @@ class SpringNetwork {
   std::vector<double> dilatational_;
   std::vector<SpringRun> runs_;
   std::vector<SpringPattern> patterns_;
-  std::vector<int> runOfPoint_;  ///< -1: in none
+  std::vector<SpringStrip> strips_;
+  std::vector<char> isComplete_;  ///< [nOwned]
   SpringList pairs_, singles_, corrections_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
@@ -166,32 +220,54 @@ class SpringNetwork {
   int nVisits_ = 0;
 };
 
-template <class Visit>
-void SpringNetwork::forEachSpring(const Visit& visit) const {
+template <class IsWanted, class Visit>
+void SpringNetwork::forEachOf(const SpringStrip& strip, const IsWanted& isWanted, const Visit& visit) const {
+  for (int i = strip.first; i < strip.first + strip.count; ++i) {
+    if (!isWanted(i)) continue;
+    std::size_t offset = 0;
+    for (int k = 0; k < nNeighbors(i); ++k) {
+      while (strip.offsets[offset] < neighbors(i)[k] - i) ++offset;
+      const std::size_t at = strip.at(offset, i);
+      if (strip.in<double>().at(at).acts()) visit(i, k, at);
+    }
+  }
+}
+
+template <class IsWanted, class Visit>
+void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit) const {
   const auto d = static_cast<std::size_t>(dimension());
-  const PointVector<double>& x = places<double>();
   const auto scaled = [](const SpringConstants<double>& c, double share) {
     return SpringConstants<double>{share * c.radial, share * c.across, share * c.own, share * c.others};
   };
   for (const SpringRun& run : runs_) {
     const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-    for (int i = run.first; i < run.first + run.count; ++i)
+    for (int i = run.first; i < run.first + run.count; ++i) {
+      if (!isWanted(i)) continue;
       for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
         const int j = i + pattern.offsets[k];
-        if (j < i && isInRun(j)) continue;
+        if (j < i && isComplete(j)) continue;
         const float share = alive(i, static_cast<int>(k));
         if (share != 0.0F && pattern.constants[k].acts())
           visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
       }
+    }
   }
-  for (std::size_t r = 0; r < pairs_.rows.size(); ++r)
+  for (const SpringStrip& strip : strips_)
+    forEachOf(strip, isWanted, [&](int i, int k, std::size_t at) {
+      const int j = neighbors(i)[k];
+      if ((j < i && isComplete(j)) || alive(i, k) == 0.0F) return;
+      const auto xi = difference(i, j);
+      visit(i, j, xi.data(), scaled(strip.in<double>().at(at), alive(i, k)));
+    });
+  for (std::size_t r = 0; r < pairs_.rows.size(); ++r) {
+    if (!isWanted(pairs_.rows[r])) continue;
     for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1]; ++k) {
       if (pairs_.alive[k] == 0.0F) continue;
       const int i = pairs_.rows[r], j = pairs_.other[k];
-      std::array<double, 3> xi{};
-      for (int c = 0; c < dimension(); ++c) xi[static_cast<std::size_t>(c)] = x[c][j] - x[c][i];
+      const auto xi = difference(i, j);
       visit(i, j, xi.data(), scaled(pairs_.in<double>().at(k), pairs_.alive[k]));
     }
+  }
 }
 
 }  // namespace pd

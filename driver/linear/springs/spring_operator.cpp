@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "../../solvers/symmetric_eigen.hpp"
 #include "spring_kernels.hpp"
@@ -33,39 +34,57 @@ SpringOperator::SpringOperator(const SpringNetwork& network, const PointExchange
   if (isDistributed) exchanged_.resize(3 * static_cast<std::size_t>(n));
   response_ = {PointVector<double>(n, width == 3 ? 6 : width), PointVector<float>(n, width == 3 ? 6 : width)};
   families_ = {PointVector<double>(n, width), PointVector<float>(n, width)};
-  isHeld_.assign(3 * static_cast<std::size_t>(network.points().nOwned), 0);
-  refresh();
+  const int nOwned = network.points().nOwned;
+  isHeld_.assign(3 * static_cast<std::size_t>(nOwned), 0);
+  if (network.family() == Family::Dilatation && width > 0) {
+    const double unit = network.stiffnessUnit() * network.lengthUnit() * network.lengthUnit();
+    for (int i = 0; i < nOwned; ++i) {
+      std::get<0>(response_)[0][i] = unit * network.dilatational()[static_cast<std::size_t>(i)];
+      std::get<1>(response_)[0][i] = static_cast<float>(std::get<0>(response_)[0][i]);
+    }
+  }
+  std::vector<int> all(static_cast<std::size_t>(nOwned));
+  std::iota(all.begin(), all.end(), 0);
+  refresh(all);
 }
 
-void SpringOperator::refresh() {
+void SpringOperator::refresh(const std::vector<int>& changed) {
+  if (network_.family() == Family::Rotation && network_.familyWidth() > 0) findResponse(changed);
+}
+
+/// Minus the inverse of what the springs of a family resist its rotation by.
+void SpringOperator::findResponse(const std::vector<int>& changed) {
   const int width = network_.familyWidth(), nOwned = network_.points().nOwned;
-  if (width == 0) return;
   PointVector<double>& response = std::get<0>(response_);
   PointVector<float>& floatResponse = std::get<1>(response_);
   const auto set = [&](int component, int i, double value) {
     response[component][i] = value;
     floatResponse[component][i] = static_cast<float>(value);
   };
-  if (network_.family() == Family::Dilatation) {
-    const double unit = network_.stiffnessUnit() * network_.lengthUnit() * network_.lengthUnit();
-    for (int i = 0; i < nOwned; ++i) set(0, i, unit * network_.dilatational()[static_cast<std::size_t>(i)]);
-    return;
+  std::vector<char> isChanged(static_cast<std::size_t>(network_.points().nPoints), 0);
+  for (const int i : changed) {
+    isChanged[static_cast<std::size_t>(i)] = 1;
+    for (int k = 0; k < response.nComponents(); ++k) response[k][i] = 0.0;
   }
-  response.zero();
-  network_.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-    const auto add = [&](int point, double share) {
-      if (width == 1) {
-        response[0][point] += share * (xi[0] * xi[0] + xi[1] * xi[1]);
-        return;
-      }
-      const double length2 = xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2];
-      for (int a = 0, at = 0; a < 3; ++a)
-        for (int b = a; b < 3; ++b, ++at) response[at][point] += share * ((a == b ? length2 : 0.0) - xi[a] * xi[b]);
-    };
-    add(i, c.own);
-    if (j < nOwned) add(j, c.others);
-  });
-  for (int i = 0; i < nOwned; ++i) {
+  const std::vector<char> isAround = network_.around(changed);
+  // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
+  network_.forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+                           [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+                             const auto add = [&](int point, double share) {
+                               if (isChanged[static_cast<std::size_t>(point)] == 0) return;
+                               if (width == 1) {
+                                 response[0][point] += share * (xi[0] * xi[0] + xi[1] * xi[1]);
+                                 return;
+                               }
+                               const double length2 = xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2];
+                               for (int a = 0, at = 0; a < 3; ++a)
+                                 for (int b = a; b < 3; ++b, ++at)
+                                   response[at][point] += share * ((a == b ? length2 : 0.0) - xi[a] * xi[b]);
+                             };
+                             add(i, c.own);
+                             if (j < nOwned) add(j, c.others);
+                           });
+  for (const int i : changed) {
     if (width == 1) {
       set(0, i, response[0][i] != 0.0 ? -1.0 / response[0][i] : 0.0);
       continue;
@@ -143,6 +162,15 @@ void SpringOperator::addAdditions(const PointVector<Real>& x, PointVector<Real>&
 template <class Real>
 void SpringOperator::apply(PointVector<Real>& x, PointVector<Real>& y) {
   applyToAll(x, y);
+  addAdditions(x, y);
+  zeroHeld(y);
+}
+
+void SpringOperator::applyStiffly(PointVector<float>& x, PointVector<float>& y) {
+  if (network_.family() != Family::Rotation) return apply(x, y);
+  importInto(x);
+  stiffSpringForces(network_, x, y);
+  exportFrom(y);
   addAdditions(x, y);
   zeroHeld(y);
 }

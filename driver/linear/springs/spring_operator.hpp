@@ -18,8 +18,8 @@ class SpringOperator {
   /// Refers to both. `isDistributed`: some rank has ghosts or images.
   SpringOperator(const SpringNetwork& network, const PointExchange& exchange, bool isDistributed);
 
-  /// After the network's damage has changed.
-  void refresh();
+  /// After the network's damage has changed, at these owned points alone.
+  void refresh(const std::vector<int>& changed);
   /// Degrees of freedom [3 nOwned] that apply() leaves out, and what it adds to the diagonal at single ones.
   void hold(const std::vector<char>& isHeld);
   struct Addition {
@@ -47,6 +47,9 @@ class SpringOperator {
   template <class Real>
   void apply(PointVector<Real>& x, PointVector<Real>& y);
 
+  /// The same for a smoother of what is short: there families hardly turn, and are taken not to, which saves a loop.
+  void applyStiffly(PointVector<float>& x, PointVector<float>& y);
+
   template <class Real>
   void addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const;
   template <class Real>
@@ -57,6 +60,8 @@ class SpringOperator {
   void importInto(PointVector<Real>& x);
   template <class Real>
   void exportFrom(PointVector<Real>& y);
+
+  void findResponse(const std::vector<int>& changed);
 
   const SpringNetwork& network_;
   const PointExchange& exchange_;

@@ -25,27 +25,37 @@ TwoLevel::TwoLevel(const Communicator& comm, SpringOperator& stiffness)
       stiffness_(stiffness),
       nOwned_(stiffness.network().points().nOwned),
       dimension_(stiffness.network().dimension()),
+      diagonal_(stiffness.network().points().nPoints, dimension_ * (dimension_ + 1) / 2),
       inverse_(nOwned_, dimension_ * (dimension_ + 1) / 2) {
   const int nPoints = stiffness.network().points().nPoints;
-  for (PointVector<float>* vector : {&rest_, &sum_, &direction_, &product_, &scaled_})
+  for (PointVector<float>* vector : {&rest_, &sum_, &direction_, &product_, &scaled_, &left_})
     *vector = PointVector<float>(nPoints, dimension_);
 }
 
 TwoLevel::~TwoLevel() = default;
 
-void TwoLevel::refreshSmoother() {
-  diagonal_ = springDiagonal(stiffness_);
-  std::vector<SpringOperator::Addition> additions = stiffeningOfLoosePoints(stiffness_, diagonal_);
-  for (const SpringOperator::Addition& addition : additions) {
+void TwoLevel::refreshSmoother(const std::vector<int>& changed) {
+  const auto isChanged = [&](const SpringOperator::Addition& addition) {
+    return std::binary_search(changed.begin(), changed.end(), addition.point);
+  };
+  std::vector<SpringOperator::Addition> additions = stiffness_.additions();
+  additions.erase(std::remove_if(additions.begin(), additions.end(), isChanged), additions.end());
+  findSpringDiagonal(stiffness_, changed, diagonal_);
+  const std::vector<SpringOperator::Addition> found = stiffeningOfLoosePoints(stiffness_, diagonal_, changed);
+  for (const SpringOperator::Addition& addition : found) {
     const int c = addition.component;
     diagonal_[c * dimension_ - c * (c - 1) / 2][addition.point] += addition.value;
   }
+  additions.insert(additions.end(), found.begin(), found.end());
+  std::sort(additions.begin(), additions.end(), [](const auto& x, const auto& y) {
+    return x.point < y.point || (x.point == y.point && x.component < y.component);
+  });
   stiffness_.setAdditions(std::move(additions));
-  invertDiagonal();
+  invertDiagonal(changed);
 }
 
-void TwoLevel::invertDiagonal() {
-  for (int i = 0; i < nOwned_; ++i) {
+void TwoLevel::invertDiagonal(const std::vector<int>& points) {
+  for (const int i : points) {
     std::array<double, 6> a{};
     for (int k = 0, c = 0; c < dimension_; ++c)
       for (int d = c; d < dimension_; ++d, ++k) {
@@ -112,7 +122,7 @@ void TwoLevel::estimateLargest() {
   stiffness_.zeroHeld(direction_);
   double estimate = 0.0;
   for (int step = 0; step < 12; ++step) {
-    stiffness_.apply(direction_, product_);
+    stiffness_.applyStiffly(direction_, product_);
     precondition(product_, scaled_);
     double up = 0.0, down = 0.0;
     for (int c = 0; c < dimension_; ++c)
@@ -131,7 +141,6 @@ void TwoLevel::estimateLargest() {
 }
 
 void TwoLevel::rebuild() {
-  refreshSmoother();
   estimateLargest();
   space_ = std::make_unique<CoarseSpace>(comm_, stiffness_, dimension_ == 3 ? piecePoints3 : piecePoints2);
   space_->exchange(stiffness_);
@@ -150,30 +159,30 @@ void TwoLevel::rebuild() {
   for (std::size_t rank = 1; rank < counts_.size(); ++rank) starts_[rank] = starts_[rank - 1] + counts_[rank - 1];
 }
 
-void TwoLevel::smooth(PointVector<float>& r, PointVector<float>& z, bool needsRest) {
+void TwoLevel::smooth(const PointVector<float>& r, PointVector<float>& z) {
   const float low = largest_ / smoothedRange, middle = 0.5F * (largest_ + low), half = 0.5F * (largest_ - low);
   const float sigma = middle / half;
   float rho = 1.0F / sigma;
-  precondition(r, scaled_);
-  for (int c = 0; c < dimension_; ++c)
-    for (int i = 0; i < nOwned_; ++i) {
-      direction_[c][i] = scaled_[c][i] / middle;
-      z[c][i] += direction_[c][i];
-    }
-  for (int k = 1; k < degree || (k == degree && needsRest); ++k) {
-    stiffness_.apply(direction_, product_);
-    for (int c = 0; c < dimension_; ++c)
-      for (int i = 0; i < nOwned_; ++i) r[c][i] -= product_[c][i];
-    if (k == degree) return;
-    precondition(r, scaled_);
+  left_ = r;
+  for (int k = 0; k < degree; ++k) {
     const float next = 1.0F / (2.0F * sigma - rho), keep = next * rho, take = 2.0F * next / half;
-    rho = next;
+    if (k > 0) {
+      rho = next;
+      stiffness_.applyStiffly(direction_, product_);
+      subtract(product_, left_);
+    }
+    precondition(left_, scaled_);
     for (int c = 0; c < dimension_; ++c)
       for (int i = 0; i < nOwned_; ++i) {
-        direction_[c][i] = keep * direction_[c][i] + take * scaled_[c][i];
+        direction_[c][i] = k > 0 ? keep * direction_[c][i] + take * scaled_[c][i] : scaled_[c][i] / middle;
         z[c][i] += direction_[c][i];
       }
   }
+}
+
+void TwoLevel::subtract(const PointVector<float>& x, PointVector<float>& from) const {
+  for (int c = 0; c < dimension_; ++c)
+    for (int i = 0; i < nOwned_; ++i) from[c][i] -= x[c][i];
 }
 
 void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
@@ -188,11 +197,9 @@ void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
   direction_.zero();
   space_->addTo(direction_, solution_.data() + starts_[rank]);
   stiffness_.apply(direction_, product_);
+  subtract(product_, r);
   for (int c = 0; c < dimension_; ++c)
-    for (int i = 0; i < nOwned_; ++i) {
-      z[c][i] += direction_[c][i];
-      r[c][i] -= product_[c][i];
-    }
+    for (int i = 0; i < nOwned_; ++i) z[c][i] += direction_[c][i];
 }
 
 void TwoLevel::apply(const PointVector<double>& r, PointVector<double>& z) {
@@ -205,9 +212,11 @@ void TwoLevel::apply(const PointVector<double>& r, PointVector<double>& z) {
     const double scale = 1.0 / largest;
     for (int c = 0; c < dimension_; ++c)
       for (int i = 0; i < nOwned_; ++i) rest_[c][i] = static_cast<float>(scale * r[c][i]);
-    smooth(rest_, sum_, true);
+    smooth(rest_, sum_);
+    stiffness_.apply(sum_, product_);
+    subtract(product_, rest_);
     correct(rest_, sum_);
-    smooth(rest_, sum_, false);
+    smooth(rest_, sum_);
   }
   for (int c = 0; c < dimension_; ++c)
     for (int i = 0; i < nOwned_; ++i) z[c][i] = largest * static_cast<double>(sum_[c][i]);

@@ -20,9 +20,9 @@ class TwoLevel {
   TwoLevel(const Communicator& comm, SpringOperator& stiffness);
   ~TwoLevel();
 
-  /// The smoother, from the stiffness as it is.
-  void refreshSmoother();
-  /// The coarse level as well.
+  /// The smoother, where springs or held degrees of freedom of these owned points, rising, have changed.
+  void refreshSmoother(const std::vector<int>& changed);
+  /// The coarse level, after the smoother.
   void rebuild();
 
   void apply(const PointVector<double>& r, PointVector<double>& z);
@@ -32,24 +32,25 @@ class TwoLevel {
   const PointVector<double>& diagonal() const { return diagonal_; }
 
  private:
-  void invertDiagonal();
+  void invertDiagonal(const std::vector<int>& points);
   void estimateLargest();
   void precondition(const PointVector<float>& r, PointVector<float>& z) const;
-  /// z += a polynomial of K times r; r becomes what is left of it, unless it is not needed.
-  void smooth(PointVector<float>& r, PointVector<float>& z, bool needsRest);
+  /// z += a polynomial of the stiffness times r.
+  void smooth(const PointVector<float>& r, PointVector<float>& z);
+  void subtract(const PointVector<float>& x, PointVector<float>& from) const;
   void correct(PointVector<float>& r, PointVector<float>& z);
 
   const Communicator& comm_;
   SpringOperator& stiffness_;
   int nOwned_, dimension_;
-  PointVector<double> diagonal_;
-  PointVector<float> inverse_;  ///< [upper triangle][nOwned]
-  float largest_ = 2.0F;        ///< bound of the eigenvalues of D^-1 K
+  PointVector<double> diagonal_;  ///< [upper triangle][nPoints] with the operator's additions
+  PointVector<float> inverse_;    ///< [upper triangle][nOwned]
+  float largest_ = 2.0F;          ///< bound of the eigenvalues of D^-1 K
   std::unique_ptr<CoarseSpace> space_;
   std::unique_ptr<SparseFactor> factor_;
   std::vector<double> right_, solution_;  ///< of all ranks
   std::vector<int> counts_, starts_;
-  PointVector<float> rest_, sum_, direction_, product_, scaled_;
+  PointVector<float> rest_, sum_, direction_, product_, scaled_, left_;
 };
 
 }  // namespace pd

@@ -11,7 +11,7 @@
 namespace pd {
 
 /// Newton's method with what it needs around it: parts that nothing holds stay in place, loads on them are refused.
-/// Each search starts with a tangent of its own, so that nothing but fields and restart state matters.
+/// Between checkpoints the tangent of springs is kept as long as it is good.
 class Equilibrium {
  public:
   static void declareParameters(ParameterDeclarations& declare);
@@ -28,8 +28,9 @@ class Equilibrium {
   bool keepsTogether();
   /// Throws RunError where the deck asks for springs, and the materials have none.
   void requireSprings(Model& model) const { newton_.requireSprings(model); }
-  /// For the start of an increment: what follows is what follows from the state of the model alone, as after a restart.
-  void startAfresh(Simulation& simulation) { newton_.startAfresh(simulation.model); }
+  /// As Newton's.
+  void startIncrement(Simulation& simulation) { newton_.startIncrement(simulation.model); }
+  void forgetHistory() { newton_.forgetHistory(); }
   /// Parts of more than 1 % of the points that loads or prescribed displacements act on at time t. Collective.
   int countLoadedParts(Simulation& simulation, double t);
   /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.

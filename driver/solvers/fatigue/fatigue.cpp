@@ -201,7 +201,7 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
 double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   Model& model = simulation.model;
   const bool isAtWork = equilibrium_.hasSupports();
-  equilibrium_.startAfresh(simulation);
+  equilibrium_.startIncrement(simulation);
   if (!hasStarted_) start(simulation, t);
   if (!isSettled_) settle(simulation, t, false);
   isSettled_ = true;

@@ -47,6 +47,7 @@ class Fatigue : public EventSolver {
   const char* timeUnit() const override { return "cycles"; }
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
+  void checkpointWritten() override { equilibrium_.forgetHistory(); }
   void setRestartState(const RestartState& state) override;
   void fieldsHaveChanged() override { isSettled_ = false; }
 
