@@ -115,6 +115,21 @@ class CrackedPlate(SceneTest):
         self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
         self.assertLess(history["Length"][-2], 0.009)
 
+    def test_loads_follow_the_length_of_the_crack(self):
+        peak = {"Crack Length": "Length", "Peak": "exp(200*(a - 0.008))"}
+        deck = cracked_plate(self, solver={**self.grown, "Load By Crack Length": peak})
+        deck["Output"]["Output Variables"] += ["Peak_Load"]
+        history = self.solve(deck).history()
+        np.testing.assert_allclose(history["Peak_Load"][1:], np.exp(200 * (history["Length"][1:] - 0.008)), rtol=1e-9)
+        # Between failures the load stays: cycles go as the inverse third power of it.
+        steps = np.diff(history["time"]) * history["Peak_Load"][:-1] ** 3
+        constant = self.solve(cracked_plate(self, solver=self.grown)).history()
+        self.assertAlmostEqual(steps[1:].sum() / np.diff(constant["time"])[1:].sum(), 1.0, delta=0.05)
+        deck["Solver"]["Fatigue"]["Load By Crack Length"]["Peak"] = "0.009 - a"
+        result = self.run_deck(deck)
+        self.assertNotEqual(result.code, 0)
+        self.assertIn("must be above 0 at every length", result.text)
+
     def test_ends_when_the_plate_has_come_apart(self):
         result = self.solve(cracked_plate(self, width=12e-3))
         self.assertIn("come apart", " ".join(result.report["solver"]))
