@@ -78,7 +78,7 @@ int JIntegral::compute(Blocks blocks) const {
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);
     const double* x = view(block, fields_.modelCoordinates);
-    const std::vector<Tensor> gradients = gradients_.of(block);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipRing::leastIntact);
     const HookesLaw law(*block.getMaterialModel(), ring_.isPlaneStress());
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       const int id = block.getNeighborhoodData()->OwnedIDs()[i];

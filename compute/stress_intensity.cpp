@@ -127,7 +127,7 @@ int StressIntensity::compute(Blocks blocks) const {
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);
     const double* x = view(block, fields_.modelCoordinates);
-    const std::vector<Tensor> gradients = gradients_.of(block);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipRing::leastIntact);
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       const int id = block.getNeighborhoodData()->OwnedIDs()[i];
       for (int copy = 0; copy < whole_->nCopies(); ++copy) {

@@ -222,7 +222,7 @@ CrackFront::Tip CrackFront::locateAlongPath(const Blocks& blocks, const Epetra_C
   std::vector<double> furthest(2, std::numeric_limits<double>::lowest());  // along the direction, along the path
   for (const Candidate& candidate : candidates(blocks, comm, direction)) {
     const double distance = path.distance(candidate.point.globalId);
-    if (distance < path.length() - path.reach()) continue;
+    if (distance < path.length() - path.endLength()) continue;
     furthest[0] = std::max(furthest[0], candidate.front);
     furthest[1] = std::max(furthest[1], distance + candidate.front - candidate.ahead);
   }

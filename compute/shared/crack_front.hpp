@@ -16,7 +16,7 @@ namespace pd {
 /// damage does not heal it never goes back. Points that are equally far ahead (the two lips of a crack between two rows
 /// of points) are averaged.
 /// A crack with a curved path is that of crack_path.hpp: its tip is where it is longest, and damage is followed there
-/// along the direction of its last two longest bonds. Beside planes of symmetry all this is that of the whole body.
+/// along its direction over the last two longest bonds. Beside planes of symmetry all this is that of the whole body.
 class CrackFront {
  public:
   struct Tip {

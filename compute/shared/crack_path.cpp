@@ -61,7 +61,7 @@ Vector3 CrackPath::meanBetween(double nearest, double furthest) const {
   double weight = 0.0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const double behind = length_ - distances_[k];
-    if (distances_[k] < 0.0 || behind < nearest * reach_ || behind > furthest * reach_) continue;
+    if (distances_[k] < 0.0 || behind < nearest * endLength() || behind > furthest * endLength()) continue;
     for (std::size_t d = 0; d < 3; ++d) sum[d] += points_[k].damage * points_[k].place[d];
     weight += points_[k].damage;
   }
@@ -70,7 +70,7 @@ Vector3 CrackPath::meanBetween(double nearest, double furthest) const {
 }
 
 Vector3 CrackPath::directionAtEnd(const Vector3& atStart) const {
-  if (length_ < 2.0 * reach_) return atStart;
+  if (length_ < reach_) return atStart;
   const Vector3 to = meanBetween(0.0, 1.0), from = meanBetween(1.0, 2.0);
   Vector3 direction{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   const double norm = std::hypot(direction[0], direction[1], direction[2]);

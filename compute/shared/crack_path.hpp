@@ -2,6 +2,7 @@
 #ifndef PD_CRACK_PATH_HPP
 #define PD_CRACK_PATH_HPP
 
+#include <algorithm>
 #include <unordered_map>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace pd {
 
 /// Each damaged point has a distance from the start of the crack: that of the shortest way through damaged points, from
 /// each to a neighbour. On a strip of points the way is as long as the strip, within 1.5 % on square lattices of three
-/// spacings a horizon. The crack ends where the distance is largest. As damage grows, distances may become shorter by
-/// what ways across a thicker strip save.
+/// spacings a horizon, and shorter by a spacing or so for each radian that it turns, since it keeps to the inner side.
+/// The crack ends where the distance is largest. As damage grows, distances may become shorter by what ways across a
+/// thicker strip save.
 class CrackPath {
  public:
   struct Point {
@@ -24,17 +26,18 @@ class CrackPath {
   /// `mine`: of this rank, each in the list of one rank alone; `reach`: of the longest bond, m. Collective.
   CrackPath(const std::vector<Point>& mine, double reach, const Epetra_Comm& comm);
 
-  double reach() const { return reach_; }
   double length() const { return length_; }  ///< m; 0: there is no crack
+  /// How much of the crack is its end, m: a reach, or half of a short crack.
+  double endLength() const { return std::min(reach_, 0.5 * length_); }
   /// From the start, m; negative for points that are none of the crack.
   double distance(int globalId) const;
-  /// Mean place, weighed by damage, of what is within `reach` of the end.
+  /// Mean place of the end, weighed by damage.
   Vector3 meanOfEnd() const { return meanBetween(0.0, 1.0); }
-  /// From the part before that to there; `atStart` where the crack is too short for both.
+  /// From as much before the end to there; `atStart` for a crack shorter than a reach.
   Vector3 directionAtEnd(const Vector3& atStart) const;
 
  private:
-  /// Of what ends so many reaches behind the end.
+  /// Of what lies so many end lengths behind the tip.
   Vector3 meanBetween(double nearest, double furthest) const;
   void findDistances();
 

@@ -30,19 +30,37 @@ def points(height, holes, spacing):
     return grid[~inside]
 
 
-def main(specimen, spacing, file):
+def settings(specimen, spacing, file):
+    """Of the deck, for a specimen on squares of three spacings a horizon."""
     height, holes, load = SPECIMENS[specimen]
+    horizon = 3e-3 * spacing
+    yield "Discretization/Input Mesh File", file
+    for key in ("Discretization/Bond Filters/Notch/Lower_Left_Corner_Y", "Compute Class Parameters/Tip/Start Y",
+                "Compute Class Parameters/Length/Start Y"):
+        yield key, height * 1e-3
+    yield "Boundary Conditions/Pull Up/Value", load
+    yield "Boundary Conditions/Pull Down/Value", -load
+    yield "Damage Models/Fatigue/Spacing", spacing * 1e-3
+    for key in ("Damage Models/Fatigue/Horizon", "Blocks/Body/Horizon"):
+        yield key, horizon
+    for ring in ("J", "K"):
+        yield f"Compute Class Parameters/{ring}/Inner Radius", horizon
+        yield f"Compute Class Parameters/{ring}/Outer Radius", 2.5 * horizon
+    if holes:
+        rims = " || ".join(f"(x - {x:g}e-3)^2 + (y - {y:g}e-3)^2 < {radius + spacing:g}e-3^2" for x, y, radius in holes)
+        yield "Boundary Conditions/Rims Node Set/Expression", rims
+    else:  # until the crack has this length
+        yield "Solver/Fatigue/Stop When", '{"Value": "Crack_Length", "Reaches": 0.030}'
+
+
+def main(specimen, spacing, file):
+    height, holes, _ = SPECIMENS[specimen]
     volume = spacing**2 * THICKNESS * 1e-9
     with open(file, "w") as mesh:
         for x, y in points(height, holes, spacing):
             mesh.write(f"{x * 1e-3:.9g} {y * 1e-3:.9g} 0 1 {volume:.12g}\n")
-    for key, value in (("Discretization/Input Mesh File", file),
-                       ("Discretization/Bond Filters/Notch/Lower_Left_Corner_Y", height * 1e-3),
-                       ("Compute Class Parameters/Tip/Start Y", height * 1e-3),
-                       ("Compute Class Parameters/Length/Start Y", height * 1e-3),
-                       ("Boundary Conditions/Pull Up/Value", load), ("Boundary Conditions/Pull Down/Value", -load),
-                       ("Damage Models/Fatigue/Spacing", spacing * 1e-3)):
-        print(f"--set\n{key}={value}")
+    for key, value in settings(specimen, spacing, file):
+        print(f"--set\n{key}={value:.9g}" if isinstance(value, float) else f"--set\n{key}={value}")
 
 
 if __name__ == "__main__":

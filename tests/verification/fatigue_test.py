@@ -125,7 +125,7 @@ class CrackedPlate(SceneTest):
         steps = np.diff(history["time"]) * history["Peak_Load"][:-1] ** 3
         constant = self.solve(cracked_plate(self, solver=self.grown)).history()
         self.assertAlmostEqual(steps[1:].sum() / np.diff(constant["time"])[1:].sum(), 1.0, delta=0.05)
-        deck["Solver"]["Fatigue"]["Load By Crack Length"]["Peak"] = "0.009 - a"
+        deck["Solver"]["Fatigue"]["Load By Crack Length"]["Peak"] = "0.0075 - a"
         result = self.run_deck(deck)
         self.assertNotEqual(result.code, 0)
         self.assertIn("must be above 0 at every length", result.text)
