@@ -30,7 +30,7 @@ void TipRing::declareParameters(ParameterDeclarations& declarations, const char*
   declareCommonParameters(declarations, compute);
   HookesLaw::declareParameters(declarations);
   declarations.real("Thickness", "m", "Thickness of the plane body.").positive().required();
-  declarations.real("Inner Radius", "m", "Inner radius of the ring; at least two horizons.").positive().required();
+  declarations.real("Inner Radius", "m", "Inner radius of the ring; one horizon at least.").positive().required();
   declarations.real("Outer Radius", "m", "Outer radius of the ring.").positive().required();
   declareVector(declarations, "Direction", "1",
                 "Direction in which the crack grows (default: that of the Tip Field, else x).");

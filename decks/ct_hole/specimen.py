@@ -7,7 +7,7 @@ import sys
 import numpy as np
 
 WIDTH, THICKNESS, RADIUS = 29.5, 8.0, 3.5  # mm: W, B, of the hole
-FRONT, HALF_HEIGHT = 0.25 * WIDTH, 0.6 * WIDTH
+FRONT, HALF_HEIGHT, PIN_HEIGHT, PIN_RADIUS = 0.25 * WIDTH, 0.6 * WIDTH, 0.275 * WIDTH, 0.125 * WIDTH  # ASTM E647
 
 
 def main(x, y, spacing, points, file):
@@ -17,7 +17,7 @@ def main(x, y, spacing, points, file):
     with open(file, "w") as mesh:
         for b in np.concatenate([-half[::-1], half]):  # the cut lies between two rows
             for a in columns:
-                if np.hypot(a - x, b - y) >= RADIUS:
+                if np.hypot(a - x, b - y) >= RADIUS and np.hypot(a, abs(b) - PIN_HEIGHT) >= PIN_RADIUS:
                     mesh.write(f"{a * 1e-3:.9g} {b * 1e-3:.9g} 0 1 {volume:.12g}\n")
     horizon = points * spacing
     rim = f"(x - {x:g}e-3)^2 + (y - {y:g}e-3)^2 < {RADIUS + spacing:g}e-3^2"

@@ -10,7 +10,8 @@ import sys
 import numpy as np
 
 WIDTH, FRONT, HALF_HEIGHT, THICKNESS = 40.0, 10.0, 24.0, 3.2  # mm: W, 0.25 W, 0.6 W, B
-HOLES = ((18.0, 10.0, 4.0), (30.0, 0.0, 2.0), (25.0, -10.0, 4.0))  # x, y, radius in mm; x from the load line
+PINS = ((0.0, 11.0, 5.0), (0.0, -11.0, 5.0))  # x, y, radius in mm; x from the load line
+HOLES = ((18.0, 10.0, 4.0), (30.0, 0.0, 2.0), (25.0, -10.0, 4.0))
 SPECIMENS = {  # height of the notch above the middle (mm), holes, load (N)
     "1": (0.0, (), 1750.0),
     "2": (1.6, HOLES, 1574.0),
@@ -25,7 +26,7 @@ def points(height, holes, spacing):
     rows = np.arange(np.ceil((-HALF_HEIGHT - height) / spacing), np.floor((HALF_HEIGHT - height) / spacing))
     grid = np.stack(np.meshgrid(x, height + (rows + 0.5) * spacing), axis=-1).reshape(-1, 2)
     inside = np.zeros(len(grid), dtype=bool)
-    for a, b, radius in holes:
+    for a, b, radius in PINS + holes:
         inside |= np.hypot(grid[:, 0] - a, grid[:, 1] - b) < radius
     return grid[~inside]
 
