@@ -351,7 +351,8 @@ TEST_P(JOfModeOne, FollowsTheDirectionThatATipReports) {
   const double c = std::cos(0.6), s = std::sin(0.6);
   const auto modeOne = modeOneField(0.01, shear, kappa);
   SmallBody turned(lattice(n, n, 1, 1.0, {-29.5, -29.5, 0.0}), options());
-  turned.block().setMaterialModel(body.block().getMaterialModel());
+  const double bulk = young / (3.0 * (1.0 - 2.0 * poisson));
+  turned.block().setMaterialModel(Teuchos::rcp(new SimpleMaterial(1.0, bulk, shear)));
   const auto seen = [=](const Point& x) {
     return Point{c * (x[0] - 3.0) + s * (x[1] - 2.0), c * (x[1] - 2.0) - s * (x[0] - 3.0), 0.0};
   };
