@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""cracks.png: paths of the runs beside their holes, over those of finite elements, and lengths over cycles; and what the README states of
-them; plot.py [RESULTS]"""
+"""cracks.png: paths of the runs beside their holes, over those of finite elements, and lengths over cycles; and what the
+README states of them; plot.py [RESULTS]"""
 import csv
 import sys
 from pathlib import Path
@@ -37,8 +37,9 @@ for number, file in enumerate(runs):
     shown = theory[(theory[:, 0] > 8.5) & (theory[:, 0] < ahead.max())]
     first = np.concatenate([[True], np.diff(ahead) > 0])
     apart = np.interp(shown[:, 0], ahead[first], tips[first, 1]) - shown[:, 1]
-    print(f"{label}: last tip {tips[-1].round(2)}, {distance[-1]:.2f} mm from the rim, nearest {distance.min():.2f}; da/dN {slope[0]:.3g} m/cycle "
-          f"to 3 mm from the rim, off the straight line by {off:.2f} mm at most; y less that of finite elements: "
+    print(f"{label}: last tip {tips[-1].round(2)}, {distance[-1]:.2f} mm from the rim, nearest {distance.min():.2f}; "
+          f"da/dN {slope[0]:.3g} m/cycle to 3 mm from the rim, off the straight line by {off:.2f} mm at most; "
+          "y less that of finite elements: "
           + " ".join(f"{a:.1f}:{b:+.2f}" for a, b in zip(shown[::2, 0], apart[::2])))
 axes[0].set_xlim(7, 22)
 axes[0].set_ylim(-1, 11)

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""A compact tension specimen with a hole beside the path of its crack, for ct_hole.yaml; specimen.py X Y SPACING POINTS FILE writes the
-mesh, and prints the --set options of pdrun for it, one word a line. X, Y: centre of the hole in mm; POINTS: spacings a horizon.
+"""A compact tension specimen with a hole beside the path of its crack, for ct_hole.yaml; specimen.py X Y SPACING POINTS
+FILE writes the mesh, and prints the --set options of pdrun for it, one word a line. X, Y: centre of the hole in mm;
+POINTS: spacings a horizon.
 """
 import sys
 
@@ -23,7 +24,8 @@ def main(x, y, spacing, points, file):
     rim = f"(x - {x:g}e-3)^2 + (y - {y:g}e-3)^2 < {RADIUS + spacing:g}e-3^2"
     for key, value in (("Discretization/Input Mesh File", file), ("Boundary Conditions/Rim Node Set/Expression", rim),
                        ("Damage Models/Fatigue/Spacing", f"{spacing:.9g}e-3"),
-                       ("Damage Models/Fatigue/Horizon", f"{horizon:.9g}e-3"), ("Blocks/Body/Horizon", f"{horizon:.9g}e-3"),
+                       ("Damage Models/Fatigue/Horizon", f"{horizon:.9g}e-3"),
+                       ("Blocks/Body/Horizon", f"{horizon:.9g}e-3"),
                        ("Compute Class Parameters/J/Inner Radius", f"{horizon:.9g}e-3"),
                        ("Compute Class Parameters/J/Outer Radius", f"{2.5 * horizon:.9g}e-3")):
         print(f"--set\n{key}={value}")

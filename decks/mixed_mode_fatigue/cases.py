@@ -2,8 +2,8 @@
 """The cases of this scene: cases.py ANGLE prints the --set options of pdrun, one word a line, that make one of
 mixed_mode_fatigue.yaml; ANGLE is that between crack and load in degrees.
 
-A crack of half length a at ANGLE with the stress s has K_I = s sqrt(pi a) sin^2, K_II = s sqrt(pi a) sin cos. All cases have the
-same K_I^2 + K_II^2, and so the same energy release rate of the crack as cut.
+A crack of half length a at ANGLE with the stress s has K_I = s sqrt(pi a) sin^2, K_II = s sqrt(pi a) sin cos. All cases
+have the same K_I^2 + K_II^2, and so the same energy release rate of the crack as cut.
 """
 import sys
 
@@ -29,8 +29,8 @@ def kink(angle):
 
 
 def displacements(angle):
-    """The field around the tip of a crack along x < 0 (Williams), u_x and u_y as functions of x and y; with r and theta about
-    the tip, sqrt(2 r) cos(theta/2) = sqrt(r + x)."""
+    """The field around the tip of a crack along x < 0 (Williams), u_x and u_y as functions of x and y; with r and theta
+    about the tip, sqrt(2 r) cos(theta/2) = sqrt(r + x)."""
     shear_modulus, kappa = YOUNG / (2 * (1 + POISSON)), (3 - POISSON) / (1 + POISSON)
     one, two = intensities(angle) / (4 * shear_modulus * np.sqrt(np.pi))
     r, sign = "sqrt(x^2 + y^2)", "sign(y)"

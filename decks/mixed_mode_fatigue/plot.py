@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""kinks.png: paths of the cracks, and their angles over those of the theory; and the angles as a table; plot.py [RESULTS]"""
+"""kinks.png: paths of the cracks, and their angles over those of the theory; and the angles as a table;
+plot.py [RESULTS]"""
 import csv
 import sys
 from pathlib import Path
@@ -39,10 +40,12 @@ for number, angle in enumerate(ANGLES):
         found.append(angle_of(path))
         axes[0].plot(*path.T, color=f"C{number}", linewidth=1, label=f"{angle}°" if mesh == 1 else None)
     ends = np.array([0, 3.2]) * HORIZON
-    axes[0].plot(ends * np.cos(np.radians(theory)), ends * np.sin(np.radians(theory)), "--", color=f"C{number}", linewidth=0.8)
+    way = np.radians(theory)
+    axes[0].plot(ends * np.cos(way), ends * np.sin(way), "--", color=f"C{number}", linewidth=0.8)
     axes[1].plot(np.full(3, -theory), -np.array(found), ".", color=f"C{number}", markersize=4)
     axes[1].plot(-theory, -np.mean(found), "o", color=f"C{number}", fillstyle="none")
-    print(f"{angle:3} degrees: kink {-np.mean(found):5.1f} ± {np.std(found, ddof=1):4.1f}, theory {-theory:4.1f}; meshes {np.round(found, 1)}")
+    print(f"{angle:3} degrees: kink {-np.mean(found):5.1f} ± {np.std(found, ddof=1):4.1f}, theory {-theory:4.1f}; "
+          f"meshes {np.round(found, 1)}")
 axes[0].set_aspect("equal")
 axes[0].set_xlabel("x (mm)")
 axes[0].set_ylabel("y (mm)")

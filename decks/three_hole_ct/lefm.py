@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Linear elastic fracture mechanics for the specimens of this scene, by finite elements: an independent path and life of a crack.
-lefm.py SPECIMEN FILE writes x, y, length (mm), K_I, K_II (MPa sqrt(m), at the load at 11.5 mm), cycles.
+"""Linear elastic fracture mechanics for the specimens of this scene, by finite elements: an independent path and life
+of a crack. lefm.py SPECIMEN FILE writes x, y, length (mm), K_I, K_II (MPa sqrt(m), at the load at 11.5 mm), cycles.
 
-The crack grows by short straight steps in the direction of the largest tangential stress (Erdogan & Sih, J. Basic Eng. 85 (1963) 519), the
-body is meshed anew for each (quadratic triangles, gmsh), and K_I, K_II are interaction integrals over a ring around the tip (Yau, Wang &
-Corten 1980, in domain form). Cycles follow by da/dN = C dK^m.
+The crack grows by short straight steps in the direction of the largest tangential stress (Erdogan & Sih, J. Basic Eng.
+85 (1963) 519), the body is meshed anew for each (quadratic triangles, gmsh), and K_I, K_II are interaction integrals
+over a ring around the tip (Yau, Wang & Corten 1980, in domain form). Cycles follow by da/dN = C dK^m.
 """
 import csv
 import sys
@@ -24,7 +24,8 @@ GAUSS = ((1 / 6, 1 / 6), (2 / 3, 1 / 6), (1 / 6, 2 / 3))
 
 
 def mesh(crack, holes, finest):
-    """Nodes [n, 2] and elements [m, 6] of a body that is cut along the line through the points `crack`, the first on its front."""
+    """Nodes [n, 2] and elements [m, 6] of a body that is cut along the line through the points `crack`, the first on
+    its front."""
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
     kernel, model = gmsh.model.occ, gmsh.model
@@ -132,7 +133,8 @@ def intensities(crack, holes, load, finest=0.05, ring=(0.25, 0.65)):
         r = np.hypot(*local.T)
         inside = (r > ring[0]) & (r < ring[1])
         local, r, weight = local[inside], r[inside], weight[inside]
-        own = np.einsum("eai,eka->eik", displacement[elements[inside]] @ axes.T, np.einsum("ejk,ij->eik", gradient[inside], axes))
+        slopes = np.einsum("ejk,ij->eik", gradient[inside], axes)
+        own = np.einsum("eai,eka->eik", displacement[elements[inside]] @ axes.T, slopes)
         fall = -local / (r * (ring[1] - ring[0]))[:, None]  # the slope of q, 1 at the inner and 0 at the outer radius
         for mode in (1, 2):
             other = singular_gradient(mode, r, np.arctan2(local[:, 1], local[:, 0]))
@@ -144,7 +146,7 @@ def intensities(crack, holes, load, finest=0.05, ring=(0.25, 0.65)):
 
 
 def grow(crack, holes, load, step, done):
-    """Points of the crack, and K_I, K_II at each from the second on, until done(tip) or a hole is nearer than its ring."""
+    """Points of the crack, and K_I, K_II at each from the second on, until done(tip) or a hole is nearer than 1 mm."""
     crack, found = list(crack), []
     while True:
         wide = len(found) == 0  # the cut is long and straight

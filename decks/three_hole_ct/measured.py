@@ -1,5 +1,6 @@
-"""Measured on three of the specimens: D. Wagner, PhD thesis (2018), as digitised in the open repository of specimen.py, commit
-d71a4c0. PATHS: x, y of the crack in mm, from the load line and the middle; LIVES: cycles, length of the crack from the load line in mm.
+"""Measured on three of the specimens: D. Wagner, PhD thesis (2018), as digitised in the open repository of specimen.py,
+commit d71a4c0. PATHS: x, y of the crack in mm, from the load line and the middle; LIVES: cycles, length of the crack
+from the load line in mm.
 """
 import numpy as np
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""paths.png and growth.png: cracks of all runs over the measured ones, lengths over cycles, rates over ranges of K; and what the README
-states of them; plot.py [RESULTS]"""
+"""paths.png and growth.png: cracks of all runs over the measured ones, lengths over cycles, rates over ranges of K; and
+what the README states of them; plot.py [RESULTS]"""
 import csv
 import sys
 from pathlib import Path
@@ -76,7 +76,8 @@ def report(run):
     path, life = PATHS[run.specimen], LIVES[run.specimen]
     name, distance = run.end()
     print(f"   ends {distance:.2f} mm from the rim of hole {name}, at {run.tips[-1].round(2)}; measured {path[-1]}")
-    shown = path[(path[:, 0] > 8.5) & (path[:, 0] < run.tips[:, 0].max()) & (np.maximum.accumulate(path[:, 0]) == path[:, 0])]
+    x = path[:, 0]
+    shown = path[(x > 8.5) & (x < run.tips[:, 0].max()) & (np.maximum.accumulate(x) == x)]
     off = run.height_at(shown[:, 0]) - shown[:, 1]
     print("   y less measured: " + " ".join(f"{x:.1f}:{y:+.2f}" for x, y in zip(shown[::3, 0], off[::3])))
     inside = life[life[:, 1] < run.length.max()]

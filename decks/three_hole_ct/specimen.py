@@ -2,8 +2,9 @@
 """A compact tension specimen with its notch off the middle and up to three holes, for three_hole_ct.yaml;
 specimen.py SPECIMEN SPACING_IN_MM FILE writes the mesh, and prints the --set options of pdrun for it, one a line.
 
-D. Wagner, PhD thesis (2018), as digitised in the open repository CastillonMiguel/A-Phase-Field-Approach-to-Fracture-and-Fatigue-
-Analysis-Bridging-Theory-and-Simulation. Another specimen is another row of SPECIMENS.
+D. Wagner, PhD thesis (2018), as digitised in the open repository CastillonMiguel/
+A-Phase-Field-Approach-to-Fracture-and-Fatigue-Analysis-Bridging-Theory-and-Simulation. Another specimen is another row
+of SPECIMENS.
 """
 import sys
 

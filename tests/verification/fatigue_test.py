@@ -173,19 +173,22 @@ class InclinedCrack(SceneTest):
     """decks/mixed_mode_fatigue: a crack at 60 degrees to the load turns by 43.2 degrees (maximum tangential stress)."""
 
     def test_turns_as_the_largest_tangential_stress_has_it(self):
-        mesh = subprocess.run([os.path.join(DECKS, "../meshes/pdmesh"), "grid", "disc", "--radius", "0.02", "--spacing", "0.0005",
-                               "--thickness", "0.004", "--quiet", "-o", "disc.txt"], cwd=self.folder)
-        self.assertEqual(mesh.returncode, 0)
+        def run(*command):
+            return subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
+
         scene = os.path.join(DECKS, "mixed_mode_fatigue")
-        options = subprocess.run([os.path.join(scene, "cases.py"), "60"], capture_output=True, text=True).stdout.splitlines()
-        process = subprocess.run([pdrun_path(), os.path.join(scene, "mixed_mode_fatigue.yaml"), "--quiet", *options, "--set",
-                                  f"Discretization/Input Mesh File={self.folder}/disc.txt"], cwd=self.folder, capture_output=True,
-                                 text=True)
+        mesh = run(os.path.join(DECKS, "../meshes/pdmesh"), "grid", "disc", "--radius", "0.02", "--spacing", "0.0005",
+                   "--thickness", "0.004", "--quiet", "-o", "disc.txt")
+        self.assertEqual(mesh.returncode, 0, mesh.stderr)
+        options = run(os.path.join(scene, "cases.py"), "60").stdout.splitlines()
+        process = run(pdrun_path(), os.path.join(scene, "mixed_mode_fatigue.yaml"), "--quiet", *options, "--set",
+                      f"Discretization/Input Mesh File={self.folder}/disc.txt")
         result = Result(self.folder, "mixed_mode_fatigue", process)
         self.assertEqual(result.code, 0, result.text)
         history = result.history()
         # K_I and K_II of the rim, by interaction integrals around the crack as cut
-        np.testing.assert_allclose([history["K_Of_The_Cut" + c][1] for c in "XY"], 20e6 * np.array([0.75**0.5, 0.5]), rtol=0.05)
+        found = [history["K_Of_The_Cut" + axis][1] for axis in "XY"]
+        np.testing.assert_allclose(found, 20e6 * np.array([0.75**0.5, 0.5]), rtol=0.05)
         x, y = history["Crack_TipX"], history["Crack_TipY"]
         far = np.hypot(x, y) > 3.0e-3  # two horizons of the three that the branch is long
         kink = np.degrees(np.arctan2(y[far].mean(), x[far].mean()))
