@@ -24,7 +24,7 @@ for number, file in enumerate(runs):
     cycles, length = (np.array([float(row[key]) for row in rows]) for key in ("time", "Crack_Length"))
     theory = np.loadtxt(folder / f"lefm_{x}_{y}.csv", delimiter=",", skiprows=1)
     color = f"C{number}"
-    label = f"hole at ({x}, {y}) mm, horizon {4 * float(spacing):g} mm"
+    label = f"hole at ({x}, {y}) mm, horizon {3 * float(spacing):g} mm"
     axes[0].add_patch(figures.plt.Circle(hole, RADIUS, fill=False, color=color, linewidth=0.8))
     axes[0].plot(*tips.T, color=color, linewidth=1, label=label)
     axes[0].plot(*theory.T, "--", color=color, linewidth=0.8)

@@ -4,14 +4,14 @@ set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
-run() { # x and y of the hole in mm, spacing in mm, spacings a horizon
-  local options name="hole_$1_$2_$3"
-  mapfile -t options < <("$here/specimen.py" "$1" "$2" "$3" "$4" "$PWD/$name.txt")
+run() { # y of the hole in mm, spacing in mm
+  local options name="hole_16_$1_$2"
+  mapfile -t options < <("$here/specimen.py" 16 "$1" "$2" 3 "$PWD/$name.txt")
   "$pdrun" "$here/ct_hole.yaml" --quiet "${options[@]}" --set "Output/Output Filename=$name"
 }
 for y in 7 8 9; do
   "$here/lefm.py" 16 "$y" "lefm_16_$y.csv"
-  run 16 "$y" 0.3 4
+  run "$y" 0.4
 done
-for y in 8; do run 16 "$y" 0.15 4; done
+run 8 0.25
 "$here/plot.py" "$results"
