@@ -111,7 +111,8 @@ def draw_growth(runs):
         start = LIVES[run.specimen][0, 1] if run.specimen in LIVES else 11.5
         axes[0].plot((run.cycles - run.cycles_at(start)) * 1e-6, run.length, color=color, label=run.name)
         ranges, rates = run.rates()
-        axes[1].loglog(ranges, rates, "o", color=color, fillstyle="none", label=run.name)
+        if np.isfinite(ranges).any():
+            axes[1].loglog(ranges, rates, "o", color=color, fillstyle="none", label=run.name)
     for specimen, mark in zip("234", "osv"):
         axes[0].plot(LIVES[specimen][:, 0] * 1e-6, LIVES[specimen][:, 1], "k" + mark, fillstyle="none",
                      label=f"specimen {specimen}, measured")
@@ -120,7 +121,7 @@ def draw_growth(runs):
         start = LIVES[specimen][0, 1] if specimen in LIVES else 11.5
         axes[0].plot((cycles - np.interp(start, length, cycles)) * 1e-6, length, "k--", linewidth=0.8,
                      label=f"specimen {specimen}, finite elements")
-    ranges = np.array([9.0, 35.0])
+    ranges = np.array([9.0, 120.0])
     axes[1].loglog(ranges, PARIS * ranges**EXPONENT, color="0.6", label="law of the deck")
     axes[0].set_xlabel("cycles (10⁶)")
     axes[0].set_ylabel("crack length from the load line (mm)")
