@@ -1,16 +1,20 @@
-// Crack_Tip: position of the crack tip, the foremost place along a direction where damage reaches a threshold.
+// Crack_Tip: position of the crack tip, the foremost place where damage reaches a threshold, along a direction or along
+// the path of the crack, and the direction of the crack there.
 #include "crack_front.hpp"
 #include "plugins.hpp"
+#include "tip_ring.hpp"
 
 namespace pd {
 
 class CrackTip : public TabledCompute {
  public:
   struct Fields : CrackFront::Fields {
-    FieldHandle result;
+    FieldHandle result, direction;
     explicit Fields(const Teuchos::ParameterList& parameters)
         : CrackFront::Fields(parameters),
-          result(writes(outputField(parameters, pd::fields::globalVector, "m", "Position of the crack tip."))) {}
+          result(writes(outputField(parameters, pd::fields::globalVector, "m", "Position of the crack tip."))),
+          direction(writes(pd::fields::globalVector(crackDirectionLabel(parameters.get<std::string>("Output Label")),
+                                                    "1", "Direction of the crack at its tip."))) {}
   };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "Crack_Tip");
@@ -24,7 +28,9 @@ class CrackTip : public TabledCompute {
   const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { front_.initialize(blocks); }
   int compute(Blocks blocks) const override {
-    setGlobal(blocks, fields_.result, front_.locate(blocks, *epetraComm).data(), 3);
+    const CrackFront::Tip tip = front_.locate(blocks, *epetraComm);
+    setGlobal(blocks, fields_.result, tip.place.data(), 3);
+    setGlobal(blocks, fields_.direction, tip.direction.data(), 3);
     return 0;
   }
 
@@ -36,4 +42,5 @@ class CrackTip : public TabledCompute {
 }  // namespace pd
 
 using pd::CrackTip;
-PD_REGISTER_COMPUTE(CrackTip, "Crack_Tip", "Position of the crack tip along a direction, in the reference shape.")
+PD_REGISTER_COMPUTE(CrackTip, "Crack_Tip",
+                    "Position of the crack tip, along a direction or a path, in the reference shape.")

@@ -31,7 +31,7 @@ class JIntegral : public TabledCompute {
 
  private:
   double contribution(const Tensor& gradientOfPart, int copy, const HookesLaw& law, const double* x,
-                      const Vector3& tip) const;
+                      const TipRing::Tip& tip) const;
 
   DeformationGradients gradients_;
   Fields fields_;
@@ -47,9 +47,9 @@ JIntegral::JIntegral(ComputeParameters params, ComputeComm comm, ComputeParamete
 
 /// The integrand in a copy of the point at x, per volume and thickness; 0 outside the ring.
 double JIntegral::contribution(const Tensor& gradientOfPart, int copy, const HookesLaw& law, const double* x,
-                               const Vector3& tip) const {
+                               const TipRing::Tip& tip) const {
   const Vector3 place = whole_->place(copy, x);
-  const double fromTip[2] = {place[0] - tip[0], place[1] - tip[1]};
+  const double fromTip[2] = {place[0] - tip.place[0], place[1] - tip.place[1]};
   const double radius = std::hypot(fromTip[0], fromTip[1]);
   if (!ring_.holds(radius)) return 0.0;
   const Tensor deformationGradient = reflected(gradientOfPart, whole_->reflection(copy));
@@ -62,23 +62,23 @@ double JIntegral::contribution(const Tensor& gradientOfPart, int copy, const Hoo
   double result = 0.0;
   for (std::size_t j = 0; j < 2; ++j) {
     const double gradientOfQ = slope * fromTip[j];
-    result -= energy * ring_.direction()[j] * gradientOfQ;
+    result -= energy * tip.direction[j] * gradientOfQ;
     for (std::size_t i = 0; i < 2; ++i)
       for (std::size_t d = 0; d < 2; ++d) {
         const double displacementGradient = deformationGradient[3 * i + d] - (i == d ? 1.0 : 0.0);
-        result += stress[3 * i + j] * displacementGradient * ring_.direction()[d] * gradientOfQ;
+        result += stress[3 * i + j] * displacementGradient * tip.direction[d] * gradientOfQ;
       }
   }
   return result;
 }
 
 int JIntegral::compute(Blocks blocks) const {
-  const Vector3 tip = ring_.tip(fields_.tip.isUsed() ? view(blocks->front(), fields_.tip) : nullptr);
+  const TipRing::Tip tip = ring_.tip(blocks->front(), fields_);
   double sum = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);
     const double* x = view(block, fields_.modelCoordinates);
-    const std::vector<Tensor> gradients = gradients_.of(block);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipRing::leastIntact);
     const HookesLaw law(*block.getMaterialModel(), ring_.isPlaneStress());
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       const int id = block.getNeighborhoodData()->OwnedIDs()[i];

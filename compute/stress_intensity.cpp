@@ -62,7 +62,7 @@ class StressIntensity : public TabledCompute {
  private:
   /// What a copy of a point adds to E' M/2 of both modes, per volume and thickness.
   std::array<double, 2> contribution(const Tensor& deformationGradient, const PeridigmNS::Material& material,
-                                     const Vector3& fromTip) const;
+                                     const Vector3& place, const TipRing::Tip& tip) const;
 
   DeformationGradients gradients_;
   Fields fields_;
@@ -74,14 +74,12 @@ StressIntensity::StressIntensity(ComputeParameters params, ComputeComm comm, Com
     : TabledCompute(completeParameters<StressIntensity>(params, "Stress_Intensity"), params, comm, globalData),
       fields_(parameters_),
       ring_(parameters_, "Stress_Intensity"),
-      whole_(WholeBody::of(globalData)) {
-  if (ring_.direction()[2] != 0.0)
-    throw std::invalid_argument("Stress_Intensity: \"Direction\" must lie in the x-y plane");
-}
+      whole_(WholeBody::of(globalData)) {}
 
 std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGradient,
-                                                    const PeridigmNS::Material& material,
-                                                    const Vector3& fromTip) const {
+                                                    const PeridigmNS::Material& material, const Vector3& place,
+                                                    const TipRing::Tip& tip) const {
+  const double fromTip[2] = {place[0] - tip.place[0], place[1] - tip.place[1]};
   const double radius = std::hypot(fromTip[0], fromTip[1]);
   if (!ring_.holds(radius)) return {0.0, 0.0};
   const double bulk = material.BulkModulus(), shear = material.ShearModulus();
@@ -90,8 +88,8 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
   const double modulus = 2.0 * shear * (1.0 + poisson) / (ring_.isPlaneStress() ? 1.0 : 1.0 - poisson * poisson);
   const HookesLaw law(material, ring_.isPlaneStress());
   const Tensor stress = law.stress(strainOf(deformationGradient, false));
-  const std::array<double, 4> axes{ring_.direction()[0], -ring_.direction()[1], ring_.direction()[1],
-                                   ring_.direction()[0]};  // columns: d, n
+  const std::array<double, 4> axes{tip.direction[0], -tip.direction[1], tip.direction[1],
+                                   tip.direction[0]};  // columns: d, n
   const double x = axes[0] * fromTip[0] + axes[2] * fromTip[1], y = axes[1] * fromTip[0] + axes[3] * fromTip[1];
   const double slope = ring_.slope(radius);
   std::array<double, 2> result{};
@@ -112,10 +110,10 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
           const double identity = i == d ? 1.0 : 0.0;
           sum += (stress[3 * i + j] * (gradient[3 * i + d] - identity) +
                   auxiliaryStress[3 * i + j] * (deformationGradient[3 * i + d] - identity)) *
-                 ring_.direction()[d] * gradientOfQ;
+                 tip.direction[d] * gradientOfQ;
         }
         for (std::size_t k = 0; k < 2; ++k)
-          sum -= stress[3 * i + k] * auxiliaryStrain[3 * i + k] * ring_.direction()[j] * gradientOfQ;
+          sum -= stress[3 * i + k] * auxiliaryStrain[3 * i + k] * tip.direction[j] * gradientOfQ;
       }
     }
     result[static_cast<std::size_t>(mode - 1)] = 0.5 * modulus / (auxiliary * shear) * sum;
@@ -124,18 +122,18 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
 }
 
 int StressIntensity::compute(Blocks blocks) const {
-  const Vector3 tip = ring_.tip(fields_.tip.isUsed() ? view(blocks->front(), fields_.tip) : nullptr);
+  const TipRing::Tip tip = ring_.tip(blocks->front(), fields_);
   std::vector<double> sums(2, 0.0);
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);
     const double* x = view(block, fields_.modelCoordinates);
-    const std::vector<Tensor> gradients = gradients_.of(block);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipRing::leastIntact);
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       const int id = block.getNeighborhoodData()->OwnedIDs()[i];
       for (int copy = 0; copy < whole_->nCopies(); ++copy) {
         const Vector3 place = whole_->place(copy, x + 3 * id);
-        const auto part = contribution(reflected(gradients[i], whole_->reflection(copy)), *block.getMaterialModel(),
-                                       {place[0] - tip[0], place[1] - tip[1], 0.0});
+        const auto part =
+            contribution(reflected(gradients[i], whole_->reflection(copy)), *block.getMaterialModel(), place, tip);
         for (std::size_t mode = 0; mode < 2; ++mode) sums[mode] += volume[id] * part[mode];
       }
     }

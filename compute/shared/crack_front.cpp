@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "connected_points.hpp"
+#include "crack_path.hpp"
 
 namespace pd {
 
@@ -20,8 +21,9 @@ constexpr double sameColumn = 1e-6;  ///< of the spacing: nearer to each other, 
 struct CrackFront::Candidate {
   ConnectedPoint point;  ///< with its damaged neighbours
   Vector3 place;         ///< m
-  double ahead;          ///< along the direction, m
-  double front;          ///< the same where damage falls through the threshold towards the next point ahead, m
+  double damage;
+  double ahead;  ///< along the direction, m
+  double front;  ///< the same where damage falls through the threshold towards the next point ahead, m
   double shortestBond, longestBond;  ///< m
 };
 
@@ -44,6 +46,12 @@ void CrackFront::declareParameters(ParameterDeclarations& declarations) {
                 "with the line from there along the direction.");
   declarations.flag("Interpolate", "Place the tip between points, where damage falls through the threshold.")
       .defaultTo(true);
+  declarations
+      .text("Path",
+            "Straight: the tip is the foremost place along the direction. Curved: it is the end of the longest way "
+            "from the start through damaged points, from each to a neighbour; in plane bodies.")
+      .oneOf({"Straight", "Curved"})
+      .defaultTo("Straight");
   PointSelection::declareParameters(declarations);
 }
 
@@ -54,10 +62,14 @@ CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputePa
       direction_(directionOf(parameters, "Direction")),
       start_(vectorOf(parameters, "Start")),
       isInterpolated_(parameters.get<bool>("Interpolate")),
+      isCurved_(parameters.get<std::string>("Path") == "Curved"),
       whole_(WholeBody::of(globalData)) {
   const char* keys[] = {"Start X", "Start Y", "Start Z"};
   for (std::size_t k = 0; k < 3; ++k) isStartGiven_[k] = parameters.isParameter(keys[k]);
   if (fields_.damage.width() != 1) throw std::invalid_argument("\"Variable\" of a crack must be a scalar field");
+  if (isCurved_ && !(isStartGiven_[0] && isStartGiven_[1]))
+    throw std::invalid_argument(
+        "a crack with \"Path\" Curved needs \"Start X\" and \"Start Y\", from which it is followed");
 }
 
 void CrackFront::initialize(const Blocks& blocks) {
@@ -66,15 +78,22 @@ void CrackFront::initialize(const Blocks& blocks) {
 }
 
 /// In a copy of the body. The next point ahead is the nearest neighbour within 45 degrees of the direction.
-CrackFront::Candidate CrackFront::candidate(const Surroundings& around, int copy) const {
+CrackFront::Candidate CrackFront::candidate(const Surroundings& around, int copy,
+                                            const Vector3& directionOfCopy) const {
   const auto globalIdOf = [&](int id) { return WholeBody::idInCopy(copy, around.globalId(id), around.nGlobal); };
   const double* own = around.x + 3 * around.id;
   const Vector3 place = whole_->place(copy, own);
   // In the part, of what points along the direction in the copy.
   const std::array<double, 9> m = whole_->reflection(copy);
-  const Vector3 direction{dot(direction_, &m[0]), dot(direction_, &m[3]), dot(direction_, &m[6])};
+  const Vector3 direction{dot(directionOfCopy, &m[0]), dot(directionOfCopy, &m[3]), dot(directionOfCopy, &m[6])};
   constexpr double farAway = std::numeric_limits<double>::max();
-  Candidate result{{globalIdOf(around.id), {}}, place, dot(direction_, place.data()), 0.0, farAway, 0.0};
+  Candidate result{{globalIdOf(around.id), {}},
+                   place,
+                   around.damage[around.id],
+                   dot(directionOfCopy, place.data()),
+                   0.0,
+                   farAway,
+                   0.0};
   double nearest = farAway, step = 0.0, damageAhead = 0.0;
   for (int k = 0; k < around.nNeighbors; ++k) {
     const int j = around.neighbors[k];
@@ -94,13 +113,14 @@ CrackFront::Candidate CrackFront::candidate(const Surroundings& around, int copy
     }
   }
   if (around.nNeighbors == 0) result.shortestBond = 0.0;
-  const double here = around.damage[around.id];
+  const double here = result.damage;
   const double share = damageAhead >= threshold_ ? 1.0 : (here - threshold_) / (here - damageAhead);
   result.front = result.ahead + (isInterpolated_ ? step * share : 0.0);
   return result;
 }
 
-std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, const Epetra_Comm& comm) const {
+std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, const Epetra_Comm& comm,
+                                                          const Vector3& direction) const {
   int nOwned = 0;
   for (PeridigmNS::Block& block : *blocks) nOwned += block.getNeighborhoodData()->NumOwnedPoints();
   const int nGlobal = static_cast<int>(sumOverRanks(comm, static_cast<double>(nOwned)));
@@ -118,7 +138,7 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, 
       const int n = *list++;
       if (damage[id] >= threshold_ && points_.includes(b, i))
         for (int copy = 0; copy < whole_->nCopies(); ++copy)
-          result.push_back(candidate({globalId, x, damage, id, list, n, nGlobal}, copy));
+          result.push_back(candidate({globalId, x, damage, id, list, n, nGlobal}, copy, direction));
       list += n;
     }
   }
@@ -136,7 +156,7 @@ bool CrackFront::isOnItsLine(const Candidate& candidate) const {
 }
 
 std::vector<CrackFront::Candidate> CrackFront::crack(const Blocks& blocks, const Epetra_Comm& comm) const {
-  std::vector<Candidate> damaged = candidates(blocks, comm);
+  std::vector<Candidate> damaged = candidates(blocks, comm, direction_);
   std::vector<ConnectedPoint> points;
   std::vector<char> isOfCrack;
   for (const Candidate& candidate : damaged) {
@@ -151,14 +171,14 @@ std::vector<CrackFront::Candidate> CrackFront::crack(const Blocks& blocks, const
   return damaged;
 }
 
-Vector3 CrackFront::locate(const Blocks& blocks, const Epetra_Comm& comm) const {
+CrackFront::Tip CrackFront::locateAhead(const Blocks& blocks, const Epetra_Comm& comm) const {
   const std::vector<Candidate> cracked = crack(blocks, comm);
   constexpr double nowhere = std::numeric_limits<double>::lowest();
   double front = nowhere, foremost = nowhere;
   for (const Candidate& candidate : cracked) front = std::max(front, candidate.front);
   front = maxOverRanks(comm, front);
   const bool hasStart = isStartGiven_[0] || isStartGiven_[1] || isStartGiven_[2];
-  if (front == nowhere || (hasStart && front <= dot(direction_, start_.data()))) return start_;
+  if (front == nowhere || (hasStart && front <= dot(direction_, start_.data()))) return {start_, direction_, 0.0};
 
   // The point from which the tip is reached, and those equally far ahead.
   for (const Candidate& candidate : cracked)
@@ -174,7 +194,43 @@ Vector3 CrackFront::locate(const Blocks& blocks, const Epetra_Comm& comm) const 
   Vector3 tip{sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
   const double step = front - dot(direction_, tip.data());
   for (std::size_t k = 0; k < 3; ++k) tip[k] += step * direction_[k];
-  return tip;
+  return {tip, direction_, std::max(0.0, front - dot(direction_, start_.data()))};
+}
+
+/// In the coordinates that are given; negative for points that a path does not start at.
+double CrackFront::fromStart(const Candidate& candidate) const {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (isStartGiven_[k]) squared += (candidate.place[k] - start_[k]) * (candidate.place[k] - start_[k]);
+  const double distance = std::sqrt(squared);
+  return distance <= candidate.longestBond * (1.0 + 1e-10) ? distance : -1.0;
+}
+
+CrackFront::Tip CrackFront::locateAlongPath(const Blocks& blocks, const Epetra_Comm& comm) const {
+  std::vector<CrackPath::Point> points;
+  double reach = 0.0;
+  for (const Candidate& candidate : candidates(blocks, comm, direction_)) {
+    // The other way from the start the crack may be longer: a cut from a face, whose length counts from elsewhere.
+    if (candidate.ahead < dot(direction_, start_.data()) - 1e-10 * candidate.longestBond) continue;
+    points.push_back({candidate.point, candidate.place, candidate.damage, fromStart(candidate)});
+    reach = std::max(reach, candidate.longestBond);
+  }
+  const CrackPath path(points, maxOverRanks(comm, reach), comm);
+  if (path.length() <= 0.0) return {start_, direction_, 0.0};
+
+  const Vector3 direction = path.directionAtEnd(direction_);
+  std::vector<double> furthest(2, std::numeric_limits<double>::lowest());  // along the direction, along the path
+  for (const Candidate& candidate : candidates(blocks, comm, direction)) {
+    const double distance = path.distance(candidate.point.globalId);
+    if (distance < path.length() - path.endLength()) continue;
+    furthest[0] = std::max(furthest[0], candidate.front);
+    furthest[1] = std::max(furthest[1], distance + candidate.front - candidate.ahead);
+  }
+  furthest = maxOverRanks(comm, furthest);
+  Vector3 tip = path.meanOfEnd();
+  const double step = furthest[0] - dot(direction, tip.data());
+  for (std::size_t k = 0; k < 3; ++k) tip[k] += step * direction[k];
+  return {tip, direction, furthest[1]};
 }
 
 }  // namespace pd

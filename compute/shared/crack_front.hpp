@@ -14,9 +14,15 @@ namespace pd {
 /// Damage, followed along the direction from a point of the crack to its next neighbour ahead, falls through the
 /// threshold, linear between the two; the foremost such place, and never behind a start that is given. As long as
 /// damage does not heal it never goes back. Points that are equally far ahead (the two lips of a crack between two rows
-/// of points) are averaged. Beside planes of symmetry all this is that of the whole body.
+/// of points) are averaged.
+/// A crack with a curved path is that of crack_path.hpp: its tip is where it is longest, and damage is followed there
+/// along its direction over the last two longest bonds. Beside planes of symmetry all this is that of the whole body.
 class CrackFront {
  public:
+  struct Tip {
+    Vector3 place, direction;  ///< m, 1; in the reference configuration
+    double length;             ///< m; along a curved path, else the advance along the direction
+  };
   static void declareParameters(ParameterDeclarations& declarations);
   CrackFront(const Teuchos::ParameterList& parameters, const ComputeParameters& globalData);
 
@@ -29,26 +35,32 @@ class CrackFront {
   };
   void initialize(const Blocks& blocks);
 
-  /// Position of the tip in the reference configuration, m; the start where there is no crack. Collective.
-  Vector3 locate(const Blocks& blocks, const Epetra_Comm& comm) const;
+  /// At the start where there is no crack. Collective.
+  Tip locate(const Blocks& blocks, const Epetra_Comm& comm) const {
+    return isCurved_ ? locateAlongPath(blocks, comm) : locateAhead(blocks, comm);
+  }
 
   const Vector3& start() const { return start_; }
   const Vector3& direction() const { return direction_; }
+  bool isCurved() const { return isCurved_; }
 
  private:
   struct Candidate;
   struct Surroundings;
-  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm) const;
-  Candidate candidate(const Surroundings& around, int copy) const;
+  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm, const Vector3& direction) const;
+  Candidate candidate(const Surroundings& around, int copy, const Vector3& directionOfCopy) const;
+  double fromStart(const Candidate& candidate) const;
   bool isOnItsLine(const Candidate& candidate) const;
   std::vector<Candidate> crack(const Blocks& blocks, const Epetra_Comm& comm) const;
+  Tip locateAhead(const Blocks& blocks, const Epetra_Comm& comm) const;
+  Tip locateAlongPath(const Blocks& blocks, const Epetra_Comm& comm) const;
 
   PointSelection points_;
   Fields fields_;
   double threshold_;
   Vector3 direction_, start_;
   std::array<bool, 3> isStartGiven_{};
-  bool isInterpolated_;
+  bool isInterpolated_, isCurved_;
   Teuchos::RCP<const WholeBody> whole_;
 };
 

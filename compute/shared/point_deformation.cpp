@@ -34,7 +34,7 @@ Tensor pseudoInverse(const Tensor& symmetric) {
 
 }  // namespace
 
-std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
+std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact) const {
   const double* volume = view(block, fields_.volume);
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
@@ -47,8 +47,11 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
   for (std::size_t i = 0; i < result.size(); ++i) {
     const int id = neighborhood->OwnedIDs()[i];
     Tensor shape{}, deformed{};
+    double intact = 0.0, all = 0.0;
     for (int n = *list++; n > 0; --n, ++list, ++bond) {
       const double weight = volume[*list] * (bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]);
+      intact += weight;
+      all += volume[*list];
       double xi[3], eta[3];
       for (int k = 0; k < 3; ++k) {
         xi[k] = x[3 * *list + k] - x[3 * id + k];
@@ -58,7 +61,7 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block) const {
       addOuterProduct(deformed, weight, eta, xi);
     }
     // With the displacement in place of the deformed bond the identity needs no extra terms.
-    result[i] = product(deformed, pseudoInverse(shape));
+    if (intact >= leastIntact * all) result[i] = product(deformed, pseudoInverse(shape));
     for (std::size_t k = 0; k < 9; k += 4) result[i][k] += 1.0;
   }
   return result;

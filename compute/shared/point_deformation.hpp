@@ -25,8 +25,9 @@ class DeformationGradients {
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
   };
 
-  /// One a point, in the order of the block's OwnedIDs.
-  std::vector<Tensor> of(PeridigmNS::Block& block) const;
+  /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of
+  /// their neighbours, by volume.
+  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0) const;
 
  private:
   Fields fields_;

@@ -6,13 +6,14 @@ from pathlib import Path
 
 from .components import component_of
 from .pictures import save
-from .results import PlotError, Results, history_units, read_history
+from .results import PlotError, Results, history_units, read_history, read_path
 
 _EPILOG = """sample runs
   pdplot                                       the newest results here: Damage (or the first field) at the last step
   pdplot plate.h5 --field Concentration --step 1300,1800,2600,3000 -o hydrogen.png
   pdplot plate --field Displacement --component y --deformed auto
   pdplot plate --step all --animate crack.gif --crack 0.36
+  pdplot plate --path Crack_Tip --measured test.txt      the way of the crack over the measured one
   pdplot plate other --field Damage            two runs and their difference
   pdplot plate other --history Crack_Length,Top_ReactionY
   pdplot solid --field Damage --slice z=0.002
@@ -45,6 +46,9 @@ def _parser():
                         help="show points displaced, SCALE times (default: to a twentieth of the size)")
     parser.add_argument("--crack", nargs="?", const=0.36, type=float, metavar="DAMAGE",
                         help="outline what has more damage than this (default 0.36)")
+    parser.add_argument("--path", metavar="TIP", help="draw the way of a Crack_Tip of the run, by its Output Label")
+    parser.add_argument("--measured", metavar="FILE",
+                        help="dots of a path from elsewhere: x y or x,y in m, a place a row")
     parser.add_argument("--slice", metavar="AXIS=POSITION", help="of a solid; default: through its thinnest middle")
     parser.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours")
     parser.add_argument("--map", help="matplotlib's colour map")
@@ -122,8 +126,13 @@ def _view(options, results, figures):
     if options.map and options.map not in figures.plt.colormaps():
         raise PlotError(f"--map {options.map}: no such map; even in lightness are viridis, cividis, inferno, "
                         "magma, plasma")
-    return figures.View(field, component, crack=options.crack, slice=_slice(options.slice), limits=options.range,
+    if (options.path or options.measured) and (options.deformed or results.dimension == 1):
+        raise PlotError("--path and --measured: paths are those of undeformed plane or solid bodies; leave out "
+                        "--deformed")
+    view = figures.View(field, component, crack=options.crack, slice=_slice(options.slice), limits=options.range,
                         map=options.map, unit=options.unit, factor=options.factor)
+    view.path, view.measured = options.path, read_path(options.measured) if options.measured else None
+    return view
 
 
 def _most_telling(results, fields):

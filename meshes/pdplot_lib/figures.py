@@ -9,7 +9,7 @@ import numpy as np  # noqa: E402
 
 from .components import component_of, default_component, title_of  # noqa: E402
 from .raster import Raster, window_of  # noqa: E402
-from .results import PlotError  # noqa: E402
+from .results import PlotError, read_history, vector_columns  # noqa: E402
 from .units import plain, scaled, time_text, with_unit  # noqa: E402
 
 # Perceptually uniform; dark is little, so that cracks and saturation stand out.
@@ -27,11 +27,23 @@ class View:
                  factor=1.0):
         self.field, self.component, self.scale, self.crack, self.slice = field, component, scale, crack, slice
         self.limits, self.map, self.unit, self.factor = limits, map, unit, factor
+        self.path, self.measured = None, None  # label of a Crack_Tip; a path [n, 2] in m from elsewhere
         self.window = None  # (lowest corner, highest corner) shown, where pictures must agree in it
 
     def values(self, results, step):
         values = results.field(self.field, step) * self.factor
         return values if values.ndim == 1 else component_of(self.field, values, self._component(values.shape[1]))
+
+    def paths(self, results, step):
+        """Over maps: the way of a tip up to the step, and a path from elsewhere; [n, 3] in m, and how to draw it."""
+        if self.path is not None:
+            history = read_history(results.path)
+            columns = vector_columns(history, self.path)
+            tips = np.stack([history[column] for column in columns], axis=1)
+            yield tips[history["step"] <= step], {"color": "deepskyblue", "linewidth": 1.0}
+        if self.measured is not None:
+            places = np.column_stack([self.measured, np.zeros(len(self.measured))])
+            yield places, {"color": "white", "marker": ".", "markersize": 3, "linestyle": "none"}
 
     def name(self, results):
         width = results.width(self.field)
@@ -148,6 +160,8 @@ def draw_map(axis, results, step, view, limits, factor):
         if cracked.any() and not cracked.all():
             axis.contour(raster.columns * length, raster.rows * length, cracked, [0.5], colors="white",
                          linewidths=0.7)
+    for places, style in view.paths(results, step):
+        axis.plot(places[:, first] * length, places[:, second] * length, scalex=False, scaley=False, **style)
     axis.set_xlabel(f"{'xyz'[first]} ({unit})")
     axis.set_ylabel(f"{'xyz'[second]} ({unit})")
     return image

@@ -156,6 +156,35 @@ def read_history(name):
     return {column.strip(): table[:, i] for i, column in enumerate(header)}
 
 
+def vector_columns(history, label):
+    """Names of the three columns of a vector in a history, in any case of letters."""
+    found = [next((name for name in history if name.lower() == f"{label}{axis}".lower()), None) for axis in "XYZ"]
+    if None in found:
+        raise PlotError(f"no vector {label} in the history (there are: {', '.join(history)}); name a Crack_Tip under "
+                        "Output Variables")
+    return found
+
+
+def read_path(name):
+    """Places [n, 2] of a file of two numbers a row, with commas or without; # and words at its head are passed over."""
+    places = []
+    try:
+        lines = Path(name).read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise PlotError(f"{name}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    for number, line in enumerate(lines, start=1):
+        words = line.split("#")[0].replace(",", " ").split()
+        try:
+            if words:
+                places.append([float(word) for word in words[:2]])
+        except ValueError:
+            if places:
+                raise PlotError(f"{name}:{number}: expected two numbers, x and y in m") from None
+    if not places or any(len(place) < 2 for place in places):
+        raise PlotError(f"{name}: expected two numbers a row, x and y in m")
+    return np.array(places)
+
+
 def history_units(name, columns):
     """Of the columns of that file: name -> unit as it is read; empty where only the deck knows. Guessed from the names
     where the run has not written units beside it."""

@@ -24,7 +24,7 @@ from pdplot_lib.components import component_of  # noqa: E402
 from pdplot_lib.command_line import main  # noqa: E402
 from pdplot_lib.history import history_panels  # noqa: E402
 from pdplot_lib.raster import Raster  # noqa: E402
-from pdplot_lib.results import PlotError, Results, find_results, history_units, read_history  # noqa: E402
+from pdplot_lib.results import PlotError, Results, find_results, history_units, read_history, read_path  # noqa: E402
 from pdplot_lib.units import plain, printed, scaled, time_text  # noqa: E402
 
 
@@ -271,6 +271,26 @@ class PdplotTest(unittest.TestCase):
         write_run(self.folder, "later", self.x, [1], lambda step: {"Damage": 0 * self.x[:, 0],
                                                                    "Concentration": self.x[:, 0]})
         self.assertEqual(self.pdplot("later")[0], ["later_Concentration.png"])
+
+    def test_paths_are_drawn_over_maps(self):
+        (self.folder / "plate.csv").write_text("step,time,TipX,TipY,TipZ\n0,0,0,0.05,0\n5,1,0.05,0.05,0\n"
+                                               "10,2,0.1,0.08,0\n")
+        (self.folder / "test.txt").write_text("x,y  # m\n0.12,0.02\n0.14, 0.03\n")
+        results = Results(self.folder / "plate")
+        view = figures.View("Damage")
+        view.path, view.measured = "tip", read_path(self.folder / "test.txt")
+        ways = [places for places, _ in view.paths(results, 5)]
+        np.testing.assert_array_equal(ways[0], [[0, 0.05, 0], [0.05, 0.05, 0]])  # up to the step
+        np.testing.assert_array_equal(ways[1], [[0.12, 0.02, 0], [0.14, 0.03, 0]])
+        self.pdplot("plate", "--path", "Tip", "-o", "a.png")
+        self.assertTrue((np.abs(self.picture("a.png") - [0, 191, 255]).sum(axis=2) < 30).any())
+        (self.folder / "bad.txt").write_text("1 2\n3 x\n")
+        for arguments, message in ((["--path", "Nothing"], "no vector Nothing"),
+                                   (["--measured", "bad.txt"], "bad.txt:2"),
+                                   (["--measured", "none.txt"], "cannot be read"),
+                                   (["--path", "Tip", "--deformed"], "undeformed")):
+            with self.subTest(arguments=arguments):
+                self.assertIn(message, self.pdplot("plate", *arguments, expect=2)[1])
 
     def test_deformed_points_are_drawn_where_they_have_moved_to(self):
         # Twice as long along x and y at step 10 with a scale of 10; the window is that of both steps.

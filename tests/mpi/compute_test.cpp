@@ -79,6 +79,12 @@ TEST_F(DistributedComputes, CrackTipAveragesLipsOfDifferentRanks) {
   EXPECT_NEAR(run("Crack_Tip", Teuchos::ParameterList(), 0), 2.25, 1e-12);
   EXPECT_NEAR(run("Crack_Tip", Teuchos::ParameterList(), 1), 0.0, 1e-12);
   EXPECT_NEAR(run("Crack_Length", Teuchos::ParameterList()), 2.25, 1e-12);
+  Teuchos::ParameterList curved;
+  curved.set<std::string>("Path", "Curved");
+  for (const char* key : {"Start X", "Start Y"}) curved.set(key, 0.0);
+  // The nearest way goes from the start to (1, 0.5), along the row, and on to where damage falls through the threshold.
+  EXPECT_NEAR(run("Crack_Length", curved), std::sqrt(1.25) + 1.25, 1e-12);
+  EXPECT_NEAR(run("Crack_Tip", curved, 0), 2.25, 1e-12);
 }
 
 TEST_F(DistributedComputes, CrackHangsTogetherAcrossRanks) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "../support/small_body.hpp"
@@ -168,6 +169,115 @@ TEST_F(VNotch, NeverGoesBackWhileNothingHeals) {
     before = now;
   }
   EXPECT_EQ(before, 8.0);
+}
+
+/// Points 1 apart, damaged by the bonds that a curve cuts.
+class CurvedCrack : public ::testing::Test {
+ protected:
+  using Cut = std::function<bool(const Point& a, const Point& b)>;
+  CurvedCrack() : body(lattice(60, 60, 1, 1.0, {-19.5, -19.5, 0.0}), options()) {
+    body.allocate({damageField()});
+    for (const char* key : {"Start X", "Start Y"}) parameters.set(key, 0.0);
+    parameters.set<std::string>("Path", "Curved");
+    parameters.set("Threshold", 0.2);  // where bonds are half cut the tip is
+  }
+  static BodyOptions options() {
+    BodyOptions result;
+    result.horizon = 3.015;
+    return result;
+  }
+  void cut(const Cut& crosses) {
+    for (int i = 0; i < body.nPoints(); ++i) {
+      double nCut = 0.0, n = 0.0;
+      for (int j = 0; j < body.nPoints(); ++j) {
+        const Point &a = body.point(i), &b = body.point(j);
+        if (i == j || std::hypot(a[0] - b[0], a[1] - b[1]) > 3.015) continue;
+        n += 1.0;
+        nCut += crosses(a, b) ? 1.0 : 0.0;
+      }
+      body.field("Damage")[i] = nCut / n;
+    }
+  }
+  /// From there by so much at an angle to x.
+  static Cut line(Point from, double angle, double length) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return [=](const Point& a, const Point& b) {
+      const double across[2] = {c * (a[1] - from[1]) - s * (a[0] - from[0]),
+                                c * (b[1] - from[1]) - s * (b[0] - from[0])};
+      const double along[2] = {c * (a[0] - from[0]) + s * (a[1] - from[1]),
+                               c * (b[0] - from[0]) + s * (b[1] - from[1])};
+      if (across[0] * across[1] >= 0.0) return false;
+      const double at = along[0] + across[0] / (across[0] - across[1]) * (along[1] - along[0]);
+      return at > 0.0 && at < length;
+    };
+  }
+  /// The way keeps to the inner side of a turn, a strip of three or four rows of points, and the end of the crack lags
+  /// behind its tip: both grow with the angle that it turns by.
+  void expectTip(const Point& tip, double angle, double length, double turn = 0.0) {
+    makeCompute(body, "Crack_Tip", parameters)->compute(body.blocks());
+    makeCompute(body, "Crack_Length", parameters)->compute(body.blocks());
+    const double *x = body.field("Crack_Tip"), *direction = body.field("Crack_Tip_Direction");
+    EXPECT_NEAR(x[0], tip[0], 0.6);
+    EXPECT_NEAR(x[1], tip[1], 0.6);
+    EXPECT_NEAR(std::remainder(std::atan2(direction[1], direction[0]) - angle, 2.0 * pi), 0.0, 0.06 + 0.05 * turn);
+    EXPECT_NEAR(body.value("Crack_Length"), length, 0.6 + 0.015 * length + 1.2 * turn);
+  }
+  static constexpr double pi = 3.14159265358979323846;
+  SmallBody body;
+  Teuchos::ParameterList parameters;
+};
+
+TEST_F(CurvedCrack, IsFollowedAtAnyAngle) {
+  for (const double degrees : {0.0, 10.0, 20.0, 45.0, 80.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * pi / 180.0;
+    cut(line({0.0, 0.0, 0.0}, angle, 25.3));
+    expectTip({25.3 * std::cos(angle), 25.3 * std::sin(angle), 0.0}, angle, 25.3);
+  }
+}
+
+TEST_F(CurvedCrack, IsFollowedAroundMoreThanHalfACircle) {
+  const double radius = 12.2, last = 1.2 * pi;  // of the circle around (0, radius), from its lowest point on
+  cut([=](const Point& a, const Point& b) {
+    const double here = std::hypot(a[0], a[1] - radius) - radius, there = std::hypot(b[0], b[1] - radius) - radius;
+    if (here * there >= 0.0) return false;
+    const double share = here / (here - there);
+    const double angle = std::atan2(a[0] + share * (b[0] - a[0]), radius - a[1] - share * (b[1] - a[1]));
+    return std::remainder(angle - 0.5 * last, 2.0 * pi) > -0.5 * last &&
+           std::remainder(angle - 0.5 * last, 2.0 * pi) < 0.5 * last;
+  });
+  parameters.set("Direction X", 0.0);  // what is left of the start is behind it otherwise
+  parameters.set("Direction Y", 1.0);
+  const double lag = 3.0 / radius;  // the direction is that of the last two horizons
+  expectTip({radius * std::sin(last), radius * (1.0 - std::cos(last)), 0.0}, last - lag, radius * last, last);
+}
+
+TEST_F(CurvedCrack, IsNothingBehindItsStart) {
+  cut(line({-18.0, 0.0, 0.0}, 0.0, 25.0));
+  expectTip({7.0, 0.0, 0.0}, 0.0, 7.0);
+}
+
+TEST_F(CurvedCrack, KinksAndGoesOnFromItsStart) {
+  const Cut first = line({0.0, 0.0, 0.0}, 0.0, 15.0), second = line({15.0, 0.0, 0.0}, pi / 3.0, 12.0);
+  cut([&](const Point& a, const Point& b) { return first(a, b) || second(a, b); });
+  expectTip({21.0, 6.0 * std::sqrt(3.0), 0.0}, pi / 3.0, 27.0, pi / 3.0);
+}
+
+TEST_F(CurvedCrack, AnIntactBodyHasItsTipAtTheStartAndDamageElsewhereIsNoCrack) {
+  cut(line({8.0, 0.0, 0.0}, 0.0, 5.0));
+  makeCompute(body, "Crack_Tip", parameters)->compute(body.blocks());
+  EXPECT_EQ(body.field("Crack_Tip")[0], 0.0);
+  EXPECT_EQ(body.field("Crack_Tip_Direction")[0], 1.0);
+  makeCompute(body, "Crack_Length", parameters)->compute(body.blocks());
+  EXPECT_EQ(body.value("Crack_Length"), 0.0);
+}
+
+TEST_F(CurvedCrack, NeedsAStart) {
+  parameters.remove("Start Y");
+  EXPECT_THROW(makeCompute(body, "Crack_Tip", parameters), std::invalid_argument);
+  parameters.set<std::string>("Path", "Straight");
+  parameters.set<std::string>("Measure", "Along Path");
+  EXPECT_THROW(makeCompute(body, "Crack_Length", parameters), std::invalid_argument);
 }
 
 TEST_F(Crack, ZeroDirectionIsRefused) {

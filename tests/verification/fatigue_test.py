@@ -143,6 +143,21 @@ class CrackedPlate(SceneTest):
         self.assertAlmostEqual(rate(14e6) / rate(7e6) / (9.0 / 2.0)**2, 1.0, delta=0.25)
         self.assertEqual(history(3.5e6, 1e9)["Length"][-1], history(3.5e6, 1.0)["Length"][-1])
 
+    def test_loads_follow_the_length_of_the_crack(self):
+        peak = {"Crack Length": "Length", "Peak": "exp(200*(a - 0.008))"}
+        deck = cracked_plate(self, solver={**self.grown, "Load By Crack Length": peak})
+        deck["Output"]["Output Variables"] += ["Peak_Load"]
+        history = self.solve(deck).history()
+        np.testing.assert_allclose(history["Peak_Load"][1:], np.exp(200 * (history["Length"][1:] - 0.008)), rtol=1e-9)
+        # Between failures the load stays: cycles go as the inverse third power of it.
+        steps = np.diff(history["time"]) * history["Peak_Load"][:-1] ** 3
+        constant = self.solve(cracked_plate(self, solver=self.grown)).history()
+        self.assertAlmostEqual(steps[1:].sum() / np.diff(constant["time"])[1:].sum(), 1.0, delta=0.05)
+        deck["Solver"]["Fatigue"]["Load By Crack Length"]["Peak"] = "0.0075 - a"
+        result = self.run_deck(deck)
+        self.assertNotEqual(result.code, 0)
+        self.assertIn("must be above 0 at every length", result.text)
+
     def test_ends_when_the_plate_has_come_apart(self):
         result = self.solve(cracked_plate(self, width=12e-3))
         self.assertIn("come apart", " ".join(result.report["solver"]))
@@ -180,6 +195,32 @@ class CrackedPlate(SceneTest):
         result = self.run_deck(deck)
         self.assertEqual(result.code, 2)
         self.assertIn("influence function is negative", result.text)
+
+
+class InclinedCrack(SceneTest):
+    """decks/mixed_mode_fatigue: a crack at 60 degrees to the load turns by 43.2 degrees (maximum tangential stress)."""
+
+    def test_turns_as_the_largest_tangential_stress_has_it(self):
+        def run(*command):
+            return subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
+
+        scene = os.path.join(DECKS, "mixed_mode_fatigue")
+        mesh = run(os.path.join(DECKS, "../meshes/pdmesh"), "grid", "disc", "--radius", "0.02", "--spacing", "0.0005",
+                   "--thickness", "0.004", "--quiet", "-o", "disc.txt")
+        self.assertEqual(mesh.returncode, 0, mesh.stderr)
+        options = run(os.path.join(scene, "cases.py"), "60").stdout.splitlines()
+        process = run(pdrun_path(), os.path.join(scene, "mixed_mode_fatigue.yaml"), "--quiet", *options, "--set",
+                      f"Discretization/Input Mesh File={self.folder}/disc.txt")
+        result = Result(self.folder, "mixed_mode_fatigue", process)
+        self.assertEqual(result.code, 0, result.text)
+        history = result.history()
+        # K_I and K_II of the rim, by interaction integrals around the crack as cut
+        found = [history["K_Of_The_Cut" + axis][1] for axis in "XY"]
+        np.testing.assert_allclose(found, 20e6 * np.array([0.75**0.5, 0.5]), rtol=0.05)
+        x, y = history["Crack_TipX"], history["Crack_TipY"]
+        far = np.hypot(x, y) > 3.0e-3  # two horizons of the three that the branch is long
+        kink = np.degrees(np.arctan2(y[far].mean(), x[far].mean()))
+        self.assertAlmostEqual(kink, -43.2, delta=8.0)  # one spacing to the side is 6 degrees
 
 
 if __name__ == "__main__":

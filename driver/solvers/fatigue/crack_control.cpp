@@ -23,6 +23,12 @@ void CrackControl::declareParameters(ParameterDeclarations& declare) {
       .of({"a"});
   intensity.text("Crack Length", "Output Label of a Crack_Length, for a Range that depends on it.");
   intensity.real("Fracture Toughness", "unit of K, Pa m^0.5", "K at the largest load that ends the run.").positive();
+  ParameterDeclarations& load = declare.sublist("Load By Crack Length", "Loads that change as a crack grows.");
+  load.function("Peak", "1",
+                "Largest load of a cycle in parts of that of the conditions, a function of the crack length a (m).")
+      .of({"a"})
+      .required();
+  load.text("Crack Length", "Output Label of a Crack_Length.").required();
   ParameterDeclarations& stop =
       declare.sublist("Stop When", "The run ends where a value for the whole body is reached.");
   stop.text("Value", "Output Label of a compute for the whole body, such as a Crack_Length.").required();
@@ -42,11 +48,19 @@ CrackControl::CrackControl(const Teuchos::ParameterList& parameters)
     if (wantedRange_ != nullptr && wantedRange_->uses(0) && lengthLabel_.empty())
       throw std::invalid_argument("Stress Intensity: \"Range\" depends on a; give \"Crack Length\"");
   }
+  if (parameters.isSublist("Load By Crack Length")) {
+    if (wantedRange_ != nullptr)
+      throw std::invalid_argument(
+          "\"Load By Crack Length\" and the \"Range\" of \"Stress Intensity\" both say what the load is; remove one");
+    const Teuchos::ParameterList& list = parameters.sublist("Load By Crack Length");
+    lengthLabel_ = list.get<std::string>("Crack Length");
+    peak_ = std::make_unique<FunctionProgram>(list.get<std::string>("Peak"), std::vector<std::string>{"a"});
+  }
   if (parameters.isSublist("Stop When")) {
     stopLabel_ = parameters.sublist("Stop When").get<std::string>("Value");
     stopValue_ = parameters.sublist("Stop When").get<double>("Reaches");
   }
-  isUsed_ = hasIntensity_ || !stopLabel_.empty();
+  isUsed_ = hasIntensity_ || peak_ != nullptr || !stopLabel_.empty();
 }
 
 void CrackControl::requireCompute(Model& model, const std::string& label, const char* key) const {
@@ -61,8 +75,21 @@ void CrackControl::requireCompute(Model& model, const std::string& label, const 
 
 void CrackControl::initialize(Model& model) const {
   if (hasIntensity_) requireCompute(model, energyLabel_, "Stress Intensity/Energy Release Rate");
-  if (!lengthLabel_.empty()) requireCompute(model, lengthLabel_, "Stress Intensity/Crack Length");
+  if (!lengthLabel_.empty()) requireCompute(model, lengthLabel_, "Crack Length");
   if (!stopLabel_.empty()) requireCompute(model, stopLabel_, "Stop When/Value");
+}
+
+double CrackControl::lengthOf(Model& model) const { return lengthLabel_.empty() ? 0.0 : *model.field(lengthLabel_); }
+
+double CrackControl::peakForRange(Model& model, double t, double intensity, double loadRatio) const {
+  const double a = lengthOf(model), wanted = wantedRange_->evaluate(&a);
+  if (!(intensity > 0.0) || !std::isfinite(wanted) || !(wanted > 0.0))
+    throw RunError(fmt::format(
+        "Fatigue ({:.6g} cycles): no load gives the wanted range of K, {:g} Pa m^0.5: \"{}\" is {:g} J/m2 at the load "
+        "of the conditions. Look at the ring or contour of its J_Integral, at \"Range\", and stop before the crack "
+        "ends (Stop When)",
+        t, wanted, energyLabel_, *model.field(energyLabel_)));
+  return wanted / ((1.0 - loadRatio) * intensity);
 }
 
 CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, double peak, double loadRatio) const {
@@ -71,20 +98,18 @@ CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, doubl
   model.updateCoordinates();
   simulation.output.evaluate(model, 0);
   Outcome outcome{peak, ""};
+  if (peak_ != nullptr) {
+    const double a = lengthOf(model);
+    outcome.peak = peak_->evaluate(&a);
+    if (!std::isfinite(outcome.peak) || !(outcome.peak > 0.0))
+      throw RunError(
+          fmt::format("Fatigue ({:.6g} cycles): \"Peak\" of \"Load By Crack Length\" is {:g} at a crack "
+                      "length of {:g} m; it must be above 0 at every length that the crack has",
+                      t, outcome.peak, a));
+  }
   if (hasIntensity_) {
     const double intensity = std::sqrt(std::max(*model.field(energyLabel_), 0.0) * modulus_);
-    if (wantedRange_ != nullptr) {
-      const double a = lengthLabel_.empty() ? 0.0 : *model.field(lengthLabel_);
-      const double wanted = wantedRange_->evaluate(&a);
-      if (!(intensity > 0.0) || !std::isfinite(wanted) || !(wanted > 0.0))
-        throw RunError(fmt::format(
-            "Fatigue ({:.6g} cycles): no load gives the wanted range of K, {:g} Pa m^0.5: \"{}\" is {:g} J/m2 at the "
-            "load "
-            "of the conditions. Look at the ring or contour of its J_Integral, at \"Range\", and stop before the crack "
-            "ends (Stop When)",
-            t, wanted, energyLabel_, *model.field(energyLabel_)));
-      outcome.peak = wanted / ((1.0 - loadRatio) * intensity);
-    }
+    if (wantedRange_ != nullptr) outcome.peak = peakForRange(model, t, intensity, loadRatio);
     *model.field(fields_.range) = outcome.peak * (1.0 - loadRatio) * intensity;
     if (toughness_ > 0.0 && outcome.peak * intensity >= toughness_)
       outcome.reason =

@@ -12,7 +12,8 @@ namespace pd {
 
 /// Looks at computes of the run in equilibrium at the load of its conditions. The stress intensity is K = sqrt(J E').
 /// With a wanted range dK the largest load of a cycle is dK / ((1 - R) K) of that of the conditions: in a linear body
-/// one equilibrium serves for all loads (S3 of the sources: P_n = P_0 dK_0/dK_n).
+/// one equilibrium serves for all loads (S3 of the sources: P_n = P_0 dK_0/dK_n). Or it is a function of the crack
+/// length, as in a test with a K-gradient.
 class CrackControl {
  public:
   static void declareParameters(ParameterDeclarations& declare);
@@ -37,15 +38,17 @@ class CrackControl {
   /// In equilibrium after t cycles; the cycles to come would have this peak without the control. Throws RunError where
   /// there is no stress intensity to follow. Collective.
   Outcome look(Simulation& simulation, double t, double peak, double loadRatio) const;
-  bool setsLoad() const { return wantedRange_ != nullptr; }
+  bool setsLoad() const { return wantedRange_ != nullptr || peak_ != nullptr; }
 
  private:
+  double lengthOf(Model& model) const;
+  double peakForRange(Model& model, double t, double intensity, double loadRatio) const;
   void requireCompute(Model& model, const std::string& label, const char* key) const;
 
   bool hasIntensity_ = false, isUsed_ = false;
   std::string energyLabel_, lengthLabel_, stopLabel_;
   double modulus_ = 0.0, toughness_ = 0.0, stopValue_ = 0.0;  ///< E', Pa; Pa sqrt(m), 0: none
-  std::unique_ptr<FunctionProgram> wantedRange_;
+  std::unique_ptr<FunctionProgram> wantedRange_, peak_;       ///< of the crack length
   Fields fields_;
 };
 

@@ -58,8 +58,8 @@ Fatigue::Fatigue(const Teuchos::ParameterList& given)
     throw std::invalid_argument("Fatigue: \"Cycles Per Block\" and \"Intervals\" both divide the run; remove one");
   if (loads_.areSeveral() && control_.setsLoad())
     throw std::invalid_argument(
-        "Fatigue: \"Load Blocks\" and the \"Range\" of \"Stress Intensity\" both say what the "
-        "load is; remove one");
+        "Fatigue: \"Load Blocks\" and the crack (\"Range\" of \"Stress Intensity\" or \"Load By Crack Length\") both "
+        "say what the load is; remove one");
 }
 
 double Fatigue::leastSteps(double t0, double t1) const {
