@@ -261,7 +261,7 @@ void QuasiStatic::setRestartState(const RestartState& state) {
 
 std::vector<std::string> QuasiStatic::summary() const {
   std::vector<std::string> lines = {fmt::format(
-      "QuasiStatic: {} load steps, {} Newton iterations, {} tangents{}, {} linear iterations (largest true relative "
+      "QuasiStatic: {} load steps, {} Newton iterations, {} tangents{}, {} linear iterations (largest relative "
       "residual of a linear solve {:.3g})",
       loadStep_, newton_.nIterations, newton_.nTangents, newton_.couplesFamilies() ? " (coupling whole families)" : "",
       newton_.nLinearIterations, newton_.largestLinearResidual)};
