@@ -50,7 +50,8 @@ log='@LOG@'
 ! grep -qxF "$deck" "$log" || exit 0
 echo "$deck" >> "$log"
 [[ -n "$mesh" ]] || mesh="$(sed -n 's/.*Input Mesh File: *\\([^ ,}]*\\).*/\\1/p' "$deck" | tail -n 1)"
-[[ -z "$mesh" ]] || make "$(dirname "$deck")/$mesh"
+[[ -z "$mesh" || "$mesh" == /* ]] || mesh="$(dirname "$deck")/$mesh"
+[[ -z "$mesh" ]] || make "$mesh"
 timeout 100 '@PDRUN@' --check "$deck" "${options[@]}" > '@OUT@' 2>&1 || { echo "$deck"; cat '@OUT@'; } >> '@BAD@'
 """
 
@@ -78,7 +79,7 @@ class Decks(unittest.TestCase):
 [[ "$(grep -c mixed_mode '{self.log}')" == 2 ]] || exec '{self.put_aside(name)}' "$@"
 """)
         for place in [self.root / "meshes/pdplot",
-                      *(p for name in ("plot", "study", "kernels") for p in self.root.glob(f"decks/**/{name}.py"))]:
+                      *(p for name in ("plot", "study", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
             self.write(place, "#!/bin/true\n")
         check = CHECK
         for word, value in (("LOG", self.log), ("BAD", self.bad), ("OUT", self.root / "out"), ("PDRUN", PDRUN)):

@@ -130,19 +130,12 @@ TEST_F(RunDeckTest, SolversRunOneAfterAnother) {
   EXPECT_EQ(nLines, 22);
 }
 
-TEST_F(RunDeckTest, ARunThatFailsGoesOnFromItsCheckpoint) {
+TEST_F(RunDeckTest, ARunGoesOnFromACheckpointBeforeItsEnd) {
   const std::string deck = rowDeck(solver("Solver1", 0.0, 0.8) + solver("Solver2", 0.8, 2.0));
   const auto whole = scene("whole", deck), cut = scene("cut", deck);
   run(whole);
-  // What leaves the ends is more than a number can be in step 20: the last checkpoint is that of step 15, in the second
-  // solver.
-  try {
-    run(cut, {"Boundary Conditions/Ends/Value=\"t > 1.85 ? -1.7e308 : (t > 1.76 ? 1.7e308 : 0)\""});
-    ADD_FAILURE() << "nothing failed";
-  } catch (const RunError& error) {
-    EXPECT_NE(std::string(error.what()).find("Concentration"), std::string::npos) << error.what();
-  }
-  comm.barrier();
+  // The last checkpoint is that of step 15, in the second solver; the rows of two more steps are made again.
+  run(cut, {"Solver2/Final Time=1.7", "Solver2/Diffusion/Load Steps=9"});
   run(cut, {}, cut.path("row.checkpoint.h5"));
   EXPECT_EQ(content(cut, "row.csv"), content(whole, "row.csv"));
   EXPECT_EQ(errorNorm(cut, "Mode relative L2 error"), errorNorm(whole, "Mode relative L2 error"));
