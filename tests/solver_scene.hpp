@@ -24,8 +24,7 @@ class SolverScene {
               const std::string& damageModel = "",
               const std::string& material = "{Material Model: Test Springs, Stiffness: 1.0}")
       : deck_(deckOf(text(lattice, conditions, damageModel, material))),
-        model_(deck_, comm, points(lattice, comm), {}),
-        lattice_(lattice) {
+        model_(deck_, comm, points(lattice, comm), {}) {
     using namespace PeridigmNS::PeridigmField;
     auto& fields = PeridigmNS::FieldManager::self();
     model_.allocateFields({fields.getFieldId(NODE, VECTOR, TWO_STEP, "Velocity")});
@@ -116,7 +115,6 @@ class SolverScene {
 
   Deck deck_;
   Model model_;
-  Lattice lattice_;
   std::unique_ptr<Output> output_;
   std::unique_ptr<BoundaryConditions> conditions_;
   std::unique_ptr<Simulation> simulation_;
