@@ -91,10 +91,10 @@ TEST(StabilizedScheme, TakesTheLeastStagesThatAreStable) {
 
 TEST(Lanczos, BracketsTheLargestEigenvalueOfAChain) {
   // Second difference over n points with fixed ends: 4 sin^2(n pi / (2 (n + 1))).
-  const int n = 200;
+  constexpr int n = 200;
   SelfAdjointOperator op;
-  op.dot = [n](const double* a, const double* b) { return std::inner_product(a, a + n, b, 0.0); };
-  op.apply = [n](const double* x, double* y) {
+  op.dot = [](const double* a, const double* b) { return std::inner_product(a, a + n, b, 0.0); };
+  op.apply = [](const double* x, double* y) {
     for (int i = 0; i < n; ++i) y[i] = 2.0 * x[i] - (i > 0 ? x[i - 1] : 0.0) - (i + 1 < n ? x[i + 1] : 0.0);
   };
   std::vector<int> ids(n);
