@@ -1,4 +1,6 @@
 // One mesh, any number of ranks: the same points, bonds and node sets.
+#include "driver/discretization/discretization.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "driver/discretization/discretization.hpp"
 #include "driver/discretization/point_exchange.hpp"
 #include "driver/parallel/ghost_exchange.hpp"
 #include "tests/support/scene_files.hpp"

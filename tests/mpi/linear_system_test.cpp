@@ -1,11 +1,12 @@
 // Assembly and solves on 1, 2 and 4 ranks against matrices that every rank can evaluate point by point.
+#include "driver/linear/linear_system.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
 
-#include "driver/linear/linear_system.hpp"
 #include "lattice.hpp"
 
 namespace pd::test {

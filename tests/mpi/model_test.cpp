@@ -1,5 +1,7 @@
 // Model and conditions on several ranks: sums over ghosts, agreement on errors. The points are scattered over the
 // ranks, so that most bonds join two ranks; the expected values know nothing of ranks.
+#include "driver/model/model.hpp"
+
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -10,7 +12,6 @@
 #include "driver/boundary/boundary_conditions.hpp"
 #include "driver/model/collective.hpp"
 #include "driver/model/error_norms.hpp"
-#include "driver/model/model.hpp"
 #include "lattice.hpp"
 
 namespace pd::test {

@@ -1,4 +1,6 @@
 // Files of fields and checkpoints: the same from any number of ranks, and readable by any other number.
+#include "driver/output/output.hpp"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -11,7 +13,6 @@
 #include "driver/output/checkpoint.hpp"
 #include "driver/output/field_writer.hpp"
 #include "driver/output/global_order.hpp"
-#include "driver/output/output.hpp"
 #include "lattice.hpp"
 
 namespace pd::test {
