@@ -1,9 +1,9 @@
 #include "damage_watch.hpp"
 
-#include <experimental/simd>
 #include <numeric>
 
 #include "Peridigm_Field.hpp"
+#include "simd.hpp"
 
 namespace pd {
 
@@ -23,12 +23,10 @@ long long DamageMonitor::countChanged(Model& model) {
 namespace {
 
 double sumOf(const double* values, int n) {
-  using Vector = std::experimental::native_simd<double>;
-  constexpr int lanes = static_cast<int>(Vector::size());
-  Vector sums = 0.0;
+  kernels::Vector sums = 0.0;
   int k = 0;
-  for (; k + lanes <= n; k += lanes) sums += Vector(values + k, std::experimental::element_aligned);
-  return std::accumulate(values + k, values + n, std::experimental::reduce(sums));
+  for (; k + kernels::lanes <= n; k += kernels::lanes) sums += kernels::load(values + k);
+  return std::accumulate(values + k, values + n, kernels::stdx::reduce(sums));
 }
 
 }  // namespace
