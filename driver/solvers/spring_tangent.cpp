@@ -92,8 +92,18 @@ SpringTangent::SpringTangent(Model& model)
       network_(networkOf(model)),
       stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
-      seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()) {
+      seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()),
+      firstBond_(seenDamage_.size()) {
   stalePoints_ = allPoints();
+  for (Block& block : *model.blocks()) {
+    const auto list = block.getNeighborhoodData();
+    const int* at = list->NeighborhoodList();
+    std::size_t bond = 0;
+    for (int p = 0; p < list->NumOwnedPoints(); ++p, at += *at + 1) {
+      firstBond_[static_cast<std::size_t>(list->OwnedIDs()[p])] = bond;
+      bond += static_cast<std::size_t>(*at);
+    }
+  }
   for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
   single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
@@ -131,17 +141,13 @@ void SpringTangent::takeUpDamage() {
     if (id >= 0 && block.hasData(id, PeridigmField::STEP_NP1))
       block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&values);
     const auto list = block.getNeighborhoodData();
-    const int* at = list->NeighborhoodList();
     for (int p = 0; p < list->NumOwnedPoints(); ++p) {
       const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
       const double now = damage == nullptr || values == nullptr ? 0.0 : damage[point];
-      if (now != seenDamage_[point] || (damage == nullptr && values != nullptr)) {
-        seenDamage_[point] = now;
-        changed.push_back(static_cast<int>(point));
-        bondsOf.push_back(values);
-      }
-      if (values != nullptr) values += *at;
-      at += *at + 1;
+      if (now == seenDamage_[point] && (damage != nullptr || values == nullptr)) continue;
+      seenDamage_[point] = now;
+      changed.push_back(static_cast<int>(point));
+      bondsOf.push_back(values == nullptr ? nullptr : values + firstBond_[point]);
     }
   }
   if (!model_.comm().any(!changed.empty())) return;

@@ -60,8 +60,9 @@ class SpringTangent {
   SpringOperator stiffness_;
   TwoLevel levels_;
   std::vector<char> isHeld_;
-  std::vector<double> seenDamage_;  ///< [nOwned] Damage when its bonds were last read; NaN: never
-  std::vector<int> stalePoints_;    ///< whose springs or held degrees of freedom the smoother does not know
+  std::vector<double> seenDamage_;      ///< [nOwned] Damage when its bonds were last read; NaN: never
+  std::vector<std::size_t> firstBond_;  ///< [nOwned] in the bond fields of the point's block
+  std::vector<int> stalePoints_;        ///< whose springs or held degrees of freedom the smoother does not know
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
   int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
