@@ -44,6 +44,8 @@ function(pd_add_library name)
   endforeach()
   add_library(${name} INTERFACE)
   target_link_libraries(${name} INTERFACE $<LINK_LIBRARY:WHOLE_ARCHIVE,$<TARGET_NAME:${name}_archive>>)
+  # Elsewhere, too, these folders come before the system's: Trilinos has an Epetra_Comm.h of its own.
+  set_target_properties(${name}_archive PROPERTIES EXPORT_NO_SYSTEM ON)
   pd_export(${name}_archive ${name})
 endfunction()
 

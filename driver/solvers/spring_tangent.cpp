@@ -110,9 +110,10 @@ SpringTangent::SpringTangent(Model& model)
 }
 
 void SpringTangent::hold(const std::vector<char>& isHeld) {
-  const bool isSame = isHeld == isHeld_;
+  if (isHeld == isHeld_) return;
+  for (std::size_t i = 0; i < isHeld.size(); ++i)
+    if (isHeld[i] && (isHeld_.empty() || !isHeld_[i])) newlyHeld_.push_back(static_cast<int>(i / 3));
   isHeld_ = isHeld;
-  if (isSame) return;
   stiffness_.hold(isHeld);
   stalePoints_ = allPoints();
   coarseIsCurrent_ = false;
@@ -162,6 +163,12 @@ void SpringTangent::takeUpDamage() {
   coarseIsCurrent_ = false;
 }
 
+bool SpringTangent::hasSprings(int point) const {
+  for (int k = 0; k < network_.nNeighbors(point); ++k)
+    if (network_.alive(point, k) > 0.0F) return true;
+  return false;
+}
+
 bool SpringTangent::keepsTogether() {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
@@ -173,7 +180,11 @@ void SpringTangent::prepare() {
   bondsAreKnown_ = true;
   const bool isCurrent = !model_.comm().any(!coarseIsCurrent_);
   if (!isCurrent) ++nChanges_;
-  const bool isStale = mustRebuild_ || nChanges_ >= mostChanges;
+  // The coarse level's displacements must be stiff against springs: those that move a held point tear at its springs.
+  const bool tears = model_.comm().any(
+      std::any_of(newlyHeld_.begin(), newlyHeld_.end(), [&](int point) { return hasSprings(point); }));
+  newlyHeld_.clear();
+  const bool isStale = mustRebuild_ || tears || nChanges_ >= mostChanges;
   coarseIsCurrent_ = true;
   if (model_.comm().any(!stalePoints_.empty()))
     levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);

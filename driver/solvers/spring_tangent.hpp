@@ -52,6 +52,7 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  bool hasSprings(int point) const;
   void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
   std::vector<int> allPoints() const;
 
@@ -63,6 +64,7 @@ class SpringTangent {
   std::vector<double> seenDamage_;      ///< [nOwned] Damage when its bonds were last read; NaN: never
   std::vector<std::size_t> firstBond_;  ///< [nOwned] in the bond fields of the point's block
   std::vector<int> stalePoints_;        ///< whose springs or held degrees of freedom the smoother does not know
+  std::vector<int> newlyHeld_;          ///< points held since the coarse level was last looked at
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
   int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new

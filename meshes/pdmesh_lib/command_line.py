@@ -134,7 +134,7 @@ def _add_grid(commands):
                          help="move points by up to A spacings at random, A < 0.5; volumes stay")
     command.add_argument("--seed", type=int, default=1, help="of the jitter")
     command.add_argument("--turn", type=float, default=0.0, metavar="DEGREES",
-                         help="turn the finished lattice about z through the origin; rows of points then favour other "
+                         help="turn the finished lattice about z through --origin; rows of points then favour other "
                               "directions. Expressions see it before")
     command.add_argument("--fit-volume", action="store_true", help="round shapes: scale volumes to the exact sum")
     add_common(command)

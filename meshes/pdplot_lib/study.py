@@ -114,9 +114,14 @@ def _history_of(table, row):
     return table.path.parent / (row["results"] + ".csv")
 
 
+def _several(table):
+    """Swept paths that have more than one value."""
+    return [path for path in table.swept if len({row[path] for row in table.rows if row[path]}) > 1]
+
+
 def _varied(table):
     """The swept path that the values are shown over: the first of numbers, or the first there is; None without."""
-    several = [path for path in table.swept if len({row[path] for row in table.rows if row[path]}) > 1]
+    several = _several(table)
     numeric = [path for path in several
                if all(math.isfinite(table.number(row, path)) for row in table.rows if row[path])]
     return (numeric or several or [None])[0]
@@ -136,7 +141,7 @@ def _draw_curves(panel, table, runs, name, path, colours):
     for number, (row, history) in enumerate(runs):
         shade = values.index(row[path]) / max(1, len(values) - 1) if path and row[path] else None
         colour = colours(0.85 * shade) if shade is not None else f"C{number % 10}"
-        value = f"{_short(path)} {row[path]}" if path and row[path] else ""
+        value = ", ".join(f"{_short(other)} {row[other]}" for other in _several(table) if row[other])
         label = ", ".join(part for part in (row["label"] if many or not value else "", value) if part)
         panel.plot(history["time"] / seconds, history[name], color=colour, linestyle=styles[row["label"]],
                    linewidth=1.2, label=label)
@@ -150,6 +155,8 @@ def _draw_values(panel, table, name, path, kinds):
         column = f"{kind} {name}"
         for (label, rows), marker in zip(table.series().items(), itertools.cycle(_MARKERS)):
             rows = [row for row in rows if row[path] and math.isfinite(table.number(row, column))]
+            if not rows:  # what it varies is something else
+                continue
             numbers = [table.number(row, path) for row in rows]
             is_numeric = all(math.isfinite(number) for number in numbers)
             words = [label] * several + [kind.lower()] * (len(kinds) > 1)

@@ -228,6 +228,18 @@ class StudyOfHistories(StudyTest):
         self.assertLessEqual({"CornerX (m)", "final, maximum, minimum CornerX (m)",
                               "time of maximum CornerX (s)"}, labels)
 
+    def test_curves_are_told_apart_where_each_series_varies_something_else(self):
+        self.write("study.yaml", HISTORIES_STUDY + """\
+  - Label: start
+    Sweep: {Boundary Conditions/Start/Value: ["x < 0 ? 1 : -1", "x < 0 ? 2 : -2"]}
+""")
+        self.assertEqual(self.run_study().returncode, 0)
+        figure = draw_histories(Table(self.path("pair.study.csv")))
+        labels = figure.axes[0].get_legend_handles_labels()[1]
+        self.assertEqual(len(labels), 5)
+        self.assertEqual(len(set(labels)), 5, labels)
+        self.assertIn("start, Start/Value x < 0 ? 2 : -2", labels)
+
     def test_errors_and_histories_go_together(self):
         self.write("study.yaml", HISTORIES_STUDY.replace("Histories: [", "Error: L2\nReference: decay\nHistories: [")
                    .replace("History Values: [Final, Maximum, Minimum, Time Of Maximum]\n", "")

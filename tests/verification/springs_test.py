@@ -62,6 +62,29 @@ class CrackedPlate(SceneTest):
         self.assertLess(np.max(np.abs(a - b)), 1e-6 * np.max(np.abs(b)))
 
 
+class PlateThatComesApart(SceneTest):
+    def test_halves_that_nothing_holds_along_x_carry_their_loads(self):
+        """Pulled apart along y by grips that slide along x, under forces along x that balance in each row."""
+        half_width, load = 15e-3, 1.2e11  # m; N/m4
+        self.write_mesh(lattice([2.0 * half_width, 24e-3], SPACING), SPACING**2 * THICKNESS)
+        for ranks in (1, 2):
+            deck = plate({"Load Steps": 10, "Kinematics": "Small Strain"}, True)
+            conditions = deck["Boundary Conditions"]
+            del conditions["Top Does Not Slide"], conditions["Bottom Does Not Slide"]
+            conditions["All Node Set"] = {"Expression": "x > 0"}
+            conditions["Apart"] = {"Type": "Body Force", "Node Set": "All Node Set", "Coordinate": "x",
+                                   "Value": f"{load}*(x - {half_width})"}
+            result = self.solve(deck, ranks=ranks)
+            with open(self.path("result.log")) as log:
+                self.assertIn("2 part(s) of 720 points", log.read())
+            u = result.field("Displacement")[:, 0].reshape(24, 30)
+            longer = (u[:, -1] - u[:, 0]) / (u[:, 15] - u[:, 14])
+            # E u' = load (a^2 - (x - a)^2)/2, a: half of the width; between points 29 spacings and one apart.
+            strain = np.polynomial.Polynomial([half_width**2 / 2, 0.0, -0.5]).integ()
+            exact = strain(14.5 * SPACING) / strain(0.5 * SPACING)
+            self.assertAlmostEqual(np.mean(longer), exact, delta=0.03 * exact)
+
+
 class Refusals(SceneTest):
     def test_what_needs_a_matrix_does_not_go_with_springs(self):
         self.write_mesh(lattice([0.03, 0.024], SPACING), SPACING**2 * THICKNESS)

@@ -196,6 +196,7 @@ void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
   if (!factor_->solve(right_.data(), solution_.data())) return;
   direction_.zero();
   space_->addTo(direction_, solution_.data() + starts_[rank]);
+  stiffness_.zeroHeld(direction_);  // points without springs may be held since the level was made
   stiffness_.apply(direction_, product_);
   subtract(product_, r);
   for (int c = 0; c < dimension_; ++c)
