@@ -19,6 +19,7 @@ class CrackArea : public TabledCompute {
     FieldHandle volume = reads(pd::fields::volume());
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
     FieldHandle area;
     explicit Fields(const Teuchos::ParameterList& parameters)
         : area(writes(outputField(parameters, pd::fields::globalScalar, "m2", "Area of all cracks."))) {}
@@ -81,16 +82,18 @@ int CrackArea::compute(Blocks blocks) const {
   for (PeridigmNS::Block& block : *blocks) {
     const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
     if (bondDamage == nullptr) continue;
+    const double* share = fields_.interactionShare.ifIn(*block.getDataManager());
     const double* volume = view(block, fields_.volume);
     const auto neighborhood = block.getNeighborhoodData();
     const double* x = view(block, fields_.modelCoordinates);
     const int* list = neighborhood->NeighborhoodList();
+    std::size_t bond = 0;
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
-      for (int n = *list++; n > 0; --n, ++list, ++bondDamage) {
-        if (*bondDamage <= 0.0) continue;
+      for (int n = *list++; n > 0; --n, ++list, ++bond) {
+        if (bondDamage[bond] <= 0.0) continue;
         const double length = bondLength(x, id, *list);
-        sum += *bondDamage * length * volume[id] * volume[*list] *
+        sum += bondDamage[bond] * (share == nullptr ? 1.0 : share[bond]) * length * volume[id] * volume[*list] *
                shareWithinHorizon(length, 0.5 * (volume[id] + volume[*list]));
       }
     }

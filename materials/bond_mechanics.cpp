@@ -75,6 +75,8 @@ BondMechanics::Views::Views(const BondMechanics& owner, DataManager& dataManager
   x = fields.modelCoordinates.of(dataManager);
   y = fields.coordinates.of(dataManager);
   volume = fields.volume.of(dataManager);
+  cellVolume = fields.cellVolume.isIn(dataManager) ? fields.cellVolume.of(dataManager) : volume;
+  interactionShare = fields.interactionShare.ifIn(dataManager);
   blockId = fields.blockId.of(dataManager);
   force = fields.force.of(dataManager);
   familyVolume = fields.familyVolume.ifIn(dataManager);
@@ -86,7 +88,7 @@ void BondMechanics::initialize(const Call& call, DataManager& dataManager) {
   const Views views(*this, dataManager);
   caches_.clear();
   if (family_.rescalesToLattice) {
-    const double spacing = family_.latticeSpacing(call, views.volume, owner_);
+    const double spacing = family_.latticeSpacing(call, views.cellVolume, owner_);
     constants_ = family_.latticeElasticConstants(youngsModulus_, poissonsRatio_, spacing);
   }
   computeSurfaceData(call, views);
@@ -103,9 +105,10 @@ void BondMechanics::computeSurfaceData(const Call& call, const Views& views) con
     if (usesVolume) views.familyVolume[i] = 0.0;
     for (std::size_t d = 0; !usesVolume && d < 3; ++d) views.surfaceFactor[3 * i + d] = 0.0;
   }
-  forEachBond(call, [&](int i, int j, std::size_t) {
+  forEachBond(call, [&](int i, int j, std::size_t index) {
     const ReferenceBond bond(views.x, i, j);
-    const double volume = family_.share(bond.length, views.volume[i], views.volume[j]) * views.volume[j];
+    const double volume =
+        views.shareOf(index) * family_.share(bond.length, views.cellVolume[i], views.cellVolume[j]) * views.volume[j];
     if (usesVolume) {
       views.familyVolume[i] += volume;
       return;
@@ -134,7 +137,7 @@ double BondMechanics::wholeFamilyVolume(double volume) const {
 
 double BondMechanics::surfaceFactor(const Views& views, const ReferenceBond& bond, int i, int j) const {
   if (surfaceCorrection_ == SurfaceCorrection::VolumeMethod) {
-    const double whole = 0.5 * (wholeFamilyVolume(views.volume[i]) + wholeFamilyVolume(views.volume[j]));
+    const double whole = 0.5 * (wholeFamilyVolume(views.cellVolume[i]) + wholeFamilyVolume(views.cellVolume[j]));
     return kernels::surfaceFactor(whole, views.familyVolume[i], views.familyVolume[j]);
   }
   if (surfaceCorrection_ == SurfaceCorrection::EnergyMethod) {
@@ -150,9 +153,11 @@ double BondMechanics::surfaceFactor(const Views& views, const ReferenceBond& bon
   return 1.0;
 }
 
-double BondMechanics::strength(const Views& views, const ReferenceBond& bond, int i, int j) const {
-  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, family_.horizon) *
-         family_.share(bond.length, views.volume[i], views.volume[j]) * surfaceFactor(views, bond, i, j);
+double BondMechanics::strength(const Views& views, const ReferenceBond& geometry, int i, int j,
+                               std::size_t bond) const {
+  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(geometry.length, family_.horizon) *
+         family_.share(geometry.length, views.cellVolume[i], views.cellVolume[j]) *
+         surfaceFactor(views, geometry, i, j) * views.shareOf(bond);
 }
 
 std::vector<kernels::WeightedBond> BondMechanics::familyOf(int i, const int* neighbors, int count,
@@ -162,7 +167,7 @@ std::vector<kernels::WeightedBond> BondMechanics::familyOf(int i, const int* nei
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
     const ReferenceBond bond(views.x, i, j);
-    const double share = family_.share(bond.length, views.volume[i], views.volume[j]);
+    const double share = family_.share(bond.length, views.cellVolume[i], views.cellVolume[j]);
     if (share > 0.0) bonds.push_back({bond.xi, share * views.volume[j] * influence(bond.length, family_.horizon)});
   }
   return bonds;
@@ -209,7 +214,7 @@ BondMechanics::Cache BondMechanics::makeCache(const Call& call, const Views& vie
   cache.data.form = form_;
   cache.data.constants = constants_;
   const auto strengthOf = [&](int i, int j, std::size_t bond) {
-    return strength(views, ReferenceBond(views.x, i, j), i, j) *
+    return strength(views, ReferenceBond(views.x, i, j), i, j, bond) *
            (foldsDamage ? 1.0 - views.damaged.bondDamage[bond] : 1.0);
   };
   cache.data.strength = kernels::BondConstants(
@@ -246,7 +251,7 @@ void BondMechanics::addInterfaceForce(const Cache& cache, const Views& views) co
     const double alive = views.damaged.bondDamage == nullptr ? 1.0 : 1.0 - views.damaged.bondDamage[bond];
     if (alive == 0.0) continue;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    const double half = 0.5 * alive * strength(views, reference, i, j);
+    const double half = 0.5 * alive * strength(views, reference, i, j, bond);
     double along = 0.0;
     for (std::size_t d = 0; d < 3; ++d) along += (current.xi[d] - reference.xi[d]) * reference.xi[d];
     for (std::size_t d = 0; d < 3; ++d) {

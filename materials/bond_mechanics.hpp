@@ -30,6 +30,8 @@ class BondMechanics {
     // A damage model of the block brings them.
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
+    FieldHandle cellVolume = readsIfThere(pd::fields::cellVolume());
     FieldHandle energy = addsIfThere(pd::fields::storedEnergyDensity());
     FieldHandle familyVolume, surfaceFactor;
     explicit Fields(SurfaceCorrection correction);
@@ -73,8 +75,8 @@ class BondMechanics {
   /// Moves half of what the kernel gave to the point of a bond between blocks, whose neighbour may have computed
   /// another force, to the neighbour, with the opposite sign.
   void addInterfaceForce(const Cache& cache, const Views& views) const;
-  /// g of a bond: influence x share of volume x surface factor.
-  double strength(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
+  /// g of a bond: influence x share of volume x surface factor x share that no crack or void takes.
+  double strength(const Views& views, const ReferenceBond& geometry, int point, int neighbor, std::size_t bond) const;
   double surfaceFactor(const Views& views, const ReferenceBond& bond, int point, int neighbor) const;
   /// Of a point of this volume inside a lattice of such points.
   double wholeFamilyVolume(double volume) const;

@@ -158,7 +158,8 @@ void BondMechanics::forEachFamily(const Call& call, const Views& views, Visit vi
     for (int k = 0; k < count; ++k, ++bondIndex) {
       const int j = call.neighborhoodList[at++];
       const ReferenceBond reference(views.x, i, j);
-      CurrentBond bond{j, reference.xi, {}, reference.length, strength(views, reference, i, j), views.volume[j]};
+      CurrentBond bond{
+          j, reference.xi, {}, reference.length, strength(views, reference, i, j, bondIndex), views.volume[j]};
       if (views.damaged.bondDamage != nullptr) bond.strength *= 1.0 - views.damaged.bondDamage[bondIndex];
       if (bond.strength == 0.0) continue;
       for (std::size_t d = 0; d < 3; ++d)
@@ -200,9 +201,9 @@ LinearSprings BondMechanics::springs(const Call& call, PeridigmNS::DataManager& 
   const Views views(*this, dataManager);
   LinearSprings result;
   result.family = springFamily();
-  forEachBond(call, [&](int i, int j, std::size_t) {
+  forEachBond(call, [&](int i, int j, std::size_t index) {
     const ReferenceBond bond(views.x, i, j);
-    const double g = 0.5 * strength(views, bond, i, j) * views.volume[i] * views.volume[j] / bond.length;
+    const double g = 0.5 * strength(views, bond, i, j, index) * views.volume[i] * views.volume[j] / bond.length;
     result.along.push_back(constants_.normal * g);
     if (constants_.tangential != 0.0) result.across.push_back(constants_.tangential * g);
   });

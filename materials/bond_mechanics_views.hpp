@@ -15,11 +15,15 @@ struct BondMechanics::Views {
   const double* x = nullptr;
   const double* y = nullptr;
   const double* volume = nullptr;
+  const double* cellVolume = nullptr;        ///< volume where the deck has no voids
+  const double* interactionShare = nullptr;  ///< null: all of every bond
   double* force = nullptr;
   double* familyVolume = nullptr;
   double* surfaceFactor = nullptr;
   const double* blockId = nullptr;
   DamageViews damaged;
+
+  double shareOf(std::size_t bond) const { return interactionShare == nullptr ? 1.0 : interactionShare[bond]; }
 };
 
 }  // namespace pd

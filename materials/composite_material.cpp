@@ -163,8 +163,21 @@ std::vector<std::string> CompositeMaterial::runNotes() const {
   return notes;
 }
 
+void CompositeMaterial::requireWholeBonds(DataManager& dataManager) const {
+  const int share = fields::interactionShare().id();
+  if (!dataManager.hasData(share, PeridigmNS::PeridigmField::STEP_NONE)) return;
+  std::vector<std::string> messages;
+  for (const Part& part : parts_)
+    if (part.table.find(share) == nullptr)
+      messages.push_back("\"" + part.name +
+                         "\" does not know that Cracks and Voids of the deck take a part of bonds (" +
+                         fields::interactionShare().label + "); leave one of them out");
+  throwAll(combinedMaterial, messages);
+}
+
 void CompositeMaterial::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                    const int* neighborhoodList, DataManager& dataManager) {
+  requireWholeBonds(dataManager);
   const auto n = static_cast<std::size_t>(numOwnedPoints);
   std::vector<std::vector<double>> sums(sharedDiffusivities_.size(), std::vector<double>(n, 0.0));
   for (const Part& part : parts_) {

@@ -61,6 +61,8 @@ Elastic::Elastic(const Teuchos::ParameterList& given, const Teuchos::ParameterLi
 struct Elastic::Views {
   int nPoints;
   const double *x, *y, *volume;
+  const double* cellVolume;        ///< volume where the deck has no voids
+  const double* interactionShare;  ///< null: all of every bond
   DamageViews damaged;
   double *weightedVolume, *dilatation, *force;
 
@@ -70,6 +72,8 @@ struct Elastic::Views {
     x = fields.modelCoordinates.of(dataManager);
     y = fields.coordinates.of(dataManager);
     volume = fields.volume.of(dataManager);
+    cellVolume = fields.cellVolume.isIn(dataManager) ? fields.cellVolume.of(dataManager) : volume;
+    interactionShare = fields.interactionShare.ifIn(dataManager);
     weightedVolume = fields.weightedVolume.of(dataManager);
     dilatation = fields.dilatation.of(dataManager);
     force = fields.force.of(dataManager);
@@ -80,9 +84,10 @@ struct Elastic::Views {
   }
 };
 
-double Elastic::influence(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(bond.length, family_.horizon) *
-         family_.share(bond.length, volume, neighborVolume);
+double Elastic::influence(const Views& views, const ReferenceBond& geometry, int i, int j, std::size_t bond) const {
+  return PeridigmNS::InfluenceFunction::self().getInfluenceFunction()(geometry.length, family_.horizon) *
+         family_.share(geometry.length, views.cellVolume[i], views.cellVolume[j]) *
+         (views.interactionShare == nullptr ? 1.0 : views.interactionShare[bond]);
 }
 
 void Elastic::initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
@@ -90,10 +95,9 @@ void Elastic::initialize(const double, const int numOwnedPoints, const int* owne
   const Views views(*this, dataManager);
   caches_.clear();
   for (int p = 0; p < numOwnedPoints; ++p) views.weightedVolume[ownedIDs[p]] = 0.0;
-  forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
+  forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t index) {
     const ReferenceBond bond(views.x, i, j);
-    views.weightedVolume[i] +=
-        influence(bond, views.volume[i], views.volume[j]) * bond.length * bond.length * views.volume[j];
+    views.weightedVolume[i] += influence(views, bond, i, j, index) * bond.length * bond.length * views.volume[j];
   });
 }
 
@@ -102,14 +106,15 @@ Elastic::Cache Elastic::makeCache(const Call& call, const Views& views) const {
   cache.neighborhood = kernels::ChunkedNeighborhood(call.nOwned, call.ownedIds, call.neighborhoodList);
   cache.alive = kernels::AliveBonds(cache.neighborhood);
   cache.data.constants = constants_;
-  cache.data.influence = kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t, double* values) {
-    values[0] = influence(ReferenceBond(views.x, i, j), views.volume[i], views.volume[j]);
-  });
+  cache.data.influence =
+      kernels::BondConstants(cache.neighborhood, 1, [&](int i, int j, std::size_t bond, double* values) {
+        values[0] = influence(views, ReferenceBond(views.x, i, j), i, j, bond);
+      });
   cache.data.coefficients =
-      kernels::solidCoefficients(cache.neighborhood, [&](int i, int j, std::size_t, double* values) {
+      kernels::solidCoefficients(cache.neighborhood, [&](int i, int j, std::size_t index, double* values) {
         const ReferenceBond bond(views.x, i, j);
         std::copy(bond.xi.begin(), bond.xi.end(), values);
-        values[3] = influence(bond, views.volume[i], views.volume[j]);
+        values[3] = influence(views, bond, i, j, index);
         values[4] = views.volume[j];
       });
   cache.reference.separate(views.x, views.nPoints, 3);
@@ -143,7 +148,7 @@ std::vector<double> Elastic::dilatations(const Call& call, const Views& views) c
     if (views.weightedVolume[i] == 0.0) return;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
     theta[static_cast<std::size_t>(i)] += constants_.dimension / views.weightedVolume[i] * views.unbroken(bond) *
-                                          influence(reference, views.volume[i], views.volume[j]) * reference.length *
+                                          influence(views, reference, i, j, bond) * reference.length *
                                           (current.length - reference.length) * views.volume[j];
   });
   return theta;
@@ -155,7 +160,7 @@ void Elastic::addForceOfDamagedBonds(const Call& call, const Views& views) const
     const double unbroken = views.unbroken(bond);
     if (unbroken == 0.0 || views.weightedVolume[i] == 0.0) return;
     const ReferenceBond reference(views.x, i, j), current(views.y, i, j);
-    const double state = unbroken * influence(reference, views.volume[i], views.volume[j]) / views.weightedVolume[i] *
+    const double state = unbroken * influence(views, reference, i, j, bond) / views.weightedVolume[i] *
                          (constants_.volumetric * theta[static_cast<std::size_t>(i)] * reference.length +
                           unbroken * constants_.deviatoric * (current.length - reference.length));
     for (std::size_t d = 0; d < 3; ++d) {
@@ -184,7 +189,7 @@ void Elastic::computeStoredElasticEnergyDensity(const double, const int numOwned
     const double deviation = current.length - reference.length -
                              theta[static_cast<std::size_t>(i)] * reference.length / constants_.dimension;
     energy[i] += 0.5 * constants_.deviatoric / views.weightedVolume[i] * views.unbroken(bond) *
-                 influence(reference, views.volume[i], views.volume[j]) * deviation * deviation * views.volume[j];
+                 influence(views, reference, i, j, bond) * deviation * deviation * views.volume[j];
   });
 }
 
@@ -192,9 +197,9 @@ LinearSprings Elastic::springs(const Call& call, DataManager& data) const {
   const Views views(*this, data);
   LinearSprings result;
   result.family = springFamily();
-  forEachBond(call, [&](int i, int j, std::size_t) {
+  forEachBond(call, [&](int i, int j, std::size_t index) {
     const ReferenceBond bond(views.x, i, j);
-    result.along.push_back(constants_.deviatoric * influence(bond, views.volume[i], views.volume[j]) * views.volume[i] *
+    result.along.push_back(constants_.deviatoric * influence(views, bond, i, j, index) * views.volume[i] *
                            views.volume[j] / views.weightedVolume[i]);
   });
   // The energy volumetric/(2 D) theta^2 V_i, with theta = D s/(V_i deviatoric).

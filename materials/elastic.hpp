@@ -29,6 +29,8 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
     // A damage model of the block brings them.
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
+    FieldHandle cellVolume = readsIfThere(pd::fields::cellVolume());
     FieldHandle energy = addsIfThere(pd::fields::storedEnergyDensity());
   };
 
@@ -70,8 +72,8 @@ class Elastic : public PeridigmNS::Material, public FieldUser, public StepListen
   /// `params`: completed.
   Elastic(const Teuchos::ParameterList& given, const Teuchos::ParameterList& params);
   Cache makeCache(const Call& call, const Views& views) const;
-  /// Influence function x share of the neighbour's volume.
-  double influence(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  /// Influence function x share of the neighbour's volume x share that no crack or void takes.
+  double influence(const Views& views, const ReferenceBond& geometry, int point, int neighbor, std::size_t bond) const;
   /// The same as the kernel, bond by bond, with bonds that are damaged in part.
   void addForceOfDamagedBonds(const Call& call, const Views& views) const;
   /// theta of owned points, in their order. Bonds that are damaged by d count 1 - d.

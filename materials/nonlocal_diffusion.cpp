@@ -46,12 +46,21 @@ void NonlocalDiffusion::initialize(const Call& call, DataManager& dataManager) {
   if (family_.rescalesToLattice)
     microDiffusivity_ = kernels::latticeMicroDiffusivity(
         family_.section, kernel_, diffusivity_, family_.horizon,
-        family_.latticeSpacing(call, fields_.volume.of(dataManager), owner_), family_.volumeCorrection);
+        family_.latticeSpacing(
+            call, (fields_.cellVolume.isIn(dataManager) ? fields_.cellVolume : fields_.volume).of(dataManager), owner_),
+        family_.volumeCorrection);
+  if (quadrature_ == Quadrature::Fitted && fields_.interactionShare.isIn(dataManager))
+    throw std::invalid_argument(
+        owner_ +
+        ": the improved quadrature fits weights to whole neighbourhoods, which Cracks and Voids of "
+        "the deck take a part of; leave \"Use Improved Quadrature\" out");
 }
 
-double NonlocalDiffusion::weight(const ReferenceBond& bond, double volume, double neighborVolume) const {
-  return microDiffusivity_ * kernels::kernelValue(kernel_, bond.length) *
-         family_.share(bond.length, volume, neighborVolume);
+double NonlocalDiffusion::weight(const Quantities& of, const ReferenceBond& geometry, int i, int j,
+                                 std::size_t bond) const {
+  return microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) *
+         family_.share(geometry.length, of.cellVolume[i], of.cellVolume[j]) *
+         (of.interactionShare == nullptr ? 1.0 : of.interactionShare[bond]);
 }
 
 std::vector<double> NonlocalDiffusion::fittedWeights(const Call& call, const double* x) const {
@@ -79,7 +88,15 @@ std::vector<double> NonlocalDiffusion::fittedWeights(const Call& call, const dou
 
 NonlocalDiffusion::Quantities NonlocalDiffusion::quantities(const Call& call, DataManager& dataManager) const {
   const double* x = fields_.modelCoordinates.of(dataManager);
-  Quantities of{x, fields_.volume.of(dataManager), fields_.blockId.of(dataManager), fittedWeights(call, x), {}};
+  const double* volume = fields_.volume.of(dataManager);
+  const double* cellVolume = fields_.cellVolume.ifIn(dataManager);
+  Quantities of{x,
+                volume,
+                fields_.blockId.of(dataManager),
+                cellVolume == nullptr ? volume : cellVolume,
+                fields_.interactionShare.ifIn(dataManager),
+                fittedWeights(call, x),
+                {}};
   if (interface_ == Interface::Series)
     of.relative = seriesDiffusivities(call, fields_.diffusivity.of(dataManager),
                                       [x](int i, int j) { return ReferenceBond(x, i, j).xi; });
@@ -95,7 +112,7 @@ NonlocalDiffusion::RateConstants NonlocalDiffusion::rateConstants(const Quantiti
   const double relative = of.relative.empty() ? 1.0 : of.relative[bond];
   if (quadrature_ == Quadrature::Fitted)
     return {relative * microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) * of.fitted[bond], 0.0};
-  const double w = weight(geometry, of.volume[i], of.volume[j]);
+  const double w = weight(of, geometry, i, j, bond);
   if (interface_ == Interface::OwnConstants) return {w * of.volume[j], 0.0};
   if (of.blockId[i] != of.blockId[j]) return {0.5 * relative * w * of.volume[j], 0.5 * relative * w * of.volume[i]};
   return {0.5 * (1.0 + relative) * w * of.volume[j], 0.5 * (relative - 1.0) * w * of.volume[i]};

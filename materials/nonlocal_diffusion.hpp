@@ -27,6 +27,8 @@ class NonlocalDiffusion {
     FieldHandle blockId = reads(pd::fields::blockId());
     FieldHandle damage = readsIfThere(pd::fields::damage());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
+    FieldHandle cellVolume = readsIfThere(pd::fields::cellVolume());
     FieldHandle concentration, diffusivity, rate;
     std::string diffusingField;
     explicit Fields(const std::string& label) : diffusingField(label) {
@@ -74,8 +76,10 @@ class NonlocalDiffusion {
   /// What a neighbourhood multiplies and adds up, apart from C.
   struct Quantities {
     const double *x, *volume, *blockId;
-    std::vector<double> fitted;    ///< of fittedWeights()
-    std::vector<double> relative;  ///< of seriesDiffusivities(); empty: all 1
+    const double* cellVolume;        ///< volume where the deck has no voids
+    const double* interactionShare;  ///< null: all of every bond
+    std::vector<double> fitted;      ///< of fittedWeights()
+    std::vector<double> relative;    ///< of seriesDiffusivities(); empty: all 1
   };
   /// Rate constants of a bond, 1/s: with which its flux counts at its point, and at its neighbour as far as the point
   /// sees to that.
@@ -84,7 +88,7 @@ class NonlocalDiffusion {
   };
 
   /// d kernel(|xi|) share; times the neighbour's volume it is the rate constant of the bond, 1/s.
-  double weight(const ReferenceBond& bond, double volume, double neighborVolume) const;
+  double weight(const Quantities& of, const ReferenceBond& geometry, int i, int j, std::size_t bond) const;
   /// [bonds] Fitted weights, m3; empty where volumes are taken. Throws std::invalid_argument.
   std::vector<double> fittedWeights(const Call& call, const double* x) const;
   Quantities quantities(const Call& call, PeridigmNS::DataManager& dataManager) const;

@@ -39,6 +39,7 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double le
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
   const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
+  const double* share = fields_.interactionShare.ifIn(*block.getDataManager());
   const auto neighborhood = block.getNeighborhoodData();
   const int* list = neighborhood->NeighborhoodList();
 
@@ -49,9 +50,10 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double le
     Tensor shape{}, deformed{};
     double intact = 0.0, all = 0.0;
     for (int n = *list++; n > 0; --n, ++list, ++bond) {
-      const double weight = volume[*list] * (bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]);
+      const double whole = volume[*list] * (share == nullptr ? 1.0 : share[bond]);
+      const double weight = whole * (bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]);
       intact += weight;
-      all += volume[*list];
+      all += whole;
       double xi[3], eta[3];
       for (int k = 0; k < 3; ++k) {
         xi[k] = x[3 * *list + k] - x[3 * id + k];

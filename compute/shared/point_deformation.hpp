@@ -23,6 +23,7 @@ class DeformationGradients {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
     FieldHandle coordinates = reads(pd::fields::coordinates());
     FieldHandle bondDamage = readsIfThere(pd::fields::bondDamage());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
   };
 
   /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of

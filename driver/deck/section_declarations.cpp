@@ -78,6 +78,15 @@ Declarations declareDiscretization(const std::string& type) {
   declare.real("Thickness", "m", "Of a plane scene: turns volumes into areas.").positive();
   declare.real("Cross Section Area", "m2", "Of a scene along one line: turns volumes into lengths.").positive();
   declare.sublist("Bond Filters", "Surfaces that cut bonds (pre-cracks), by names of your choice.");
+  declare.sublist(
+      "Cracks",
+      "Cracks that take a part of the bonds between cells that they meet, by names of your choice; the mesh "
+      "knows nothing of them.");
+  declare.sublist(
+      "Voids",
+      "Holes and pores that take a part of cells and bonds, by names of your choice; the mesh knows nothing "
+      "of them, and they may be far smaller than its cells.");
+  declareBondDecomposition(declare.sublist("Bond Decomposition", "How Cracks and Voids are brought to the bonds."));
   declare.sublist("Symmetry",
                   "Planes of symmetry, by names of your choice: the mesh is the part of the body beside one plane, or "
                   "in the corner of two or three that are perpendicular to each other.");

@@ -138,7 +138,7 @@ class SectionFinder {
     DeckSection& section =
         add(Kind::Discretization, "Discretization", node, discretizationDeclarations(isKnown ? given : types.front()));
     // The entries of these have names of the user's choice.
-    for (const char* list : {"Bond Filters", "Symmetry"}) {
+    for (const char* list : {"Bond Filters", "Cracks", "Voids", "Symmetry"}) {
       section.declarations = withoutSublist(section.declarations, list);
       section.hostKeys.known.emplace_back(list);
     }
@@ -149,6 +149,14 @@ class SectionFinder {
     for (const auto& [name, filter] : sectionsIn(node["Bond Filters"])) {
       const std::string type = choice(filter, "Type", bondFilterTypes());
       if (!type.empty()) add(Kind::BondFilter, name, filter, bondFilterDeclarations(type)).plugin = type;
+    }
+    for (const auto& [name, crack] : sectionsIn(node["Cracks"])) {
+      const std::string type = choice(crack, "Type", crackTypes());
+      if (!type.empty()) add(Kind::Crack, name, crack, crackDeclarations(type)).plugin = type;
+    }
+    for (const auto& [name, hole] : sectionsIn(node["Voids"])) {
+      const std::string type = choice(hole, "Type", voidTypes());
+      if (!type.empty()) add(Kind::Void, name, hole, voidDeclarations(type)).plugin = type;
     }
     for (const auto& [name, plane] : sectionsIn(node["Symmetry"]))
       add(Kind::SymmetryPlane, name, plane, symmetryPlaneDeclarations());

@@ -14,6 +14,8 @@ struct DeckSection {
   enum class Kind {
     Discretization,
     BondFilter,
+    Crack,
+    Void,
     SymmetryPlane,
     Material,
     DamageModel,

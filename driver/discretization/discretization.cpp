@@ -22,6 +22,7 @@
 #include "quick_grid.hpp"
 #include "resolution_check.hpp"
 #include "symmetric_body.hpp"
+#include "unresolved_geometry.hpp"
 
 namespace pd {
 
@@ -160,7 +161,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   MeshPoints points;
   withMemoryFor(comm, "the points of the mesh", [&] { points = readMesh(deck, comm); });
   const DeckNode section = deck["Discretization"];
-  const NodeSets nodeSets = allNodeSets(deck, comm, points);
+  NodeSets nodeSets = allNodeSets(deck, comm, points);
 
   Discretization d;
   d.nGlobal = points.nRows;
@@ -171,16 +172,28 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   d.symmetry = symmetryOf(planes, points, d.dimension, mistakes);
   const MeshPoints copies = d.symmetry.empty() ? MeshPoints() : wholeBody(points, d.symmetry);
   const MeshPoints& body = d.symmetry.empty() ? points : copies;
-  BondFilters filters(deck, comm, body, nodeSets);
   const double thickness = positiveLength(section, "Thickness", mistakes);
   const double area = positiveLength(section, "Cross Section Area", mistakes);
   const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
-  const std::vector<double> horizon = pointHorizons(points, entries, mistakes);
+  std::vector<double> horizon = pointHorizons(points, entries, mistakes);
+  UnresolvedGeometry geometry(deck, d.dimension);
+  std::vector<double> cellEdges;
+  if (!geometry.empty() && mistakes.empty()) {
+    cellEdges = pointSpacings(points.volume, d.dimension, thickness, area);
+    geometry.leaveOutPoints(points, nodeSets, cellEdges, *std::max_element(horizon.begin(), horizon.end()));
+    horizon = pointHorizons(points, entries, mistakes);
+    d.nGlobal = points.nRows;
+  }
+  BondFilters filters(deck, comm, body, nodeSets);
   if (mistakes.empty()) checkDimensions(deck, entries, d.dimension, points.fileName);
   mistakes.report();
   const kernels::HorizonShape shape = horizonShape(deck, entries);
   const auto box = neighborBox(deck, horizon);
   checkHorizon(planes, shape, box.has_value(), mistakes);
+  if (!geometry.empty() && !shape.isBall())
+    mistakes.add(section.keyPlace(),
+                 "Cracks and Voids need cells that are squares or cubes: they do not go with Horizon "
+                 "Axes of a material");
   mistakes.report();
   const MeshPoints mapped = shape.isBall() ? MeshPoints() : mappedPoints(body, shape);
   const MeshPoints& searched = shape.isBall() ? body : mapped;
@@ -202,6 +215,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   });
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(body, horizon, d);
+  if (!geometry.empty()) geometry.decompose(points, cellEdges, comm, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);
   checkNeighborhoods(body, filters, comm, d, deck);

@@ -122,6 +122,7 @@ Model::Model(const Deck& deck, const Communicator& comm, Discretization discreti
   allocatePluginFields();
   allocateFields(extraFields);
   if (!discretization_.symmetry.empty()) prepareImages(deck);
+  if (discretization_.isDecomposed) collectively(comm_, [&] { decomposeBonds(deck); });
   if (comm_.any(!discretization_.bondIsCut.empty())) collectively(comm_, [&] { cutBonds(deck); });
 }
 
@@ -223,11 +224,47 @@ void Model::fillConstantFields() {
   };
   std::copy(points.x.begin(), points.x.end(), field("Model_Coordinates"));
   fill("Volume", [&](int i) { return points.volume[i]; });
+  if (points.isDecomposed) {
+    fill(fields::cellVolume().label, [&](int i) { return points.cellVolume[i]; });
+    fill(fields::countedBonds().label, [&](int i) { return i < points.nOwned ? points.countedBonds[i] : 0.0; });
+  }
   fill("Horizon", [&](int i) { return points.horizon[i]; });
   fill("Block_Id", [&](int i) { return points.blockId[i]; });
   fill("Element_Id", [&](int i) { return points.globalIds[i] + 1; });  // node numbers start at 1 in files
   fill(imageShiftField, [&](int i) { return points.globalIds[i] - points.globalIds[points.sourceOf(i)]; });
   if (hasField("Coordinates")) std::copy(points.x.begin(), points.x.end(), field("Coordinates"));
+}
+
+void Model::decomposeBonds(const Deck& deck) {
+  const auto& points = discretization_;
+  const int share = fields::interactionShare().id();
+  Mistakes mistakes;
+  for (Block& block : *blocks_) {
+    const FieldTable* table = fieldTableOf(*block.getMaterialModel());
+    if (table != nullptr && table->find(share) != nullptr) continue;
+    const DeckNode names = blockEntry(deck, block.getName())["Material"];
+    mistakes.add(names.place(),
+                 "the material of " + block.getName() +
+                     " does not know that Cracks and Voids of Discretization take a part of bonds (field " +
+                     fields::interactionShare().label +
+                     "); choose PDHE, Elastic, Elastic Bond Based or Diffusion, or use Bond Filters");
+  }
+  mistakes.report();
+  allocateFields({share, fields::cellVolume().id(), fields::countedBonds().id()});
+  for (Block& block : *blocks_) {
+    double* ofBond = nullptr;
+    block.getData(share, PeridigmField::STEP_NONE)->ExtractView(&ofBond);
+    const auto neighborhood = block.getNeighborhoodData();
+    for (int k = 0; k < neighborhood->NumOwnedPoints(); ++k) {
+      const int point = neighborhood->OwnedIDs()[k];
+      const long long first = points.neighborhoodStart[point] - point;
+      const int n = points.neighborhoodList[points.neighborhoodStart[point]];
+      const double left = std::accumulate(&points.interactionShare[first], &points.interactionShare[first] + n, 0.0);
+      ofBond = std::copy_n(&points.interactionShare[first], n, ofBond);
+      if (hasField("Damage") && block.getDamageModel().is_null() && points.countedBonds[point] > 0.0)
+        field("Damage")[point] = 1.0 - left / points.countedBonds[point];
+    }
+  }
 }
 
 void Model::cutBonds(const Deck& deck) {

@@ -22,8 +22,8 @@ namespace pd {
 class Model {
  public:
   /// Creates the plug-ins that the deck names and allocates the fields that they and `extraFields` ask for, and only
-  /// those. Fills Model_Coordinates, Coordinates, Volume, Block_Id, Element_Id (where asked for) and Bond_Damage of
-  /// cut bonds. Collective.
+  /// those. Fills Model_Coordinates, Coordinates, Volume, Block_Id, Element_Id (where asked for), Bond_Damage of
+  /// cut bonds, and what Cracks and Voids leave of bonds. Collective.
   Model(const Deck& deck, const Communicator& comm, Discretization discretization, const std::vector<int>& extraFields);
 
   /// Allocates further fields (zero, or filled where the constructor's comment says so). A bond field is given to
@@ -112,6 +112,8 @@ class Model {
   void allocatePluginFields();
   void fillConstantFields();
   void cutBonds(const Deck& deck);
+  /// Fields of what Cracks and Voids leave of bonds and cells; refuses materials that do not know them.
+  void decomposeBonds(const Deck& deck);
   void shareBondSteps(PeridigmNS::Block& block);
   void restoreHistories();
   std::vector<StepRecord::PointField> recordedFields();

@@ -36,6 +36,7 @@ void BondDamageModel::initialize(const double, const int numOwnedPoints, const i
   double* damage = fields().damage.of(dataManager);
   const LiquidPoints liquid(call, damage);
   countBrokenBonds(call, bondDamage, damage);
+  weighBonds(fields(), call, dataManager);
   if (marksLiquid()) liquid.restore(call, damage);
 }
 
@@ -56,6 +57,25 @@ void BondDamageModel::computeDamage(const double dt, const int numOwnedPoints, c
   carryOver(fields(), call, dataManager);
   if (liquid) liquid->restore(call, damage);
   worsen(dt, call, dataManager);
+  weighBonds(fields(), call, dataManager);
+}
+
+void BondDamageModel::weighBonds(const Fields& fields, const Call& call, DataManager& dataManager) {
+  const double* share = fields.interactionShare.ifIn(dataManager);
+  const double* bondDamage = fields.bondDamage.ifIn(dataManager);
+  if (share == nullptr || bondDamage == nullptr) return;
+  const double* counted = fields.countedBonds.of(dataManager);
+  double* damage = fields.damage.of(dataManager);
+  const int* entry = call.neighborhoodList;
+  for (int p = 0; p < call.nOwned; ++p) {
+    double left = 0.0;
+    for (int k = 0; k < *entry; ++k) left += share[k] * (1.0 - bondDamage[k]);
+    const double all = counted[call.ownedIds[p]];
+    damage[call.ownedIds[p]] = all > 0.0 ? std::clamp(1.0 - left / all, 0.0, 1.0) : 0.0;
+    share += *entry;
+    bondDamage += *entry;
+    entry += *entry + 1;
+  }
 }
 
 LiquidPoints::LiquidPoints(const Call& call, const double* damage) {

@@ -22,6 +22,8 @@ class BondDamageModel : public PeridigmNS::DamageModel, public FieldUser {
     FieldHandle damage = worsens(pd::fields::damage());
     FieldHandle bondDamage;
     FieldHandle noFailure = readsIfThere(pd::fields::noFailure());
+    FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
+    FieldHandle countedBonds = readsIfThere(pd::fields::countedBonds());
     /// Where it does not bring bonds, it breaks those that others bring.
     explicit Fields(bool bringsBonds = true) {
       bondDamage = bringsBonds ? worsens(pd::fields::bondDamage()) : worsensIfThere(pd::fields::bondDamage());
@@ -47,6 +49,9 @@ class BondDamageModel : public PeridigmNS::DamageModel, public FieldUser {
   /// Bond_Damage and Damage of NP1 become those of N. Nothing to do where a host shares their memory, or in a block
   /// whose bonds have no state.
   static void carryOver(const Fields& fields, const Call& call, PeridigmNS::DataManager& dataManager);
+  /// Where cracks and voids of the deck take a part of bonds, Damage of points becomes the lost share of what counts
+  /// (Counted_Bonds).
+  static void weighBonds(const Fields& fields, const Call& call, PeridigmNS::DataManager& dataManager);
 
   /// Raises Bond_Damage of NP1 for both ends of bonds alike, and Damage of the points whose bonds it has changed
   /// (shareOfBroken). Other histories of the model: NP1 from N and dt.

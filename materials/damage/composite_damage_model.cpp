@@ -102,6 +102,7 @@ class CompositeDamageModel : public DamageModel, public FieldUser, public StepLi
     worsen(breaking_, dt, call, dataManager);
     if (hasLiquid) before.restore(call, damage);
     worsen(liquefying_, dt, call, dataManager);
+    BondDamageModel::weighBonds(fields_, call, dataManager);
     if (foreign_.empty()) return;
     const LiquidPoints liquid(call, damage);
     for (const DamageModel* model : foreign_) {

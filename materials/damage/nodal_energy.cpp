@@ -165,6 +165,12 @@ NodalEnergy::Cache& NodalEnergy::cacheOf(const Call& call, DataManager& data, Vi
 
 void NodalEnergy::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                              const int* neighborhoodList, DataManager& data) const {
+  if (fields_.interactionShare.isIn(data))
+    throw std::invalid_argument(
+        owner_ +
+        ": its constant is known for whole bonds only, not for those of which Cracks and Voids "
+        "of the deck take a part; cut the crack by Bond Filters with \"Count In Damage: true\", "
+        "or use Critical Stretch, Bilinear or Remaining Life");
   caches_.clear();
   prepared_.clear();
   BondDamageModel::initialize(dt, numOwnedPoints, ownedIDs, neighborhoodList, data);

@@ -271,6 +271,19 @@ FieldDescription damage() {
 FieldDescription bondDamage() {
   return bondScalar("Bond_Damage", "1", "1 where the bond is broken, 0 where it is whole.").growing();
 }
+FieldDescription interactionShare() {
+  return described(
+      "Interaction_Share", Field::BOND, Field::SCALAR, Field::CONSTANT, "1",
+      "Share of the connections between the bond's two cells that no crack and no void of the deck meets.");
+}
+FieldDescription cellVolume() {
+  return elementScalar("Cell_Volume", "m3", "Volume of the point's cell, voids of the deck included.");
+}
+FieldDescription countedBonds() {
+  return pointScalar("Counted_Bonds", "1",
+                     "Bonds of which Damage is the lost share: the sum of Interaction_Share, and of what cracks of the "
+                     "deck took where they count in Damage.");
+}
 FieldDescription noFailure() {
   return pointScalar("No_Failure", "1", "Bonds of points where it is not 0 never break.");
 }

@@ -217,6 +217,10 @@ FieldDescription externalForceDensity();
 FieldDescription damage();
 FieldDescription bondDamage();
 FieldDescription noFailure();
+/// Of cracks and voids that points do not resolve (decomposition/); a host that has such brings them.
+FieldDescription interactionShare();
+FieldDescription cellVolume();
+FieldDescription countedBonds();
 FieldDescription storedEnergyDensity();
 FieldDescription weightedVolume();
 FieldDescription dilatation();

@@ -99,6 +99,8 @@ TEST(Reference, HasEveryTypeOfMeshAndFilterWithAllOfItsKeys) {
     expectAllKeys(discretizationDeclarations(type), partOf("Discretization", type), type);
   for (const std::string& type : bondFilterTypes())
     expectAllKeys(bondFilterDeclarations(type), partOf("Bond Filters", type), type);
+  for (const std::string& type : crackTypes()) expectAllKeys(crackDeclarations(type), partOf("Cracks", type), type);
+  for (const std::string& type : voidTypes()) expectAllKeys(voidDeclarations(type), partOf("Voids", type), type);
 }
 
 TEST(Reference, HasEverySectionOfADeckAndAStudyWithAllOfItsKeys) {

@@ -1,0 +1,126 @@
+// What a deck may say of cracks and voids that the points of its mesh do not resolve.
+#include <map>
+#include <stdexcept>
+
+#include "sections.hpp"
+
+namespace pd {
+
+namespace {
+
+using Declarations = ParameterDeclarations;
+
+Declarations typed(const std::string& type) {
+  Declarations declare;
+  declare.text("Type", "Form of the discontinuity.").oneOf({type}).required();
+  return declare;
+}
+
+std::map<std::string, Declarations> declareCracks() {
+  std::map<std::string, Declarations> cracks;
+  Declarations& line = cracks["Polyline"] = typed("Polyline");
+  line.reals("Points", "m",
+             "In a plane: x and y of each of its points in turn, [x1, y1, x2, y2 ...], two points or more.")
+      .required();
+  Declarations& polygon = cracks["Polygon"] = typed("Polygon");
+  polygon
+      .reals("Corners", "m",
+             "In space: x, y and z of the corners of a flat, convex polygon in turn, three corners or more.")
+      .required();
+  Declarations& disk = cracks["Disk"] = typed("Disk");
+  disk.reals("Center", "m", "In space: centre of a round crack, [x, y, z].").required();
+  disk.reals("Normal", "1", "Direction across it, [x, y, z], of any length.").required();
+  disk.real("Radius", "m", "Radius of the crack.").positive().required();
+  return cracks;
+}
+
+std::map<std::string, Declarations> declareVoids() {
+  std::map<std::string, Declarations> voids;
+  Declarations& circle = voids["Circle"] = typed("Circle");
+  circle.reals("Center", "m", "In a plane: centre of the hole, [x, y].").required();
+  circle.real("Radius", "m", "Radius of the hole.").positive().required();
+  Declarations& ellipse = voids["Ellipse"] = typed("Ellipse");
+  ellipse.reals("Center", "m", "In a plane: centre of the hole, [x, y].").required();
+  ellipse.reals("Half Axes", "m", "Its half axes, [a, b].").required();
+  ellipse.real("Angle", "rad", "From x to the first axis; 30 deg is read, too.").defaultTo(0.0);
+  Declarations& polygon = voids["Polygon"] = typed("Polygon");
+  polygon
+      .reals("Corners", "m",
+             "In a plane: x and y of the corners in turn, three corners or more; convex or not, without crossings.")
+      .required();
+  Declarations& sphere = voids["Sphere"] = typed("Sphere");
+  sphere.reals("Center", "m", "In space: centre of the pore, [x, y, z].").required();
+  sphere.real("Radius", "m", "Radius of the pore.").positive().required();
+  Declarations& ellipsoid = voids["Ellipsoid"] = typed("Ellipsoid");
+  ellipsoid.reals("Center", "m", "In space: centre of the pore, [x, y, z].").required();
+  ellipsoid.reals("Half Axes", "m", "Its half axes, [a, b, c].").required();
+  ellipsoid.reals("First Axis", "1", "Direction of the first of them, [x, y, z], of any length (default: x).");
+  ellipsoid.reals(
+      "Second Axis", "1",
+      "Direction of the second, of which what is across the first counts (default: y). The third is across both.");
+  ellipsoid.needs("First Axis", {"Second Axis"});
+  ellipsoid.needs("Second Axis", {"First Axis"});
+  Declarations& cylinder = voids["Cylinder"] = typed("Cylinder");
+  cylinder.reals("Center", "m", "In space: a point of the axis of a hole through the whole body, [x, y, z].")
+      .required();
+  cylinder.reals("Axis", "1", "Direction of the axis, [x, y, z], of any length.").required();
+  cylinder.real("Radius", "m", "Radius of the hole.").positive().required();
+  return voids;
+}
+
+const std::map<std::string, Declarations>& cracks() {
+  static const std::map<std::string, Declarations> declarations = declareCracks();
+  return declarations;
+}
+
+const std::map<std::string, Declarations>& voids() {
+  static const std::map<std::string, Declarations> declarations = declareVoids();
+  return declarations;
+}
+
+const Declarations& found(const std::map<std::string, Declarations>& all, const std::string& what,
+                          const std::string& type) {
+  const auto it = all.find(type);
+  if (it == all.end()) throw std::invalid_argument("unknown type of " + what + " \"" + type + "\"");
+  return it->second;
+}
+
+}  // namespace
+
+std::vector<std::string> crackTypes() { return {"Polyline", "Polygon", "Disk"}; }
+std::vector<std::string> voidTypes() { return {"Circle", "Ellipse", "Polygon", "Sphere", "Ellipsoid", "Cylinder"}; }
+const Declarations& crackDeclarations(const std::string& type) { return found(cracks(), "crack", type); }
+const Declarations& voidDeclarations(const std::string& type) { return found(voids(), "void", type); }
+
+void declareBondDecomposition(Declarations& declare) {
+  declare
+      .text(
+          "Rule",
+          "Adaptive: the share of connections between two cells that meet no crack and no void, by lines that get "
+          "finer until it changes by no more than Tolerance. Uniform: the same by all pairs of Partitions^D middles of "
+          "equal parts of each cell. Intersection, Both, Either, for comparison: bonds are cut as a whole where the "
+          "line "
+          "between their points meets a crack or void; at the tips of cracks in a plane those, whose two ends are "
+          "beside "
+          "the crack, or one of them.")
+      .oneOf({"Adaptive", "Uniform", "Intersection", "Both", "Either"})
+      .defaultTo("Adaptive")
+      .from("Liu & Bao, Aerospace 9 (2022) 641, sections 2.3.1 and 3.1");
+  declare.real("Tolerance", "1", "Of the share of a bond that is left, by the rule Adaptive.")
+      .between(1e-6, 0.1)
+      .defaultTo(1e-3);
+  declare
+      .integer(
+          "Partitions",
+          "Parts of a cell along each of its edges, by the rule Uniform: work goes as their third power in a plane, "
+          "as their fifth in space.")
+      .between(1, 64)
+      .defaultTo(20);
+  declare
+      .flag("Cracks Count In Damage",
+            "true: what Cracks take of a point's bonds counts as broken in its Damage; false: as if it had never been. "
+            "What Voids take never counts.")
+      .defaultTo(true);
+}
+
+}  // namespace pd

@@ -1,0 +1,233 @@
+#include "unresolved_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "discontinuity_reader.hpp"
+#include "mesh_geometry.hpp"
+
+namespace pd {
+
+using decomposition::Cell;
+using decomposition::NearDiscontinuities;
+
+namespace {
+
+/// Cells that have less material are left out.
+constexpr double leastSolid = 1e-3;
+
+decomposition::DecompositionRule ruleOf(const DeckNode& section) {
+  using Kind = decomposition::DecompositionRule::Kind;
+  const std::map<std::string, Kind> kinds{{"Adaptive", Kind::Adaptive},
+                                          {"Uniform", Kind::Uniform},
+                                          {"Intersection", Kind::Intersection},
+                                          {"Both", Kind::Both},
+                                          {"Either", Kind::Either}};
+  decomposition::DecompositionRule rule;
+  rule.kind = kinds.at(section.text("Rule", "Adaptive"));
+  rule.tolerance = section.real("Tolerance", rule.tolerance);
+  rule.partitions = section.integer("Partitions", rule.partitions);
+  return rule;
+}
+
+/// Keeps the entries of `values`, `width` each, whose points are kept.
+template <class Value>
+void keep(const std::vector<char>& isKept, std::size_t width, std::vector<Value>& values) {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+    for (std::size_t d = 0; isKept[i] != 0 && d < width; ++d) values[out++] = values[width * i + d];
+  values.resize(out);
+}
+
+void keepPoints(const std::vector<char>& isKept, MeshPoints& points, NodeSets& nodeSets) {
+  std::vector<int> newId(isKept.size(), -1);
+  int n = 0;
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+    if (isKept[i] != 0) newId[i] = n++;
+  keep(isKept, 3, points.x);
+  keep(isKept, 1, points.volume);
+  keep(isKept, 1, points.blockId);
+  keep(isKept, 1, points.line);
+  points.nRows = n;
+  for (NodeSets* sets : {&points.nodeSets, &nodeSets})
+    for (auto& [name, ids] : *sets) {
+      for (int& id : ids) id = newId[static_cast<std::size_t>(id)];
+      ids.erase(std::remove(ids.begin(), ids.end(), -1), ids.end());
+    }
+}
+
+}  // namespace
+
+UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(deck), dimension_(dimension) {
+  const DeckNode section = deck["Discretization"];
+  read(section["Cracks"], true);
+  read(section["Voids"], false);
+  const DeckNode rule = section["Bond Decomposition"];
+  rule_ = ruleOf(rule);
+  countsCracks_ = rule.flag("Cracks Count In Damage", true);
+  if (empty()) {
+    if (rule)
+      deck.mistakes().add(rule.keyPlace(),
+                          "Bond Decomposition says how Cracks and Voids are brought to the bonds, but "
+                          "Discretization has neither; add one, or remove this");
+    return;
+  }
+  if (dimension == 1)
+    deck.mistakes().add(entries_.front().place, "cracks and voids need a mesh that fills a plane or space, not a line");
+  if (const DeckNode symmetry = section["Symmetry"])
+    deck.mistakes().add(symmetry.keyPlace(),
+                        "Cracks and Voids do not go with planes of symmetry; make the mesh of the whole body");
+}
+
+void UnresolvedGeometry::read(const DeckNode& list, bool areCracks) {
+  for (const auto& [name, node] : list.entries()) {
+    try {
+      DiscontinuityForm form = areCracks ? readCrack(node, dimension_) : readVoid(node, dimension_);
+      entries_.push_back(
+          {node.keyPlace(), node.path(), areCracks, false, std::move(form.screens), std::move(form.voids)});
+      for (const auto& screen : entries_.back().screens) entryOf_[screen.get()] = entries_.size() - 1;
+    } catch (const DeckError& error) {
+      deck_.mistakes().add("", error.what());
+    }
+  }
+}
+
+std::array<int, 3> UnresolvedGeometry::binOf(const double* place) const {
+  std::array<int, 3> bin{};
+  for (std::size_t d = 0; d < 3; ++d)
+    bin[d] = static_cast<int>(std::clamp((place[d] - origin_[d]) / binEdge_, -1.0, static_cast<double>(nBins_[d])));
+  return bin;
+}
+
+void UnresolvedGeometry::sortIntoBins(const MeshPoints& points, double reach) {
+  const BoundingBox box = boundingBox(points);
+  binEdge_ = std::max(reach, 1e-3 * box.diagonal());
+  for (std::size_t d = 0; d < 3; ++d) {
+    origin_[d] = box.low[d];
+    nBins_[d] = static_cast<int>((box.high[d] - box.low[d]) / binEdge_) + 1;
+  }
+  const auto forEachBin = [&](decomposition::Box around, const auto& visit) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      around.low[d] -= reach;
+      around.high[d] += reach;
+      if (around.high[d] < box.low[d] || around.low[d] > box.high[d]) return;
+    }
+    std::array<int, 3> low = binOf(around.low.data()), high = binOf(around.high.data()), bin{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::max(low[d], 0);
+      high[d] = std::min(high[d], nBins_[d] - 1);
+    }
+    for (bin[0] = low[0]; bin[0] <= high[0]; ++bin[0])
+      for (bin[1] = low[1]; bin[1] <= high[1]; ++bin[1])
+        for (bin[2] = low[2]; bin[2] <= high[2]; ++bin[2]) visit(bins_[bin]);
+  };
+  for (const Entry& entry : entries_) {
+    for (const auto& screen : entry.screens)
+      forEachBin(screen->box(), [&](NearDiscontinuities& bin) { bin.screens.push_back(screen.get()); });
+    for (const auto& v : entry.voids)
+      forEachBin(v->box(), [&](NearDiscontinuities& bin) { bin.voids.push_back(v.get()); });
+  }
+}
+
+const NearDiscontinuities& UnresolvedGeometry::near(const double* place) const {
+  static const NearDiscontinuities none;
+  const auto bin = bins_.find(binOf(place));
+  return bin == bins_.end() ? none : bin->second;
+}
+
+Cell UnresolvedGeometry::cellOf(const double* place, double spacing) const {
+  Cell cell{{place[0], place[1], dimension_ == 2 ? 0.0 : place[2]}, {}, dimension_};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) cell.edges[k][k] = spacing;
+  return cell;
+}
+
+void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, std::vector<double>& spacing,
+                                        double horizon) {
+  const double widest = *std::max_element(spacing.begin(), spacing.end());
+  sortIntoBins(points, horizon + 2.0 * widest);
+  std::vector<char> isKept(spacing.size(), 1);
+  solid_.assign(spacing.size(), 1.0);
+  for (int i = 0; i < points.size(); ++i) {
+    const Cell cell = cellOf(points.at(i), spacing[i]);
+    const NearDiscontinuities within = nearBox(near(points.at(i)), boxAround(cell, cell));
+    solid_[i] = solidShare(cell, within.voids);
+    isKept[i] = solid_[i] > leastSolid ? 1 : 0;
+    if (solid_[i] == 1.0) continue;
+    for (Entry& entry : entries_)
+      for (const auto& v : entry.voids)
+        if (std::find(within.voids.begin(), within.voids.end(), v.get()) != within.voids.end()) entry.isMet = true;
+  }
+  const auto nLeft = static_cast<int>(std::count(isKept.begin(), isKept.end(), 1));
+  if (nLeft == points.size()) return;
+  if (nLeft == 0) throw DeckError(deck_["Discretization"]["Voids"].keyPlace() + ": Voids leave nothing of the body");
+  deck_.warnings().add(deck_["Discretization"]["Voids"].keyPlace(),
+                       fmt::format("{} of the {} points of {} lie in Voids and are left out; the others are numbered "
+                                   "without them",
+                                   points.size() - nLeft, points.size(), points.fileName));
+  keepPoints(isKept, points, nodeSets);
+  keep(isKept, 1, spacing);
+  keep(isKept, 1, solid_);
+}
+
+void UnresolvedGeometry::markMet(const NearDiscontinuities& near, const Cell& a, const Cell& b) {
+  for (const decomposition::Screen* screen : nearBox(near, boxAround(a, b)).screens)
+    if (screen->isBetween(a, b)) entries_[entryOf_.at(screen)].isMet = true;
+}
+
+void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<double>& spacing,
+                                   const Communicator& comm, Discretization& d) {
+  std::vector<const decomposition::Screen*> cracks;
+  for (const Entry& entry : entries_)
+    for (const auto& screen : entry.screens)
+      if (entry.isCrack) cracks.push_back(screen.get());
+  std::sort(cracks.begin(), cracks.end());
+  const auto isCrack = [&](const auto* screen) { return std::binary_search(cracks.begin(), cracks.end(), screen); };
+
+  d.isDecomposed = true;
+  std::size_t out = 0, bond = 0, outBond = 0;
+  for (int i = 0; i < d.nOwned; ++i) {
+    const int id = d.globalIds[i];
+    const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
+    const int n = *entry;
+    const NearDiscontinuities& around = near(points.at(id));
+    NearDiscontinuities withoutCracks = around;
+    auto& kept = withoutCracks.screens;
+    kept.erase(std::remove_if(kept.begin(), kept.end(), isCrack), kept.end());
+    const bool hasCracks = kept.size() < around.screens.size();
+    const std::size_t start = out++;
+    double counted = 0.0;
+    for (int k = 0; k < n; ++k, ++bond) {
+      const int j = entry[k + 1], other = d.globalIds[j];
+      double share = 1.0, before = 1.0;
+      if (!around.empty()) {
+        const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
+        const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
+        share = before = interactionShare(a, b, around, rule_);
+        if (share < 1.0) markMet(around, a, b);
+        if (share < 1.0 && hasCracks && countsCracks_) before = interactionShare(a, b, withoutCracks, rule_);
+      }
+      counted += before;
+      if (share == 0.0) continue;
+      d.neighborhoodList[out++] = j;
+      if (!d.bondIsCut.empty()) d.bondIsCut[outBond] = d.bondIsCut[bond];
+      ++outBond;
+      d.interactionShare.push_back(share);
+    }
+    d.countedBonds.push_back(counted);
+    d.neighborhoodList[start] = static_cast<int>(out - start - 1);
+    d.neighborhoodStart[i] = static_cast<long long>(start);
+  }
+  d.neighborhoodList.resize(out);
+  d.neighborhoodStart.back() = static_cast<long long>(out);
+  if (!d.bondIsCut.empty()) d.bondIsCut.resize(outBond);
+  d.cellVolume = d.volume;
+  for (int i = 0; i < d.nPoints; ++i) d.volume[i] *= solid_[d.globalIds[i]];
+  for (const Entry& entry : entries_)
+    if (!comm.any(entry.isMet))
+      deck_.mistakes().add(entry.place, entry.path + " meets no cell and no bond of the body, whose points fill " +
+                                            boundingBox(points).text() + " m; move it, or remove it");
+}
+
+}  // namespace pd

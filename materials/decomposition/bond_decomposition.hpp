@@ -1,0 +1,55 @@
+// Bond decomposition (Liu & Bao, Aerospace 9 (2022) 641): a bond stands for the connections of all places in the cells
+// of its two points, and carries the share of them that meets no crack and no void.
+#ifndef PD_BOND_DECOMPOSITION_HPP
+#define PD_BOND_DECOMPOSITION_HPP
+
+#include <memory>
+#include <vector>
+
+#include "discontinuities.hpp"
+
+namespace pd::decomposition {
+
+/// How the connections of two cells are counted.
+struct DecompositionRule {
+  enum class Kind {
+    Adaptive,      ///< lines in one cell, finer and finer until the share changes by no more than `tolerance`
+    Uniform,       ///< all pairs of n^D middles of equal parts of both cells: eqs. 13 and 14 there
+    Intersection,  ///< the bond between the two points alone
+    Both,          ///< the same, but at cracks in the plane by TipRule::Both
+    Either         ///< TipRule::Either
+  };
+  Kind kind = Kind::Adaptive;
+  double tolerance = 1e-3;
+  int partitions = 20;  ///< n of Uniform
+};
+
+/// Cracks and voids of a body.
+struct Discontinuities {
+  std::vector<std::unique_ptr<Screen>> screens;  ///< cracks, and the surfaces of voids
+  std::vector<std::unique_ptr<Void>> voids;
+};
+
+/// What of the discontinuities is near a bond or a cell.
+struct NearDiscontinuities {
+  std::vector<const Screen*> screens;
+  std::vector<const Void*> voids;
+  bool empty() const { return screens.empty() && voids.empty(); }
+};
+
+/// Those that meet the box.
+NearDiscontinuities nearBox(const NearDiscontinuities& candidates, const Box& box);
+
+/// Share of the cell's volume that is outside of all voids, within 1e-3 of what they take.
+double solidShare(const Cell& cell, const std::vector<const Void*>& voids);
+
+/// eta V'_a V'_b/(V_a V_b) of eqs. 11 and 15 there, V' being the volumes of the cells and V those of the material in
+/// them: the share, of the pairs of places with material in the two cells, of those whose connection meets no crack and
+/// no void. 0 where it is below 1e-6. The two cells may not be exchanged without changing the last digits.
+/// `nLines`, where given, is raised by the lines that it took.
+double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, const DecompositionRule& rule,
+                        long long* nLines = nullptr);
+
+}  // namespace pd::decomposition
+
+#endif

@@ -1,0 +1,97 @@
+// Cracks and voids that the points of a mesh do not resolve: what they hide of a place from another one.
+#ifndef PD_DISCONTINUITIES_HPP
+#define PD_DISCONTINUITIES_HPP
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "places.hpp"
+
+namespace pd::decomposition {
+
+/// From `low` to `high`; nothing where low >= high.
+struct Range {
+  double low, high;
+};
+
+/// The parallelepiped that a point stands for: centre + sum of s_k edge_k, |s_k| <= 1/2. In a plane the third edge is
+/// 0.
+struct Cell {
+  Place center;
+  std::array<Place, 3> edges;
+  int dimension = 3;
+  /// Places of its corners, 4 in a plane and 8 in space.
+  std::vector<Place> corners() const;
+};
+
+/// Parallel straight lines of one length: line r is start_r + s step, 0 <= s <= 1.
+struct Lines {
+  std::array<std::vector<double>, 3> start;  ///< [3][lines] m
+  Place step{};
+  std::size_t size() const { return start[0].size(); }
+};
+
+struct Box {
+  Place low, high;
+  bool meets(const Box& other) const;
+};
+/// Of both cells, and all that is between them.
+Box boxAround(const Cell& a, const Cell& b);
+
+/// Rules by which a bond is cut as a whole where it passes the end of a crack (Liu & Bao, Aerospace 9 (2022) 641,
+/// section 2.3.1): where the feet of both of its ends are beside the crack, or of one at least.
+enum class TipRule { Both, Either };
+
+/// A flat crack, or a convex body, that no straight connection may meet.
+class Screen {
+ public:
+  virtual ~Screen() = default;
+  /// Which part of each line `place` does not see, in s: an interval for convex screens; [lines] each, nothing where
+  /// from >= to. A place on a crack belongs to the side that its normal points to.
+  virtual void hide(const Place& place, const Lines& lines, double* from, double* to) const = 0;
+  /// False only where no connection of the two cells meets it.
+  virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
+  virtual Box box() const = 0;
+  /// Share of the connections of all places of both cells that meet it, where that is known in closed form or nearly
+  /// so.
+  virtual std::optional<double> hiddenShare(const Cell&, const Cell&) const { return std::nullopt; }
+  /// By a rule for tips; nothing where the screen has none.
+  virtual std::optional<bool> cuts(const Place&, const Place&, TipRule) const { return std::nullopt; }
+};
+
+/// A part of space without material.
+class Void {
+ public:
+  virtual ~Void() = default;
+  virtual bool contains(const Place& place) const = 0;
+  /// Adds the ranges of s that it takes of the line start + s step.
+  virtual void addWithin(const Place& start, const Place& step, std::vector<Range>& ranges) const = 0;
+  virtual Box box() const = 0;
+  /// Heights along `axis` (of any length; height = place . axis) at which cross-sections change their form.
+  virtual std::vector<double> heights(const Place& axis) const = 0;
+};
+
+/// A segment of a crack in the plane from a to b.
+std::unique_ptr<Screen> segmentScreen(const Place& a, const Place& b);
+/// A flat, convex polygon in space, of three corners or more in turn.
+std::unique_ptr<Screen> polygonScreen(const std::vector<Place>& corners);
+/// A round crack in space. `normal`: of any length but 0.
+std::unique_ptr<Screen> diskScreen(const Place& center, const Place& normal, double radius);
+
+/// The ellipsoid |sum_k unit_k ((x - center).axis_k)/|axis_k|^2| < 1 with the half-axes axis_k, perpendicular to each
+/// other. Axes that are left out are infinitely long: two of them make an elliptic hole in the plane, or a cylinder.
+struct Ellipsoid {
+  Place center{};
+  std::vector<Place> halfAxes;
+};
+std::unique_ptr<Screen> ellipsoidScreen(const Ellipsoid& shape);
+std::unique_ptr<Void> ellipsoidVoid(const Ellipsoid& shape);
+
+/// The inside of a polygon in the plane, convex or not; its edges are screens of their own (segmentScreen).
+std::unique_ptr<Void> polygonVoid(const std::vector<Place>& corners);
+
+}  // namespace pd::decomposition
+
+#endif
