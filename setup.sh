@@ -17,7 +17,7 @@ packages=(
   # compiler and build
   build-essential cmake ninja-build ccache pkg-config clang-format
   # distributed vectors, linear solvers, partition, files
-  libopenmpi-dev openmpi-bin trilinos-all-dev libptscotch-dev libhdf5-openmpi-dev libnetcdf-mpi-dev
+  libopenmpi-dev openmpi-bin trilinos-all-dev libmumps-dev libptscotch-dev libhdf5-openmpi-dev libnetcdf-mpi-dev
   # decks, functions, command line, text, search, random numbers
   libyaml-cpp-dev libtinyxml2-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
   # tests and benchmarks

@@ -28,12 +28,17 @@ class BoundaryConditions {
   BoundaryConditions(const Deck& deck, Model& model);
   ~BoundaryConditions();
 
+  /// Each of them, in the order of the deck: for what a solver asks of one kind alone.
+  const std::vector<Teuchos::RCP<Condition>>& all() const { return conditions_; }
+
   /// What the log should say of them, a line each.
   std::vector<std::string> notes() const;
 
   /// From now on the solver at work counts `scale` seconds where the run counts one. Times that it hands over are its
   /// own; values are those of the run's time, t / scale, and velocities those in its seconds.
   void setTimeScale(double scale);
+  /// Time of the run at a time of the solver at work.
+  double runTime(double ownTime) const { return timeScale_ == 1.0 ? ownTime : ownTime / timeScale_; }
   /// Initial displacements, velocities and values; ghosts included.
   void applyInitial();
   /// Sets prescribed displacements and values for time t in the fields' NP1, ghosts included, and, where there is a
@@ -67,7 +72,6 @@ class BoundaryConditions {
   const std::vector<char>& valueIsPrescribed(const std::string& field) const;
 
  private:
-  double runTime(double ownTime) const { return timeScale_ == 1.0 ? ownTime : ownTime / timeScale_; }
   void markNoFailure();
   template <class Hook>
   void callEach(const Hook& hook) const;

@@ -6,3 +6,5 @@ find_package(tinyxml2 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(muparser REQUIRED)
+# MUMPS, by its own interface: Debian's Amesos2 hides it.
+find_library(MUMPS_LIBRARY dmumps REQUIRED)

@@ -255,6 +255,12 @@ FieldDescription coordinates() {
 }
 FieldDescription displacement() { return steppedVector("Displacement", "m", "Displacement."); }
 FieldDescription velocity() { return steppedVector("Velocity", "m/s", "Velocity."); }
+FieldDescription velocityRate() {
+  FieldDescription field = steppedVector("Velocity_Flux_Divergence", "m/s2", "Rate of the velocity at a fixed place.");
+  field.rateOf = "Velocity";
+  return field;
+}
+FieldDescription pressure() { return pointScalar("Pressure", "Pa", "Pressure of the fluid.").state(); }
 FieldDescription volume() { return elementScalar("Volume", "m3", "Volume of the point's cell."); }
 FieldDescription blockId() { return elementScalar("Block_Id", "1", "Number of the point's block."); }
 FieldDescription elementId() { return elementScalar("Element_Id", "1", "Number of the point in the mesh, from 1."); }

@@ -208,6 +208,9 @@ FieldDescription modelCoordinates();
 FieldDescription coordinates();
 FieldDescription displacement();
 FieldDescription velocity();
+/// Of a fluid: its rate, at points that stay where they are, and the pressure.
+FieldDescription velocityRate();
+FieldDescription pressure();
 FieldDescription volume();
 FieldDescription blockId();
 FieldDescription elementId();

@@ -123,6 +123,14 @@ std::vector<Sample> materialSamples() {
   corrosion.set<std::string>("Current Density", "1.0e5*exp(100.0*C)");
   samples.push_back({"Corrosion", "Corrosion Dissolution", 3, corrosion});
   samples.push_back({"CorrosionOfAPlate", "Corrosion Dissolution", 2, plate(corrosion, "Plane Strain")});
+  Teuchos::ParameterList water;
+  water.set("Density", 2.0);
+  water.set("Viscosity", 0.3);
+  for (const int dimension : {2, 3}) {
+    samples.push_back({dimension == 2 ? "FlowInThePlane" : "FlowInSpace", "Navier Stokes", dimension,
+                       dimension == 2 ? withText(plate(water, "Plane Strain"), "Viscous Kernel", "Transverse") : water});
+    samples.back().conserves = false;  // nor need walls
+  }
   const auto material = [](const std::vector<PartSample>& parts) {
     return combined("Materials", "Material Model", parts);
   };

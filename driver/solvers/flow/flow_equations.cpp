@@ -1,0 +1,228 @@
+#include "flow_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pd {
+
+FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
+                             double smoothing)
+    : simulation_(simulation),
+      model_(simulation.model),
+      geometry_(simulation, law, flowBlocks),
+      smoothing_(smoothing),
+      density_(law.density),
+      viscosity_(law.viscosity),
+      n_(static_cast<std::size_t>(geometry_.dimension())) {
+  unit_ = HUGE_VAL;
+  for (const int point : geometry_.fluid()) unit_ = std::min(unit_, geometry_.spacingOf(point));
+  unit_ = model_.comm().min(unit_);
+}
+
+void FlowEquations::setTime(double t) {
+  double* fluid = model_.field("Fluid");
+  std::fill_n(fluid, model_.nPoints(), 0.0);
+  for (const int point : geometry_.fluid()) fluid[point] = 1.0;
+  model_.importGhosts("Fluid");
+  rows_ = makeFlowRows(geometry_, model_.comm(), t);
+  pockets_ = findFlowPockets(model_, geometry_, rows_);
+  numberUnknowns();
+  refreshSmoothing();
+}
+
+/// Those of a rank in sequence: its points', then lambda of the closed pockets whose first points it has.
+void FlowEquations::numberUnknowns() {
+  ownPockets_.clear();
+  for (std::size_t k = 0; k < pockets_.pockets.size(); ++k)
+    if (!pockets_.pockets[k].isOpen && pockets_.pockets[k].firstPoint >= 0) ownPockets_.push_back(static_cast<int>(k));
+  const long long own = static_cast<long long>(geometry_.fluid().size() * (n_ + 1) + ownPockets_.size());
+  long long first = 0;
+  MPI_Exscan(&own, &first, 1, MPI_LONG_LONG, MPI_SUM, model_.comm().mpi());
+  if (model_.comm().isRoot()) first = 0;
+  firstColumn_.assign(static_cast<std::size_t>(model_.nPoints()), -1.0);
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row)
+    firstColumn_[index(geometry_.fluid()[row])] = static_cast<double>(first) + static_cast<double>(place(row, 0));
+  model_.exchange().import(firstColumn_.data(), 1, std::nullopt);
+  pocketColumn_.assign(pockets_.pockets.size(), -1);
+  lambda_.resize(pockets_.pockets.size(), 0.0);
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    pocketColumn_[static_cast<std::size_t>(ownPockets_[k])] =
+        first + static_cast<long long>(place(geometry_.fluid().size(), 0) + k);
+  MPI_Allreduce(MPI_IN_PLACE, pocketColumn_.data(), static_cast<int>(pocketColumn_.size()), MPI_LONG_LONG, MPI_MAX,
+                model_.comm().mpi());
+}
+
+long long FlowEquations::column(int point, std::size_t component) const {
+  return static_cast<long long>(firstColumn_[index(point)]) + static_cast<long long>(component);
+}
+
+double FlowEquations::speed(int point) const {
+  const double* v = model_.field("Velocity") + 3 * point;
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+void FlowEquations::refreshSmoothing() {
+  tau_.clear();
+  for (const int point : geometry_.fluid()) {
+    const double h = geometry_.spacingOf(point), cellReynolds = density_ * speed(point) * h / viscosity_;
+    tau_.push_back(smoothing_ * h * h / (viscosity_ * (1.0 + 0.25 * cellReynolds)));
+  }
+}
+
+std::array<double, 9> FlowEquations::gradientAt(std::size_t row) const {
+  const double* velocity = model_.field("Velocity");
+  std::array<double, 9> gradient = rows_.gradient.constants[row];
+  for (const auto* term = rows_.gradient.begin(row); term != rows_.gradient.end(row); ++term)
+    for (std::size_t a = 0; a < n_; ++a)
+      for (std::size_t b = 0; b < n_; ++b)
+        gradient[3 * a + b] += term->weights[3 * a + b] * velocity[3 * index(term->point) + a];
+  return gradient;
+}
+
+std::vector<double> FlowEquations::residual(bool hasConvection) const {
+  const double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
+  const double ofMomentum = unit_ * unit_ / viscosity_;
+  std::vector<double> result(place(geometry_.fluid().size(), 0) + ownPockets_.size(), 0.0);
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    const int point = geometry_.fluid()[row];
+    double* own = &result[place(row, 0)];
+    if (hasConvection) {
+      const std::array<double, 9> gradient = gradientAt(row);
+      for (std::size_t a = 0; a < n_; ++a)
+        for (std::size_t b = 0; b < n_; ++b)
+          own[a] += density_ * velocity[3 * index(point) + b] * gradient[3 * a + b] * ofMomentum;
+    }
+    for (std::size_t a = 0; a < n_; ++a)
+      own[a] +=
+          (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a]) * ofMomentum;
+    for (const auto* term = rows_.pressureGradient.begin(row); term != rows_.pressureGradient.end(row); ++term)
+      for (std::size_t a = 0; a < n_; ++a) own[a] += term->weights[a] * pressure[term->point] * ofMomentum;
+    for (const auto* term = rows_.viscous.begin(row); term != rows_.viscous.end(row); ++term)
+      for (std::size_t a = 0; a < n_; ++a)
+        for (std::size_t b = 0; b < n_; ++b)
+          own[a] -= viscosity_ * term->weights[3 * a + b] * velocity[3 * index(term->point) + b] * ofMomentum;
+
+    double& mass = own[n_];
+    mass = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
+    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
+      for (std::size_t a = 0; a < n_; ++a) mass += term->weights[a] * velocity[3 * index(term->point) + a] * unit_;
+    for (const auto* term = rows_.smoothing.begin(row); term != rows_.smoothing.end(row); ++term)
+      mass -= tau_[row] * term->weights[0] * pressure[term->point] * unit_;
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    if (pocketColumn_[pocket] >= 0) mass += lambda_[pocket];
+  }
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    result[place(geometry_.fluid().size(), 0) + k] =
+        pressure[pockets_.pockets[static_cast<std::size_t>(ownPockets_[k])].firstPoint] * unit_ / viscosity_;
+  return result;
+}
+
+SparseRows FlowEquations::matrix(bool hasConvection) const {
+  const double* velocity = model_.field("Velocity");
+  const double ofMomentum = unit_ * unit_ / viscosity_, ofPressure = viscosity_ / unit_;
+  SparseRows result;
+  std::vector<std::pair<long long, double>> entries;
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    const int point = geometry_.fluid()[row];
+    const std::array<double, 9> gradient = hasConvection ? gradientAt(row) : std::array<double, 9>{};
+    for (std::size_t a = 0; a < n_; ++a) {
+      entries.clear();
+      for (const auto* term = rows_.viscous.begin(row); term != rows_.viscous.end(row); ++term)
+        for (std::size_t b = 0; b < n_; ++b)
+          if (term->weights[3 * a + b] != 0.0)
+            entries.emplace_back(column(term->point, b), -viscosity_ * term->weights[3 * a + b] * ofMomentum);
+      for (const auto* term = rows_.pressureGradient.begin(row); term != rows_.pressureGradient.end(row); ++term)
+        entries.emplace_back(column(term->point, n_), term->weights[a] * ofMomentum * ofPressure);
+      if (hasConvection) {
+        for (const auto* term = rows_.gradient.begin(row); term != rows_.gradient.end(row); ++term) {
+          double along = 0.0;
+          for (std::size_t b = 0; b < n_; ++b) along += velocity[3 * index(point) + b] * term->weights[3 * a + b];
+          entries.emplace_back(column(term->point, a), density_ * along * ofMomentum);
+        }
+        for (std::size_t b = 0; b < n_; ++b)
+          entries.emplace_back(column(point, b), density_ * gradient[3 * a + b] * ofMomentum);
+      }
+      result.addRow(entries);
+    }
+    entries.clear();
+    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
+      for (std::size_t a = 0; a < n_; ++a) entries.emplace_back(column(term->point, a), term->weights[a] * unit_);
+    for (const auto* term = rows_.smoothing.begin(row); term != rows_.smoothing.end(row); ++term)
+      entries.emplace_back(column(term->point, n_), -tau_[row] * term->weights[0] * unit_ * ofPressure);
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    if (pocketColumn_[pocket] >= 0) entries.emplace_back(pocketColumn_[pocket], 1.0);
+    result.addRow(entries);
+  }
+  for (const int pocket : ownPockets_) {
+    entries = {{column(pockets_.pockets[static_cast<std::size_t>(pocket)].firstPoint, n_), 1.0}};
+    result.addRow(entries);
+  }
+  return result;
+}
+
+void FlowEquations::add(double factor, const std::vector<double>& change) {
+  double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    const std::size_t point = index(geometry_.fluid()[row]);
+    for (std::size_t a = 0; a < n_; ++a) velocity[3 * point + a] += factor * change[place(row, a)];
+    pressure[point] += factor * change[place(row, n_)] * viscosity_ / unit_;
+  }
+  std::vector<double> ofPockets(lambda_.size(), 0.0);
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    ofPockets[static_cast<std::size_t>(ownPockets_[k])] = factor * change[place(geometry_.fluid().size(), 0) + k];
+  MPI_Allreduce(MPI_IN_PLACE, ofPockets.data(), static_cast<int>(ofPockets.size()), MPI_DOUBLE, MPI_SUM,
+                model_.comm().mpi());
+  for (std::size_t k = 0; k < lambda_.size(); ++k) lambda_[k] += ofPockets[k];
+  model_.importGhosts("Velocity");
+  model_.importGhosts("Pressure");
+}
+
+void FlowEquations::settle(double t) {
+  double* pressure = model_.field("Pressure");
+  const std::vector<double>& volume = model_.discretization().volume;
+  std::vector<double> means(pockets_.pockets.size(), 0.0);
+  for (const int point : geometry_.fluid()) {
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    means[pocket] += pressure[point] * volume[index(point)] / pockets_.pockets[pocket].volume;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, means.data(), static_cast<int>(means.size()), MPI_DOUBLE, MPI_SUM, model_.comm().mpi());
+  for (const int point : geometry_.fluid()) {
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    if (!pockets_.pockets[pocket].isOpen) pressure[point] -= means[pocket];
+  }
+  simulation_.conditions.applyPrescribed(t);
+  model_.importGhosts("Pressure");
+}
+
+double FlowEquations::largestSpeed() const {
+  double largest = 0.0;
+  for (const int point : geometry_.fluid()) largest = std::max(largest, speed(point));
+  return model_.comm().max(largest);
+}
+
+double FlowEquations::largestCellReynolds() const {
+  double largest = 0.0;
+  for (const int point : geometry_.fluid())
+    largest = std::max(largest, density_ * speed(point) * geometry_.spacingOf(point) / viscosity_);
+  return model_.comm().max(largest);
+}
+
+double FlowEquations::leakage() const {
+  double largest = 0.0;
+  for (const double value : lambda_) largest = std::max(largest, std::abs(value) / unit_);
+  return largest;
+}
+
+double FlowEquations::largestDivergence() const {
+  const double* velocity = model_.field("Velocity");
+  double largest = 0.0;
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    double sum = rows_.divergence.constants[row][0];
+    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
+      for (std::size_t a = 0; a < n_; ++a) sum += term->weights[a] * velocity[3 * index(term->point) + a];
+    largest = std::max(largest, std::abs(sum));
+  }
+  return model_.comm().max(largest);
+}
+
+}  // namespace pd

@@ -1,0 +1,73 @@
+// The equations of a steady flow: their residual and their matrix.
+#ifndef PD_FLOW_EQUATIONS_HPP
+#define PD_FLOW_EQUATIONS_HPP
+
+#include <memory>
+#include <vector>
+
+#include "../../linear/row_system.hpp"
+#include "flow_pockets.hpp"
+
+namespace pd {
+
+/// Of each fluid point, with velocity v and pressure p,
+///   rho (v.grad) v + grad p - mu lap v = 0,
+///   div v - tau S p + lambda = 0,
+/// S the smoothing of FlowRows, tau = c h^2/(mu (1 + rho |v| h/(4 mu))), h the spacing, v that of the last iterate: c
+/// h^2/mu where viscosity rules a bond, and of the order of h/(rho |v|) where convection does. lambda is one number a
+/// closed pocket: what its walls let through too much, over its volume, since its velocities are exact to the order of
+/// the operators alone; there the pressure of one point is zero.
+///
+/// Unknowns and residuals are velocities: pressures times h/mu, momentum times h^2/mu, divergence times h, h the
+/// spacing of the finest points.
+class FlowEquations {
+ public:
+  /// `smoothing`: c. Collective.
+  FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks, double smoothing);
+
+  /// The operators with the boundaries' values at the solver's time t. Collective.
+  void setTime(double t);
+  /// From the fields Velocity and Pressure, ghosts included, and the pockets' lambda. [unknowns]
+  std::vector<double> residual(bool hasConvection) const;
+  /// Of the residual by the unknowns.
+  SparseRows matrix(bool hasConvection) const;
+  /// Adds `factor` times a change of the unknowns to the fields; ghosts are brought up to date. Collective.
+  void add(double factor, const std::vector<double>& change);
+  /// tau of the present velocities.
+  void refreshSmoothing();
+  /// Pressures of closed pockets get zero mean, and points that are not fluid the boundary's values. Collective.
+  void settle(double t);
+
+  const FlowRows& rows() const { return rows_; }
+  const FlowPockets& pockets() const { return pockets_; }
+  double largestSpeed() const;         ///< of fluid points, all ranks, m/s
+  double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
+  double leakage() const;              ///< largest |lambda|, 1/s
+  double largestDivergence() const;    ///< |div v|, all ranks, 1/s
+
+ private:
+  static std::size_t index(int point) { return static_cast<std::size_t>(point); }
+  std::size_t place(std::size_t row, std::size_t component) const { return row * (n_ + 1) + component; }
+  long long column(int point, std::size_t component) const;
+  void numberUnknowns();
+  std::array<double, 9> gradientAt(std::size_t row) const;
+  double speed(int point) const;
+
+  Simulation& simulation_;
+  Model& model_;
+  FlowGeometry geometry_;
+  const double smoothing_, density_, viscosity_;
+  const std::size_t n_;  ///< components of the velocity
+  double unit_ = 0.0;    ///< h of the units, m
+  FlowRows rows_;
+  FlowPockets pockets_;
+  std::vector<double> firstColumn_;      ///< [points] of the unknowns of fluid points
+  std::vector<long long> pocketColumn_;  ///< of lambda by pocket; -1: open
+  std::vector<double> lambda_;           ///< by pocket, times unit, m/s
+  std::vector<int> ownPockets_;          ///< closed ones whose lambda is an unknown of this rank
+  std::vector<double> tau_;              ///< [rows] m s/kg
+};
+
+}  // namespace pd
+
+#endif

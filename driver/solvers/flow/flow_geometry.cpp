@@ -1,0 +1,208 @@
+#include "flow_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../../boundary/condition.hpp"
+#include "../../model/collective.hpp"
+
+namespace pd {
+
+namespace {
+
+/// Fluid points nearer to a wall than this part of a bond count as that far away.
+constexpr double leastFraction = 0.02;
+
+}  // namespace
+
+FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks)
+    : simulation_(simulation), mesh_(simulation.model.discretization()), law_(law) {
+  for (const auto& condition : simulation.conditions.all()) {
+    const auto* boundary = dynamic_cast<const FlowBoundary*>(condition.get());
+    if (boundary == nullptr) continue;
+    boundaries_.push_back(boundary);
+    titles_.push_back(condition->node().keyPlace() + ": " + condition->title());
+    beyond_.push_back(condition->points());
+    hasSurfaces_ = hasSurfaces_ || boundary->hasSurface();
+    hasOutflow_ = hasOutflow_ || boundary->isOutflow();
+  }
+  findKinds(flowBlocks);
+  collectively(simulation.model.comm(), [&] { checkSides(); });
+  findNearBoundary();
+}
+
+void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {
+  const auto nPoints = static_cast<std::size_t>(mesh_.nPoints);
+  kind_.assign(nPoints, Kind::Wall);
+  boundaryOf_.assign(nPoints, -1);
+  for (std::size_t i = 0; i < nPoints; ++i)
+    if (std::find(flowBlocks.begin(), flowBlocks.end(), mesh_.blockId[i]) != flowBlocks.end()) kind_[i] = Kind::Fluid;
+  // Where a wall ends at an outflow, what is beyond both is wall.
+  for (const bool isOutflow : {true, false})
+    for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+      if (boundaries_[b]->isOutflow() != isOutflow) continue;
+      for (const int point : beyond_[b]) {
+        kind_[index(point)] = isOutflow ? Kind::Beyond : Kind::Wall;
+        boundaryOf_[index(point)] = static_cast<int>(b);
+      }
+    }
+  for (int point = 0; point < mesh_.nOwned; ++point)
+    if (isFluid(point)) fluid_.push_back(point);
+}
+
+/// The first point of each kind of trouble on this rank.
+void FlowGeometry::checkSides() const {
+  const auto at = [&](int point) {
+    const double* x = placeOf(point);
+    return fmt::format("point {} at ({:g}, {:g}, {:g}) m", mesh_.globalIds[index(point)] + 1, x[0], x[1], x[2]);
+  };
+  Mistakes mistakes;
+  for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+    if (!boundaries_[b]->hasSurface()) continue;
+    for (const int point : beyond_[b])
+      if (!(boundaries_[b]->surfaceAt(placeOf(point)) < 0.0)) {
+        mistakes.add("",
+                     fmt::format("{}: {} of its node set is not beyond its Surface, which is {:g} there; it must be "
+                                 "negative",
+                                 titles_[b], at(point), boundaries_[b]->surfaceAt(placeOf(point))));
+        break;
+      }
+    for (const int point : fluid_)
+      if (!(boundaries_[b]->surfaceAt(placeOf(point)) > 0.0)) {
+        mistakes.add("", fmt::format("{}: its Surface is {:g} at {}, which is fluid; it must be positive there, or the "
+                                     "point be in its node set",
+                                     titles_[b], boundaries_[b]->surfaceAt(placeOf(point)), at(point)));
+        break;
+      }
+  }
+  mistakes.report();
+}
+
+void FlowGeometry::findNearBoundary() {
+  isNear_.assign(static_cast<std::size_t>(mesh_.nPoints), 0.0);
+  for (const int point : fluid_)
+    for (const int neighbor : neighborsOf(point))
+      if (!isFluid(neighbor)) isNear_[index(point)] = 1.0;
+  simulation_.model.exchange().import(isNear_.data(), 1, Reflection::Even);
+}
+
+std::vector<int> FlowGeometry::neighborsOf(int point) const {
+  const int* list = mesh_.neighborhoodList.data() + mesh_.neighborhoodStart[index(point)];
+  return {list + 1, list + 1 + *list};
+}
+
+std::vector<FlowGeometry::End> FlowGeometry::endsOf(int point) const {
+  std::vector<End> ends;
+  for (const int neighbor : neighborsOf(point)) {
+    End end = endOf(point, neighbor);
+    if (end.volume > 0.0) ends.push_back(end);
+  }
+  return ends;
+}
+
+std::vector<FlowGeometry::End> FlowGeometry::compactEndsOf(int point, const std::vector<int>& candidates) const {
+  std::vector<End> ends;
+  for (const int neighbor : candidates) {
+    if (neighbor == point) continue;
+    const ReferenceBond bond(mesh_.x.data(), point, neighbor);
+    if (bond.length > law_.gradientHorizon * (1.0 + 1e-9)) continue;
+    End end = endOf(point, neighbor);
+    if (end.volume > 0.0) ends.push_back(end);
+  }
+  return ends;
+}
+
+FlowGeometry::End FlowGeometry::endOf(int point, int neighbor) const {
+  const ReferenceBond bond(mesh_.x.data(), point, neighbor);
+  const double volume = law_.volumeOf(bond.length, mesh_.volume[index(point)], mesh_.volume[index(neighbor)]);
+  End end{mesh_.sourceOf(neighbor), mesh_.copyOf(neighbor), kindOf(neighbor), bond.xi, bond.length, volume};
+  if (end.kind != Kind::Fluid || isNear_[index(point)] != 0.0 || isNear_[index(neighbor)] != 0.0)
+    meetBoundaries(point, neighbor, end);
+  return end;
+}
+
+void FlowGeometry::meetBoundaries(int point, int neighbor, End& end) const {
+  end.fraction = 2.0;
+  if (hasSurfaces_)
+    for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+      if (!boundaries_[b]->hasSurface()) continue;
+      const double fraction = crossing(*boundaries_[b], placeOf(point), end);
+      double& nearest = boundaries_[b]->isOutflow() ? end.openFraction : end.fraction;
+      if (fraction >= nearest) continue;
+      nearest = fraction;
+      (boundaries_[b]->isOutflow() ? end.outflow : end.boundary) = static_cast<int>(b);
+    }
+  if (end.kind == Kind::Wall && end.fraction > 1.0) {
+    end.fraction = 0.5;
+    end.boundary = boundaryOf_[index(mesh_.sourceOf(neighbor))];
+  }
+  if (end.openFraction >= end.fraction) end.openFraction = 2.0;
+  if (end.fraction <= 1.0)
+    end.kind = Kind::Wall;
+  else
+    end.fraction = 1.0;
+}
+
+/// The first fraction of the bond at which the surface's function turns negative; 2 where it does not.
+double FlowGeometry::crossing(const FlowBoundary& boundary, const double* from, const End& end) const {
+  const auto valueAt = [&](double fraction) {
+    const std::array<double, 3> x{from[0] + fraction * end.xi[0], from[1] + fraction * end.xi[1],
+                                  from[2] + fraction * end.xi[2]};
+    return boundary.surfaceAt(x.data());
+  };
+  // A body may reach into the bond between its ends.
+  double low = 0.0, high = 2.0;
+  for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
+    if (valueAt(fraction) < 0.0) {
+      high = fraction;
+      break;
+    }
+    low = fraction;
+  }
+  if (high > 1.0) return high;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (valueAt(middle) < 0.0 ? high : low) = middle;
+  }
+  return std::max(high, leastFraction);
+}
+
+std::array<double, 3> FlowGeometry::placeOn(int point, const End& end, double fraction) const {
+  const double* x = placeOf(point);
+  return {x[0] + fraction * end.xi[0], x[1] + fraction * end.xi[1], x[2] + fraction * end.xi[2]};
+}
+
+std::array<double, 3> FlowGeometry::wallVelocity(int boundary, const std::array<double, 3>& place, double t) const {
+  if (boundary < 0) return {};
+  return boundaries_[static_cast<std::size_t>(boundary)]->velocityAt(place.data(), simulation_.conditions.runTime(t));
+}
+
+double FlowGeometry::outflowPressure(int boundary, const std::array<double, 3>& place, double t) const {
+  return boundaries_[static_cast<std::size_t>(boundary)]->pressureAt(place.data(), simulation_.conditions.runTime(t));
+}
+
+std::array<double, 3> FlowGeometry::normalAt(int boundary, const std::array<double, 3>& place) const {
+  std::array<double, 3> normal{};
+  if (boundary < 0 || !boundaries_[static_cast<std::size_t>(boundary)]->hasSurface()) return normal;
+  normal = boundaries_[static_cast<std::size_t>(boundary)]->surfaceGradient(place.data(), 1e-5 * law_.family.horizon,
+                                                                            dimension());
+  const double size = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  if (size > 0.0)
+    for (double& component : normal) component /= size;
+  return normal;
+}
+
+std::array<double, 3> FlowGeometry::mirrored(int point, const End& end) const {
+  const int outflow = end.outflow >= 0 ? end.outflow : boundaryOf_[index(end.point)];
+  const std::array<double, 3> place = placeOn(point, end, end.openFraction <= 1.0 ? end.openFraction : 1.0);
+  const std::array<double, 3> normal = normalAt(outflow, place);
+  double beyond = 0.0;  // how far the end is beyond the plane through `place`
+  for (std::size_t a = 0; a < 3; ++a) beyond += normal[a] * (placeOf(point)[a] + end.xi[a] - place[a]);
+  std::array<double, 3> result = end.xi;
+  for (std::size_t a = 0; a < 3; ++a) result[a] -= 2.0 * beyond * normal[a];
+  return result;
+}
+
+}  // namespace pd

@@ -1,0 +1,88 @@
+// Which points are fluid, and where their bonds end.
+#ifndef PD_FLOW_GEOMETRY_HPP
+#define PD_FLOW_GEOMETRY_HPP
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "../../boundary/flow_boundary.hpp"
+#include "../../model/simulation.hpp"
+#include "flow_law.hpp"
+
+namespace pd {
+
+/// Points of blocks with a flow material whose velocity is not prescribed, and that lie before the outflows, are fluid.
+/// A bond that meets a wall ends there; without a Surface of the wall half way to the point beyond it.
+class FlowGeometry {
+ public:
+  enum class Kind : char { Fluid, Wall, Beyond };  ///< Beyond an outflow
+
+  /// The end of a bond of a fluid point.
+  struct End {
+    int point, copy;            ///< what is there, and in which copy of the body beside planes of symmetry
+    Kind kind;                  ///< of the velocity at the end: of the point; of a wall; mirrored at an outflow
+    std::array<double, 3> xi;   ///< m, the whole bond
+    double length;              ///< of it, m
+    double volume;              ///< what counts of the neighbour, m3
+    double fraction = 1.0;      ///< of the bond up to the wall
+    int boundary = -1;          ///< the wall; -1: one at rest
+    double openFraction = 2.0;  ///< up to an outflow, above 1: there is none on the way to `fraction`
+    int outflow = -1;
+  };
+
+  /// Throws DeckError where points lie on the wrong side of a surface, or nothing is fluid. Collective.
+  FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks);
+
+  const FlowLaw& law() const { return law_; }
+  const Discretization& mesh() const { return mesh_; }
+  int dimension() const { return mesh_.dimension; }
+  bool isFluid(int point) const { return kindOf(point) == Kind::Fluid; }
+  double spacingOf(int point) const { return law_.family.spacing(mesh_.volume[index(point)]); }
+  const std::vector<int>& fluid() const { return fluid_; }  ///< owned points
+
+  /// Of an owned fluid point, to all neighbours.
+  std::vector<End> endsOf(int point) const;
+  /// Of any fluid point of this rank, to `candidates` within the reach of gradients.
+  std::vector<End> compactEndsOf(int point, const std::vector<int>& candidates) const;
+  /// Local ids of the neighbours of an owned point.
+  std::vector<int> neighborsOf(int point) const;
+
+  /// Where the bond meets the wall, or what `fraction` of it says.
+  std::array<double, 3> placeOn(int point, const End& end, double fraction) const;
+  /// Of a wall at a place, in the solver's time.
+  std::array<double, 3> wallVelocity(int boundary, const std::array<double, 3>& place, double t) const;
+  double outflowPressure(int boundary, const std::array<double, 3>& place, double t) const;
+  /// Normal of length 1 into the fluid at a place on a boundary; zero where the deck does not say where it is.
+  std::array<double, 3> normalAt(int boundary, const std::array<double, 3>& place) const;
+  /// From a fluid point to the mirror image, at the outflow, of the end of the bond.
+  std::array<double, 3> mirrored(int point, const End& end) const;
+  bool hasOutflow() const { return hasOutflow_; }
+
+ private:
+  static std::size_t index(int point) { return static_cast<std::size_t>(point); }
+  Kind kindOf(int point) const { return kind_[index(mesh_.sourceOf(point))]; }
+  const double* placeOf(int point) const { return mesh_.x.data() + 3 * index(point); }
+  void findKinds(const std::vector<int>& flowBlocks);
+  void checkSides() const;
+  void findNearBoundary();
+  End endOf(int point, int neighbor) const;
+  void meetBoundaries(int point, int neighbor, End& end) const;
+  double crossing(const FlowBoundary& boundary, const double* from, const End& end) const;
+
+  Simulation& simulation_;
+  const Discretization& mesh_;
+  FlowLaw law_;
+  std::vector<const FlowBoundary*> boundaries_;
+  std::vector<std::string> titles_;       ///< of the boundaries, for messages
+  std::vector<std::vector<int>> beyond_;  ///< their points
+  std::vector<int> boundaryOf_;           ///< [points] the last one that has the point; -1: none
+  std::vector<Kind> kind_;                ///< [points]
+  std::vector<double> isNear_;            ///< [points] 1 where a neighbour is not fluid
+  std::vector<int> fluid_;
+  bool hasSurfaces_ = false, hasOutflow_ = false;
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,441 @@
+#include "flow_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "../../model/collective.hpp"
+#include "exact_weights.hpp"
+
+namespace pd {
+
+namespace {
+
+using FlowVector = std::array<double, 3>;
+using FlowEnd = FlowGeometry::End;
+using FlowKind = FlowGeometry::Kind;
+
+/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass.
+constexpr double jumpReach = 8.0;
+/// Jumps above this part of the largest velocity count.
+constexpr double jumpShare = 0.05;
+
+std::size_t localIndex(int point) { return static_cast<std::size_t>(point); }
+
+/// A velocity as a sum over points, some of which are seen mirrored, and a constant.
+struct VelocityValue {
+  struct Part {
+    int point, copy;
+    double weight;
+  };
+  std::vector<Part> parts;
+  FlowVector constant{};
+};
+
+/// The gradient of the pressure at a point.
+struct PressureFit {
+  struct Term {
+    int point, copy;
+    FlowVector weight;
+  };
+  std::vector<Term> terms;
+  FlowVector constant{};
+};
+
+class RowMaker {
+ public:
+  RowMaker(const FlowGeometry& geometry, const Communicator& comm, double t)
+      : geometry_(geometry), comm_(comm), t_(t), n_(static_cast<std::size_t>(geometry.dimension())) {}
+
+  FlowRows make() {
+    collectively(comm_, [&] { collectEnds(); });
+    const std::vector<double> jumps = comm_.gather(findJumps());
+    collectively(comm_, [&] {
+      for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+        velocityRows(row);
+        pressureRow(row);
+        if (isNearJump(geometry_.fluid()[row], jumps))
+          massBalanceRow(row);
+        else
+          divergenceRow(row);
+        smoothingRow(row);
+      }
+    });
+    rows_.nAtJumps = comm_.sum(rows_.nAtJumps);
+    return std::move(rows_);
+  }
+
+ private:
+  const Discretization& mesh() const { return geometry_.mesh(); }
+  double sign(int copy, std::size_t a) const { return mesh().symmetry.matrix(copy)[4 * a]; }
+
+  void collectEnds() {
+    for (const int point : geometry_.fluid()) {
+      ends_.push_back(geometry_.endsOf(point));
+      for (const FlowEnd& end : ends_.back()) {
+        if (end.kind != FlowKind::Wall) continue;
+        const FlowVector velocity = velocityAt(point, end);
+        rows_.largestVelocity = std::max(rows_.largestVelocity, std::hypot(velocity[0], velocity[1], velocity[2]));
+      }
+    }
+  }
+
+  FlowVector velocityAt(int point, const FlowEnd& end) const {
+    return geometry_.wallVelocity(end.boundary, geometry_.placeOn(point, end, end.fraction), t_);
+  }
+  bool isCompact(const FlowEnd& end) const { return end.length <= geometry_.law().gradientHorizon * (1.0 + 1e-9); }
+
+  /// Places [3 n] beside which the velocities of two walls differ.
+  std::vector<double> findJumps() {
+    rows_.largestVelocity = comm_.max(rows_.largestVelocity);
+    std::vector<double> jumps;
+    for (std::size_t row = 0; row < ends_.size(); ++row) {
+      const int point = geometry_.fluid()[row];
+      if (!seesJump(point, ends_[row])) continue;
+      jumps.insert(jumps.end(), &mesh().x[3 * localIndex(point)], &mesh().x[3 * localIndex(point)] + 3);
+    }
+    return jumps;
+  }
+
+  bool seesJump(int point, const std::vector<FlowEnd>& ends) const {
+    const double reach = geometry_.spacingOf(point);
+    const auto velocity = [&](const FlowEnd& wall, const FlowVector& place) {
+      return geometry_.wallVelocity(wall.boundary, place, t_);
+    };
+    const auto apart = [](const FlowVector& a, const FlowVector& b) {
+      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    };
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      for (std::size_t m = 0; m < k; ++m) {
+        const FlowEnd &one = ends[k], &other = ends[m];
+        if (one.kind != FlowKind::Wall || other.kind != FlowKind::Wall || one.boundary == other.boundary) continue;
+        const FlowVector here = geometry_.placeOn(point, one, one.fraction);
+        const FlowVector there = geometry_.placeOn(point, other, other.fraction);
+        if (apart(here, there) > reach) continue;
+        // An inlet's profile that ends in the velocity of the wall does not jump, however near to it bonds end.
+        const double jump = std::min(apart(velocity(one, here), velocity(other, here)),
+                                     apart(velocity(one, there), velocity(other, there)));
+        if (jump > jumpShare * rows_.largestVelocity) return true;
+      }
+    return false;
+  }
+
+  bool isNearJump(int point, const std::vector<double>& jumps) const {
+    const double* x = &mesh().x[3 * localIndex(point)];
+    const double reach = jumpReach * geometry_.spacingOf(point);
+    for (std::size_t k = 0; k < jumps.size(); k += 3)
+      if (std::hypot(x[0] - jumps[k], x[1] - jumps[k + 1], x[2] - jumps[k + 2]) < reach) return true;
+    return false;
+  }
+
+  [[noreturn]] void tooFewNeighbors(int point) const {
+    const double* x = &mesh().x[3 * localIndex(point)];
+    throw DeckError(
+        fmt::format("the neighbours of the fluid point at ({:g}, {:g}, {:g}) m do not suffice for its "
+                    "gradients: the gap is too narrow there, or points beyond a wall are missing; they are "
+                    "needed one horizon deep",
+                    x[0], x[1], x[2]));
+  }
+
+  /// Bonds up to their ends: at a wall, or whole.
+  kernels::BondEnds bondsOf(const std::vector<FlowEnd>& ends) const {
+    kernels::BondEnds bonds;
+    bonds.dimension = geometry_.dimension();
+    for (const FlowEnd& end : ends) {
+      const FlowVector xi{end.fraction * end.xi[0], end.fraction * end.xi[1], end.fraction * end.xi[2]};
+      bonds.add(xi.data(), end.volume);
+    }
+    return bonds;
+  }
+
+  VelocityValue valueOf(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) const {
+    if (end.kind == FlowKind::Fluid) return {{{end.point, end.copy, 1.0}}, {}};
+    if (end.kind == FlowKind::Wall) return {{}, velocityAt(point, end)};
+    return mirroredValue(point, ends, geometry_.mirrored(point, end));
+  }
+
+  /// At the place `seen` from the point: of the point that is there, or of a fit to the ends near it.
+  VelocityValue mirroredValue(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) const {
+    const double near = 1e-3 * geometry_.spacingOf(point);
+    if (std::hypot(seen[0], seen[1], seen[2]) < near) return {{{point, 0, 1.0}}, {}};
+    std::vector<FlowEnd> usable;
+    for (const FlowEnd& end : ends) {
+      if (end.kind == FlowKind::Fluid &&
+          std::hypot(end.xi[0] - seen[0], end.xi[1] - seen[1], end.xi[2] - seen[2]) < near)
+        return {{{end.point, end.copy, 1.0}}, {}};
+      if (end.kind != FlowKind::Beyond) usable.push_back(end);
+    }
+    const std::vector<double> weights = kernels::interpolationWeights(bondsOf(usable), seen.data());
+    if (weights.empty()) tooFewNeighbors(point);
+    VelocityValue value;
+    double rest = 1.0;
+    for (std::size_t k = 0; k < usable.size(); ++k) {
+      rest -= weights[k];
+      if (usable[k].kind == FlowKind::Fluid) {
+        value.parts.push_back({usable[k].point, usable[k].copy, weights[k]});
+      } else {
+        const FlowVector velocity = velocityAt(point, usable[k]);
+        for (std::size_t a = 0; a < 3; ++a) value.constant[a] += weights[k] * velocity[a];
+      }
+    }
+    value.parts.push_back({point, 0, rest});
+    return value;
+  }
+
+  void velocityRows(std::size_t row) {
+    const int point = geometry_.fluid()[row];
+    const std::vector<FlowEnd>& ends = ends_[row];
+    viscousRow(point, ends);
+    std::vector<FlowEnd> compact;
+    for (const FlowEnd& end : ends)
+      if (isCompact(end)) compact.push_back(end);
+    const std::vector<double> weights = kernels::gradientWeights(bondsOf(compact));
+    if (weights.empty()) tooFewNeighbors(point);
+    std::array<double, 9> own{}, constant{};
+    for (std::size_t k = 0; k < compact.size(); ++k) {
+      const VelocityValue value = valueOf(point, ends, compact[k]);
+      for (std::size_t b = 0; b < n_; ++b)
+        for (std::size_t a = 0; a < n_; ++a) {
+          own[3 * a + b] -= weights[n_ * k + b];
+          constant[3 * a + b] += weights[n_ * k + b] * value.constant[a];
+        }
+      for (const auto& part : value.parts) {
+        std::array<double, 9> term{};
+        for (std::size_t a = 0; a < n_; ++a)
+          for (std::size_t b = 0; b < n_; ++b) term[3 * a + b] = part.weight * weights[n_ * k + b] * sign(part.copy, a);
+        rows_.gradient.terms.push_back({part.point, term});
+      }
+    }
+    rows_.gradient.terms.push_back({point, own});
+    rows_.gradient.close(constant);
+  }
+
+  void viscousRow(int point, const std::vector<FlowEnd>& ends) {
+    const FlowLaw& law = geometry_.law();
+    const kernels::BondEnds bonds = bondsOf(ends);
+    const std::vector<double> weights = kernels::viscousWeights(bonds, law.horizonVolume(), law.viscousKernel);
+    if (weights.empty()) tooFewNeighbors(point);
+    std::array<double, 9> own{}, constant{};
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const std::array<double, 9> share = bonds.viscousShare(k, law.viscousKernel);
+      const VelocityValue value = valueOf(point, ends, ends[k]);
+      for (std::size_t a = 0; a < n_; ++a)
+        for (std::size_t b = 0; b < n_; ++b) {
+          own[3 * a + b] -= weights[k] * share[3 * a + b];
+          constant[3 * a] += weights[k] * share[3 * a + b] * value.constant[b];
+        }
+      for (const auto& part : value.parts) {
+        std::array<double, 9> term{};
+        for (std::size_t a = 0; a < n_; ++a)
+          for (std::size_t b = 0; b < n_; ++b)
+            term[3 * a + b] = part.weight * weights[k] * share[3 * a + b] * sign(part.copy, b);
+        rows_.viscous.terms.push_back({part.point, term});
+      }
+    }
+    rows_.viscous.terms.push_back({point, own});
+    rows_.viscous.close(constant);
+  }
+
+  /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it.
+  const PressureFit& fitAt(int point, const std::vector<int>& candidates) {
+    const auto found = fits_.find(point);
+    if (found != fits_.end()) return found->second;
+    const bool isOwned = point < mesh().nOwned;
+    const std::vector<FlowEnd> ends =
+        geometry_.compactEndsOf(point, isOwned ? geometry_.neighborsOf(point) : candidates);
+    std::vector<const FlowEnd*> used;
+    kernels::BondEnds bonds;
+    bonds.dimension = geometry_.dimension();
+    for (const FlowEnd& end : ends) {
+      const bool isOpen = end.openFraction <= 1.0;
+      if (!isOpen && end.kind != FlowKind::Fluid) continue;
+      const double part = isOpen ? end.openFraction : 1.0;
+      const FlowVector xi{part * end.xi[0], part * end.xi[1], part * end.xi[2]};
+      bonds.add(xi.data(), end.volume);
+      used.push_back(&end);
+    }
+    PressureFit fit;
+    if (!used.empty()) {
+      const std::vector<double> weights = kernels::linearGradientWeights(bonds);
+      FlowVector own{};
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        FlowVector weight{};
+        for (std::size_t a = 0; a < n_; ++a) weight[a] = weights[n_ * k + a];
+        for (std::size_t a = 0; a < n_; ++a) own[a] -= weight[a];
+        if (used[k]->openFraction > 1.0) {
+          fit.terms.push_back({used[k]->point, used[k]->copy, weight});
+          continue;
+        }
+        const double pressure =
+            geometry_.outflowPressure(used[k]->outflow, geometry_.placeOn(point, *used[k], used[k]->openFraction), t_);
+        for (std::size_t a = 0; a < n_; ++a) fit.constant[a] += weight[a] * pressure;
+      }
+      fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), own});
+    }
+    return fits_.emplace(point, std::move(fit)).first->second;
+  }
+
+  std::vector<int> candidatesAround(int point) const {
+    std::vector<int> candidates = geometry_.neighborsOf(point);
+    candidates.push_back(point);
+    return candidates;
+  }
+
+  void pressureRow(std::size_t row) {
+    const int point = geometry_.fluid()[row];
+    const PressureFit& fit = fitAt(point, {});
+    for (const auto& term : fit.terms) rows_.pressureGradient.terms.push_back({term.point, term.weight});
+    rows_.pressureGradient.close(fit.constant);
+  }
+
+  /// The trace of the gradient.
+  void divergenceRow(std::size_t row) {
+    const FlowOperator<9>& gradient = rows_.gradient;
+    for (const auto* term = gradient.begin(row); term != gradient.end(row); ++term) {
+      FlowVector weight{};
+      for (std::size_t a = 0; a < n_; ++a) weight[a] = term->weights[4 * a];
+      rows_.divergence.terms.push_back({term->point, weight});
+    }
+    double constant = 0.0;
+    for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
+    rows_.divergence.close({constant, 0.0, 0.0});
+  }
+
+  /// What is said of a boundary by the bonds that meet it around a point.
+  struct Facet {
+    int boundary = -1;
+    bool isOutflow = false;
+    FlowVector normal{}, velocity{};
+    double count = 0.0;
+    double area = 0.0;  ///< over the volume of the point, 1/m
+  };
+
+  /// -sum_j V_j/V_i G_ji v_j, with G the gradient of the pressure, and the flux through the boundaries.
+  void massBalanceRow(std::size_t row) {
+    const int point = geometry_.fluid()[row];
+    const std::vector<int> candidates = candidatesAround(point);
+    const std::vector<double>& volume = mesh().volume;
+    FlowVector area{}, constantFlux{};
+    std::map<int, Facet> facets;
+    for (const int other : candidates) {
+      if (!geometry_.isFluid(other)) continue;
+      if (other != point &&
+          ReferenceBond(mesh().x.data(), point, other).length > geometry_.law().gradientHorizon * (1.0 + 1e-9))
+        continue;
+      FlowVector weight{};
+      for (const auto& part : fitAt(other, candidates).terms)
+        if (part.point == point && part.copy == 0)
+          for (std::size_t a = 0; a < n_; ++a)
+            weight[a] += part.weight[a] * volume[localIndex(other)] / volume[localIndex(point)];
+      for (std::size_t a = 0; a < n_; ++a) area[a] += weight[a];
+      FlowVector term{};
+      for (std::size_t a = 0; a < n_; ++a) term[a] = -weight[a] * sign(mesh().copyOf(other), a);
+      rows_.divergence.terms.push_back({mesh().sourceOf(other), term});
+      addFacets(other, candidates, facets);
+    }
+    splitArea(area, facets);
+    for (const auto& [key, facet] : facets) {
+      FlowVector outward{};
+      for (std::size_t a = 0; a < n_; ++a) outward[a] = facet.area * facet.normal[a];
+      if (facet.isOutflow) {
+        rows_.divergence.terms.push_back({point, outward});
+      } else {
+        for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a] / facet.count;
+      }
+    }
+    rows_.divergence.close(constantFlux);
+    ++rows_.nAtJumps;
+  }
+
+  void addFacets(int point, const std::vector<int>& candidates, std::map<int, Facet>& facets) const {
+    const std::vector<int> own = point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates;
+    for (const FlowEnd& end : geometry_.compactEndsOf(point, own)) {
+      const bool isOpen = end.openFraction <= 1.0;
+      if (!isOpen && end.kind != FlowKind::Wall) continue;
+      const int boundary = isOpen ? end.outflow : end.boundary;
+      const FlowVector place = geometry_.placeOn(point, end, isOpen ? end.openFraction : end.fraction);
+      Facet& facet = facets[boundary];
+      facet.boundary = boundary;
+      facet.isOutflow = isOpen;
+      facet.count += 1.0;
+      const FlowVector normal = geometry_.normalAt(boundary, place);
+      const FlowVector velocity = isOpen ? FlowVector{} : geometry_.wallVelocity(boundary, place, t_);
+      for (std::size_t a = 0; a < n_; ++a) {
+        facet.normal[a] += normal[a];
+        facet.velocity[a] += velocity[a];
+      }
+    }
+  }
+
+  /// Shares the area vector out among the boundaries' normals, by least squares.
+  void splitArea(const FlowVector& area, std::map<int, Facet>& facets) const {
+    std::vector<Facet*> list;
+    for (auto& [key, facet] : facets) {
+      const double size = std::hypot(facet.normal[0], facet.normal[1], facet.normal[2]);
+      if (size == 0.0) continue;  // the deck does not say where it is, and nothing flows through it
+      for (double& component : facet.normal) component /= size;
+      if (list.size() < 9) list.push_back(&facet);
+    }
+    const std::size_t count = list.size();
+    std::vector<double> matrix(count * count), share(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j)
+        for (std::size_t a = 0; a < n_; ++a) matrix[i * count + j] += list[i]->normal[a] * list[j]->normal[a];
+      for (std::size_t a = 0; a < n_; ++a) share[i] += list[i]->normal[a] * area[a];
+    }
+    kernels::solveNormalEquations(static_cast<int>(count), matrix.data(), share.data());
+    for (std::size_t i = 0; i < count; ++i) list[i]->area = share[i];
+  }
+
+  void smoothingRow(std::size_t row) {
+    const int point = geometry_.fluid()[row];
+    const std::vector<int> candidates = candidatesAround(point);
+    const double spacing = geometry_.spacingOf(point), volume = mesh().volume[localIndex(point)];
+    double constant = 0.0;
+    const auto add = [&](int other, double weight) { rows_.smoothing.terms.push_back({other, {weight}}); };
+    for (const FlowEnd& end : ends_[row]) {
+      if (!isCompact(end) || end.kind != FlowKind::Fluid || end.openFraction <= 1.0) continue;
+      const int neighbor = localNeighbor(point, end);
+      const double itsVolume = mesh().volume[localIndex(end.point)];
+      const double weight = kernels::pressureSmoothing(geometry_.dimension(),
+                                                       0.5 * (spacing + geometry_.spacingOf(end.point)), end.length) *
+                            2.0 * itsVolume / (volume + itsVolume);
+      add(end.point, weight);
+      add(point, -weight);
+      for (const int side : {point, neighbor}) {
+        const PressureFit& fit = fitAt(side, candidates);
+        const auto along = [&](const FlowVector& g) { return g[0] * end.xi[0] + g[1] * end.xi[1] + g[2] * end.xi[2]; };
+        for (const auto& term : fit.terms) add(term.point, -0.5 * weight * along(term.weight));
+        constant -= 0.5 * weight * along(fit.constant);
+      }
+    }
+    rows_.smoothing.close({constant});
+  }
+
+  /// The local id, that of an image where it is one.
+  int localNeighbor(int point, const FlowEnd& end) const {
+    if (end.copy == 0) return end.point;
+    for (const int neighbor : geometry_.neighborsOf(point))
+      if (mesh().sourceOf(neighbor) == end.point && mesh().copyOf(neighbor) == end.copy) return neighbor;
+    throw std::logic_error("an image is no neighbour");
+  }
+
+  const FlowGeometry& geometry_;
+  const Communicator& comm_;
+  const double t_;
+  const std::size_t n_;
+  FlowRows rows_;
+  std::vector<std::vector<FlowEnd>> ends_;  ///< by row
+  std::map<int, PressureFit> fits_;         ///< by local point
+};
+
+}  // namespace
+
+FlowRows makeFlowRows(const FlowGeometry& geometry, const Communicator& comm, double t) {
+  return RowMaker(geometry, comm, t).make();
+}
+
+}  // namespace pd

@@ -1,0 +1,65 @@
+// Steady flow of an incompressible fluid, load step by load step.
+#ifndef PD_STEADY_FLOW_HPP
+#define PD_STEADY_FLOW_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../load_steps.hpp"
+#include "../solver.hpp"
+#include "flow_equations.hpp"
+#include "flow_fields.hpp"
+
+namespace pd {
+
+/// At the end of each load step velocity and pressure satisfy the steady equations (flow_equations.hpp) with the
+/// velocities of walls and inlets at that time, by Newton's method for both together. The first step from rest is
+/// Stokes flow; later load steps start from the last flow. Matrices are factored (MUMPS) and factors kept for GMRES
+/// until it takes many iterations.
+class SteadyFlow : public Solver {
+ public:
+  struct Fields : FieldTable {
+    FieldHandle volume = reads(pd::fields::volume());
+    FieldHandle velocity = writes(pd::fields::velocity());
+    FieldHandle pressure = writes(pd::fields::pressure());
+    FieldHandle fluid = writes(pd::fields::fluidShare());
+    FieldHandle viscosity = reads(pd::fields::viscosity());
+  };
+  static void declareParameters(ParameterDeclarations& declare);
+  explicit SteadyFlow(const Teuchos::ParameterList& given);
+
+  const Fields& fields() const override { return fields_; }
+  double leastSteps(double t0, double t1) const override { return loadSteps_.count(t0, t1); }
+  void initialize(Simulation& simulation) override;
+  void rehearse(Simulation& simulation, double t, double dt) override;
+  int numberOfIncrements(Simulation&, double t0, double t1) override { return loadSteps_.count(t0, t1); }
+  double incrementEnd(int increment, int nIncrements, double t0, double t1) const override {
+    return loadSteps_.end(increment, nIncrements, t0, t1);
+  }
+  void advance(Simulation& simulation, double t, double dt) override;
+  std::vector<std::string> summary() const override;
+
+ private:
+  double solveLinear(Simulation& simulation, const SparseRows& matrix, const std::vector<double>& residual,
+                     bool mayKeepFactor, std::vector<double>& change);
+  double largestVelocity(const std::vector<double>& change) const;
+  double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
+  [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
+
+  const Teuchos::ParameterList parameters_;
+  Fields fields_;
+  LoadSteps loadSteps_;
+  double tolerance_;
+  int maximumIterations_;
+
+  std::unique_ptr<FlowEquations> equations_;
+  std::unique_ptr<RowSystem> system_;
+  std::size_t nComponents_ = 0;
+  long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
+  double largestResidual_ = 0.0, largestFactor_ = 0.0, cellReynolds_ = 0.0, leakage_ = 0.0, divergence_ = 0.0;
+};
+
+}  // namespace pd
+
+#endif

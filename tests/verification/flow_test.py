@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+"""The solver Steady Flow against exact solutions and those of other methods."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from scene import SceneTest  # noqa: E402
+
+RATIO = 3.015  # horizon over spacing
+
+
+def plane_lattice(low, high, spacing, shift=(0.0, 0.0), angle=0.0):
+    """Lattice points, turned by `angle` degrees, within four spacings of a box: [n, 3]."""
+    centre, reach = 0.5 * (np.array(low) + high), 0.5 * np.hypot(*(np.array(high) - low)) + 6 * spacing
+    n = int(reach / spacing)
+    i, j = np.meshgrid(np.arange(-n, n + 1), np.arange(-n, n + 1))
+    base = np.floor(centre / spacing) * spacing if angle == 0.0 else centre
+    local = np.column_stack([(i.ravel() + shift[0]) * spacing, (j.ravel() + shift[1]) * spacing])
+    c, s = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
+    points = base + local @ np.array([[c, s], [-s, c]])
+    near = np.all((points > np.array(low) - 4 * spacing) & (points < np.array(high) + 4 * spacing), axis=1)
+    return np.column_stack([points[near], np.zeros(np.count_nonzero(near))])
+
+
+class SteadyFlow(SceneTest):
+    def deck(self, spacing, conditions, viscosity=0.05, solver=None, **more):
+        deck = {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+            "Materials": {"Fluid": {"Material Model": "Navier Stokes", "Plane Strain": True, "Density": 1.0,
+                                    "Viscosity": viscosity}},
+            "Blocks": {"Fluid": {"Block Names": "block_1", "Material": "Fluid", "Horizon": RATIO * spacing}},
+            "Boundary Conditions": conditions,
+            "Solver": {"Final Time": 1.0, "Steady Flow": solver or {}},
+            "Output": {"Output Filename": "result", "Output Frequency": 1,
+                       "Output Variables": ["Velocity", "Pressure", "Fluid", *more.pop("variables", [])]}}
+        for section, content in more.items():
+            deck[section.replace("_", " ")] = content
+        return deck
+
+    def channel(self, spacing, walls=True, **more):
+        """Of height 1 and length 2, with a parabola of mean 2/3 at its inlet: dp/dx = -8 viscosity."""
+        parabola = "4*y*(1 - y)"
+        conditions = {
+            "Walls Node Set": {"Expression": "y < 0 || y > 1"}, "Inlet Node Set": {"Expression": "x < 0"},
+            "Outlet Node Set": {"Expression": "x > 2"},
+            "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set",
+                      **({"Surface": "min(y, 1 - y)"} if walls else {})},
+            "Inlet": {"Type": "Prescribed Velocity", "Node Set": "Inlet Node Set", "Velocity": [parabola, 0.0],
+                      "Surface": "x"},
+            "Outlet": {"Type": "Outflow", "Node Set": "Outlet Node Set", "Surface": "2 - x"}}
+        return self.deck(spacing, conditions, **more)
+
+    def channel_errors(self, points, result, viscosity=0.05):
+        """Of the velocity (L2 over that of the parabola) and of the pressure's gradient between the ends."""
+        inside = result.field("Fluid") == 1.0
+        x, y = points[inside, 0], points[inside, 1]
+        velocity, pressure = result.field("Velocity")[inside], result.field("Pressure")[inside]
+        exact = 4 * y * (1 - y)
+        error = np.sqrt(np.sum((velocity[:, 0] - exact)**2 + velocity[:, 1]**2) / np.sum(exact**2))
+        middle = (x > 0.5) & (x < 1.5)
+        fit = np.polyfit(x[middle], pressure[middle], 1)
+        return error, fit[0] / (-8 * viscosity) - 1
+
+    def test_channel_along_off_and_across_the_lattice(self):
+        # The parabola is in the space of the operators: rounding alone is left where the outflow meets a row of points.
+        for shift, angle, most in (((0.5, 0.5), 0.0, 1e-7), ((0.37, 0.81), 0.0, 1e-4), ((0.3, 0.1), 20.0, 1e-3)):
+            points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.1, shift, angle)
+            self.write_mesh(points, 0.1**2)
+            result = self.solve(self.channel(0.1))
+            error, slope = self.channel_errors(points, result)
+            self.assertLess(error, most, (shift, angle))
+            self.assertLess(abs(slope), 1e-2, (shift, angle))
+
+    def test_ranks_make_no_difference(self):
+        points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.125, (0.3, 0.1), 20.0)
+        self.write_mesh(points, 0.125**2)
+        one = self.solve(self.channel(0.125))
+        for ranks in (2, 4):
+            several = self.solve(self.channel(0.125), ranks=ranks)
+            for label in ("Velocity", "Pressure"):
+                np.testing.assert_allclose(several.field(label), one.field(label), atol=1e-9)
+
+    def test_walls_half_way_to_the_next_point(self):
+        # Without surfaces walls lie between the rows: here where they should.
+        points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.1, (0.5, 0.5))
+        self.write_mesh(points, 0.1**2)
+        error, slope = self.channel_errors(points, self.solve(self.channel(0.1, walls=False)))
+        self.assertLess(error, 1e-3)
+        self.assertLess(abs(slope), 1e-2)
+
+    def test_half_a_channel_beside_its_line_of_symmetry(self):
+        points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.1, (0.5, 0.5))
+        points = points[points[:, 1] < 0.5]
+        self.write_mesh(points, 0.1**2)
+        deck = self.channel(0.1)
+        deck["Boundary Conditions"]["Walls Node Set"]["Expression"] = "y < 0"
+        deck["Boundary Conditions"]["Walls"]["Surface"] = "y"
+        deck["Discretization"]["Symmetry"] = {"Middle": {"Point": [0.0, 0.5, 0.0], "Normal": [0.0, 1.0, 0.0]}}
+        error, slope = self.channel_errors(points, self.solve(deck, ranks=2))
+        self.assertLess(error, 1e-7)
+        self.assertLess(abs(slope), 1e-7)
+
+    def test_flow_between_cylinders_one_of_which_turns(self):
+        errors = []
+        for n in (10, 20):
+            points = plane_lattice((-1.0, -1.0), (1.0, 1.0), 1 / n, (0.37, 0.81))
+            self.write_mesh(points, 1 / n**2)
+            conditions = {
+                "Inner Node Set": {"Expression": "x^2 + y^2 < 0.4^2"},
+                "Outer Node Set": {"Expression": "x^2 + y^2 > 1"},
+                "Inner": {"Type": "Prescribed Velocity", "Node Set": "Inner Node Set", "Velocity": ["-y/0.4", "x/0.4"],
+                          "Surface": "sqrt(x^2 + y^2) - 0.4"},
+                "Outer": {"Type": "Prescribed Velocity", "Node Set": "Outer Node Set",
+                          "Surface": "1 - sqrt(x^2 + y^2)"}}
+            result = self.solve(self.deck(1 / n, conditions))
+            inside = result.field("Fluid") == 1.0
+            x, y = points[inside, 0], points[inside, 1]
+            factor = (1 / (x**2 + y**2) - 1) / (1 / 0.4 - 0.4)
+            exact = np.column_stack([-y * factor, x * factor])
+            errors.append(np.sqrt(np.sum((result.field("Velocity")[inside, :2] - exact)**2) / np.sum(exact**2)))
+        self.assertLess(errors[1], 5e-3)
+        self.assertGreater(np.log2(errors[0] / errors[1]), 1.7)
+
+    def cavity(self, n, **more):
+        points = plane_lattice((0.0, 0.0), (1.0, 1.0), 1 / n, (0.5, 0.5))
+        self.write_mesh(points, 1 / n**2)
+        conditions = {
+            "Walls Node Set": {"Expression": "x < 0 || x > 1 || y < 0"}, "Lid Node Set": {"Expression": "y > 1"},
+            "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set",
+                      "Surface": "min(min(x, 1 - x), y)"},
+            "Lid": {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set", "Velocity": [1.0, 0.0],
+                    "Surface": "1 - y"}}
+        return points, self.deck(1 / n, conditions, viscosity=0.01, **more)
+
+    def test_cavity_against_converged_solutions(self):
+        # Marchi, Suero & Araki, J. Braz. Soc. Mech. Sci. Eng. 31 (2009) 186; the lowest u on x = 1/2.
+        points, deck = self.cavity(24)
+        result = self.solve(deck)
+        column = (result.field("Fluid") == 1.0) & (np.abs(points[:, 0] - 0.5) < 0.55 / 24)
+        y, u = points[column, 1], result.field("Velocity")[column, 0]
+        middle = np.array([np.mean(u[np.abs(y - value) < 1e-6]) for value in np.unique(y.round(9))])
+        k = int(np.argmin(middle))
+        a, b, c = np.polyfit([-1, 0, 1], middle[k - 1:k + 2], 2)
+        self.assertLess(abs(c - b * b / (4 * a) + 0.2140417), 1e-2)
+
+    def test_alternating_pressures_are_seen_by_the_smoothing_alone(self):
+        def roughness(smoothing):
+            points, deck = self.cavity(16, solver={"Pressure Smoothing": smoothing})
+            result = self.run_deck(deck)
+            if result.code != 0:
+                self.assertIn("singular", result.text)
+                return np.inf
+            inside = result.field("Fluid") == 1.0
+            grid = np.full((16, 16), np.nan)
+            i, j = np.floor(points[inside, :2] * 16).astype(int).T
+            grid[i, j] = result.field("Pressure")[inside]
+            wave = grid[1:-1, 1:-1] - 0.25 * (grid[2:, 1:-1] + grid[:-2, 1:-1] + grid[1:-1, 2:] + grid[1:-1, :-2])
+            return np.max(np.abs(wave[3:-3, 3:-3]))
+        self.assertLess(roughness(0.05), 2e-3)
+        self.assertGreater(roughness(0.0), 1e-1)
+
+    def test_a_pocket_that_is_cut_off_has_its_own_pressure(self):
+        # A wall across the channel's end, and a lid that drives what is behind it.
+        points = plane_lattice((0.0, 0.0), (3.0, 1.0), 0.1, (0.5, 0.5))
+        self.write_mesh(points, 0.1**2)
+        deck = self.channel(0.1)
+        conditions = deck["Boundary Conditions"]
+        conditions["Outlet Node Set"]["Expression"] = "x > 2 && x < 2.4"
+        conditions["Outlet"]["Surface"] = "(x - 2)*(x - 2.4)"
+        conditions["Lid Node Set"] = {"Expression": "y > 1 && x > 2.4"}
+        conditions["Walls Node Set"]["Expression"] = "y < 0 || y > 1 && x < 2.4 || x > 3 || x > 2.2 && x < 2.4"
+        conditions["Walls"].pop("Surface")
+        conditions["Lid"] = {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set", "Velocity": [0.1, 0.0]}
+        result = self.solve(deck)
+        x = points[:, 0]
+        behind = (result.field("Fluid") == 1.0) & (x > 2.4)
+        self.assertLess(abs(np.mean(result.field("Pressure")[behind])), 1e-9)
+        self.assertGreater(np.max(np.abs(result.field("Velocity")[behind])), 1e-2)
+        before = (result.field("Fluid") == 1.0) & (x < 2)
+        self.assertGreater(np.mean(result.field("Pressure")[before]), 0.1)
+
+    def test_load_steps_start_from_the_last_flow(self):
+        points, deck = self.cavity(16, solver={"Load Steps": 2})
+        deck["Boundary Conditions"]["Lid"]["Velocity"] = ["t", 0.0]
+        stepped = self.solve(deck)
+        at_once = self.solve(self.cavity(16)[1])
+        np.testing.assert_allclose(stepped.field("Velocity"), at_once.field("Velocity"), atol=1e-6)
+
+    def test_a_flow_that_is_not_found_ends_the_run(self):
+        _, deck = self.cavity(12, solver={"Maximum Solver Iterations": 6})
+        deck["Materials"]["Fluid"]["Viscosity"] = 1e-6
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("no steady flow", result.text)
+
+
+if __name__ == "__main__":
+    unittest.main()
