@@ -21,14 +21,14 @@ class Layers(SceneTest):
         """A block for each diffusivity, m2/s."""
         key = "Coefficient" if material["Material Model"] == "Diffusion" else "Diffusivity"
         deck = plate_deck(horizon, 1.0, conditions=conditions, solver=solver, **more)
-        if "Plane Stress" not in material:
+        if not {"Plane Stress", "Plane Strain"} & material.keys():
             deck["Discretization"].pop("Thickness")
         deck["Materials"] = {f"Layer {k + 1}": {**material, key: d} for k, d in enumerate(diffusivities)}
         deck["Blocks"] = {f"Layer {k + 1}": {"Block Names": f"block_{k + 1}", "Material": f"Layer {k + 1}",
                                              "Horizon": horizon} for k in range(len(diffusivities))}
         return deck
 
-    def steady_flux(self, points, volume, horizon, material, ratio, ranks=1):
+    def steady_flux(self, points, volume, horizon, material, ratio, ranks=1, solver=None):
         """Through x = 0, where D falls from 1 to 1/ratio, between exact collars behind x = -/+ 0.5; in parts of the flux
         of resistances in series. That of one diffusivity on the same points goes before, since sides, which cut
         neighbourhoods, take their part of both."""
@@ -42,8 +42,12 @@ class Layers(SceneTest):
                           "Start": {"Type": f"Initial {field}", "Node Set": "All Node Set", "Value": exact},
                           "Hold": {"Type": f"Prescribed {field}", "Node Set": "Collar Node Set", "Value": exact}}
             deck = self.deck(horizon, material, [1.0, 1.0 / jump], conditions,
-                             {"ImplicitDiffusion": {"Field": field, "Load Steps": 1, "Relative Tolerance": 1e-11}},
+                             solver or {"ImplicitDiffusion": {"Field": field, "Load Steps": 1, "Relative Tolerance": 1e-11}},
                              output={"Output Variables": [field, self.rate_of(field)]})
+            if material["Material Model"] == "Corrosion Dissolution":
+                deck["Damage Models"] = {"Phases": {"Damage Model": "Dissolution"}}
+                for block in deck["Blocks"].values():
+                    block["Damage Model"] = "Phases"
             rate = self.solve(deck, ranks=ranks).field(self.rate_of(field))
             fluxes.append(np.sum(rate[points[:, 0] > 0.5]) / slope)
         return fluxes[1] / fluxes[0]
@@ -67,6 +71,19 @@ class Layers(SceneTest):
         points = lattice([1.36, 0.24, 0.24], spacing, [-0.68, -0.12, -0.12])
         flux = self.steady_flux(points, spacing**3, 3.015 * spacing, {"Material Model": "Diffusion"}, 100.0, ranks=2)
         self.assertAlmostEqual(flux, 1.0, delta=1e-7)
+
+    def test_steady_flux_in_an_electrolyte(self):
+        # Corrosion with next to no metal left to dissolve, for so long that nothing changes any more.
+        spacing, horizon = 0.02, 0.06
+        ions = {"Material Model": "Corrosion Dissolution", "Plane Strain": True, "Solid Concentration": 100.0,
+                "Saturation Concentration": 10.0, "Charge Number": 2.0, "Current Density": "1.0"}
+        for degrees in (0.0, 20.0):
+            points = turned(lattice([2.4, 2.4], spacing, [-1.2, -1.2]), degrees)
+            points = points[(np.abs(points[:, 0]) < 0.6) & (np.abs(points[:, 1]) < 0.2)]
+            for ratio in (10.0, 1e4):
+                solver = {"Final Time": 1e4 * ratio, "Corrosion": {"Load Steps": 20, "Solver Tolerance": 1e-12}}
+                flux = self.steady_flux(points, spacing**2, horizon, ions, ratio, solver=solver)
+                self.assertAlmostEqual(flux, 1.0, delta=1e-4 if degrees == 0.0 else 5e-3, msg=(degrees, ratio))
 
     def test_two_layers_in_time(self):
         # From 1 in the first and 0 in the second: C at the interface is at once sqrt(D1)/(sqrt(D1) + sqrt(D2)).
