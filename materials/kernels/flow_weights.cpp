@@ -23,8 +23,10 @@ double longestBond(const BondEnds& ends) {
   return std::sqrt(longest);
 }
 
-/// Bonds in units of the longest one, and their lengths.
+/// Bonds in units of the longest one, and their lengths as kernels see them: no end is nearer than `nearest`, so that
+/// one that a wall cuts short does not outweigh all others.
 struct ScaledEnds {
+  static constexpr double nearest = 0.05;
   double unit;
   std::vector<double> xi, length;
 
@@ -36,7 +38,7 @@ struct ScaledEnds {
         xi[dimension * k + a] /= unit;
         square += xi[dimension * k + a] * xi[dimension * k + a];
       }
-      length.push_back(std::sqrt(square));
+      length.push_back(std::max(std::sqrt(square), nearest));
     }
   }
 };

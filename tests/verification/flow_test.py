@@ -158,8 +158,8 @@ class SteadyFlow(SceneTest):
             grid[i, j] = result.field("Pressure")[inside]
             wave = grid[1:-1, 1:-1] - 0.25 * (grid[2:, 1:-1] + grid[:-2, 1:-1] + grid[1:-1, 2:] + grid[1:-1, :-2])
             return np.max(np.abs(wave[3:-3, 3:-3]))
-        self.assertLess(roughness(0.05), 2e-3)
-        self.assertGreater(roughness(0.0), 1e-1)
+        self.assertLess(roughness(0.05), 0.01)  # what the pressure bends by itself
+        self.assertGreater(roughness(0.0), 0.1)
 
     def test_a_pocket_that_is_cut_off_has_its_own_pressure(self):
         # A wall across the channel's end, and a lid that drives what is behind it.
@@ -167,8 +167,8 @@ class SteadyFlow(SceneTest):
         self.write_mesh(points, 0.1**2)
         deck = self.channel(0.1)
         conditions = deck["Boundary Conditions"]
-        conditions["Outlet Node Set"]["Expression"] = "x > 2 && x < 2.4"
-        conditions["Outlet"]["Surface"] = "(x - 2)*(x - 2.4)"
+        conditions["Outlet Node Set"]["Expression"] = "x > 2 && x < 2.2"
+        conditions["Outlet"]["Surface"] = "max(2 - x, x - 2.2)"
         conditions["Lid Node Set"] = {"Expression": "y > 1 && x > 2.4"}
         conditions["Walls Node Set"]["Expression"] = "y < 0 || y > 1 && x < 2.4 || x > 3 || x > 2.2 && x < 2.4"
         conditions["Walls"].pop("Surface")

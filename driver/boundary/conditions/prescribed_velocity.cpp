@@ -20,7 +20,7 @@ class PrescribedVelocity : public Condition, public FlowBoundary {
     declareNodeSet(declare);
     declare.functions("Velocity", "m/s",
                       "Components of the velocity of the boundary, functions of place and time; at rest if not given.");
-    declareSurface(declare, "Without it bonds end half way to the points.");
+    declareSurface(declare, "Without it bonds end half way to the first point of the wall.");
   }
   explicit PrescribedVelocity(const ConditionSection& section)
       : Condition(section, "Velocity", 3), FlowBoundary(section.node) {

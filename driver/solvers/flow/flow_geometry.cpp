@@ -10,13 +10,6 @@
 
 namespace pd {
 
-namespace {
-
-/// Fluid points nearer to a wall than this part of a bond count as that far away.
-constexpr double leastFraction = 0.02;
-
-}  // namespace
-
 FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks)
     : simulation_(simulation), mesh_(simulation.model.discretization()), law_(law) {
   for (const auto& condition : simulation.conditions.all()) {
@@ -25,8 +18,6 @@ FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std
     boundaries_.push_back(boundary);
     titles_.push_back(condition->node().keyPlace() + ": " + condition->title());
     beyond_.push_back(condition->points());
-    hasSurfaces_ = hasSurfaces_ || boundary->hasSurface();
-    hasOutflow_ = hasOutflow_ || boundary->isOutflow();
   }
   findKinds(flowBlocks);
   collectively(simulation.model.comm(), [&] { checkSides(); });
@@ -50,6 +41,7 @@ void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {
     }
   for (int point = 0; point < mesh_.nOwned; ++point)
     if (isFluid(point)) fluid_.push_back(point);
+  for (int point = 0; point < mesh_.nPoints; ++point) hasCells_ = hasCells_ || isCell(point);
 }
 
 /// The first point of each kind of trouble on this rank.
@@ -95,8 +87,9 @@ std::vector<int> FlowGeometry::neighborsOf(int point) const {
 
 std::vector<FlowGeometry::End> FlowGeometry::endsOf(int point) const {
   std::vector<End> ends;
-  for (const int neighbor : neighborsOf(point)) {
-    End end = endOf(point, neighbor);
+  const std::vector<int> neighbors = neighborsOf(point);
+  for (const int neighbor : neighbors) {
+    End end = endOf(point, neighbor, neighbors);
     if (end.volume > 0.0) ends.push_back(end);
   }
   return ends;
@@ -108,41 +101,76 @@ std::vector<FlowGeometry::End> FlowGeometry::compactEndsOf(int point, const std:
     if (neighbor == point) continue;
     const ReferenceBond bond(mesh_.x.data(), point, neighbor);
     if (bond.length > law_.gradientHorizon * (1.0 + 1e-9)) continue;
-    End end = endOf(point, neighbor);
+    End end = endOf(point, neighbor, candidates);
     if (end.volume > 0.0) ends.push_back(end);
   }
   return ends;
 }
 
-FlowGeometry::End FlowGeometry::endOf(int point, int neighbor) const {
+FlowGeometry::End FlowGeometry::endOf(int point, int neighbor, const std::vector<int>& candidates) const {
   const ReferenceBond bond(mesh_.x.data(), point, neighbor);
   const double volume = law_.volumeOf(bond.length, mesh_.volume[index(point)], mesh_.volume[index(neighbor)]);
   End end{mesh_.sourceOf(neighbor), mesh_.copyOf(neighbor), kindOf(neighbor), bond.xi, bond.length, volume};
-  if (end.kind != Kind::Fluid || isNear_[index(point)] != 0.0 || isNear_[index(neighbor)] != 0.0)
-    meetBoundaries(point, neighbor, end);
+  if (volume > 0.0 && (isNear_[index(point)] != 0.0 || isNear_[index(neighbor)] != 0.0))
+    meetBoundaries(point, candidates, end);
   return end;
 }
 
-void FlowGeometry::meetBoundaries(int point, int neighbor, End& end) const {
+void FlowGeometry::meetBoundaries(int point, const std::vector<int>& candidates, End& end) const {
   end.fraction = 2.0;
-  if (hasSurfaces_)
-    for (std::size_t b = 0; b < boundaries_.size(); ++b) {
-      if (!boundaries_[b]->hasSurface()) continue;
-      const double fraction = crossing(*boundaries_[b], placeOf(point), end);
-      double& nearest = boundaries_[b]->isOutflow() ? end.openFraction : end.fraction;
-      if (fraction >= nearest) continue;
-      nearest = fraction;
-      (boundaries_[b]->isOutflow() ? end.outflow : end.boundary) = static_cast<int>(b);
-    }
-  if (end.kind == Kind::Wall && end.fraction > 1.0) {
-    end.fraction = 0.5;
-    end.boundary = boundaryOf_[index(mesh_.sourceOf(neighbor))];
+  for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+    if (!boundaries_[b]->hasSurface()) continue;
+    const double fraction = crossing(*boundaries_[b], placeOf(point), end);
+    double& nearest = boundaries_[b]->isOutflow() ? end.openFraction : end.fraction;
+    if (fraction >= nearest) continue;
+    nearest = fraction;
+    (boundaries_[b]->isOutflow() ? end.outflow : end.boundary) = static_cast<int>(b);
   }
+  if (hasCells_) meetCells(point, candidates, end);
   if (end.openFraction >= end.fraction) end.openFraction = 2.0;
   if (end.fraction <= 1.0)
     end.kind = Kind::Wall;
   else
     end.fraction = 1.0;
+}
+
+/// The first place of the bond to which a point of a wall without a surface is nearer than the point and all fluid.
+void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End& end) const {
+  const auto nearestCell = [&](double fraction) {
+    const std::array<double, 3> place = placeOn(point, end, fraction);
+    const auto square = [&](int other) {
+      const double* x = placeOf(other);
+      return (x[0] - place[0]) * (x[0] - place[0]) + (x[1] - place[1]) * (x[1] - place[1]) +
+             (x[2] - place[2]) * (x[2] - place[2]);
+    };
+    int nearest = point;
+    double least = square(point);
+    for (const int other : candidates) {
+      const double distance = square(other);
+      if (distance >= least * (isCell(other) ? 1.0 - 1e-9 : 1.0)) continue;
+      nearest = other;
+      least = distance;
+    }
+    return isCell(nearest) ? nearest : -1;
+  };
+  constexpr int nTrials = 12;
+  double low = 0.0, high = 2.0;
+  int cell = -1;
+  for (int trial = 1; trial <= nTrials && cell < 0; ++trial) {
+    const double fraction = static_cast<double>(trial) / nTrials;
+    cell = nearestCell(fraction);
+    (cell < 0 ? low : high) = fraction;
+  }
+  if (cell < 0 || low >= end.fraction) return;
+  for (int halving = 0; halving < 20; ++halving) {
+    const double middle = 0.5 * (low + high);
+    const int there = nearestCell(middle);
+    if (there >= 0) cell = there;
+    (there < 0 ? low : high) = middle;
+  }
+  if (high >= end.fraction) return;
+  end.fraction = high;
+  end.boundary = boundaryOf_[index(mesh_.sourceOf(cell))];
 }
 
 /// The first fraction of the bond at which the surface's function turns negative; 2 where it does not.
@@ -166,7 +194,7 @@ double FlowGeometry::crossing(const FlowBoundary& boundary, const double* from, 
     const double middle = 0.5 * (low + high);
     (valueAt(middle) < 0.0 ? high : low) = middle;
   }
-  return std::max(high, leastFraction);
+  return high;
 }
 
 std::array<double, 3> FlowGeometry::placeOn(int point, const End& end, double fraction) const {

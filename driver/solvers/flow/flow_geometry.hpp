@@ -13,7 +13,8 @@
 namespace pd {
 
 /// Points of blocks with a flow material whose velocity is not prescribed, and that lie before the outflows, are fluid.
-/// A bond that meets a wall ends there; without a Surface of the wall half way to the point beyond it.
+/// A bond that meets a wall ends there; without a Surface of the wall where the points of the wall are nearest: half
+/// way to a row of them.
 class FlowGeometry {
  public:
   enum class Kind : char { Fluid, Wall, Beyond };  ///< Beyond an outflow
@@ -57,17 +58,22 @@ class FlowGeometry {
   std::array<double, 3> normalAt(int boundary, const std::array<double, 3>& place) const;
   /// From a fluid point to the mirror image, at the outflow, of the end of the bond.
   std::array<double, 3> mirrored(int point, const End& end) const;
-  bool hasOutflow() const { return hasOutflow_; }
 
  private:
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
   Kind kindOf(int point) const { return kind_[index(mesh_.sourceOf(point))]; }
+  /// Of a wall without a surface.
+  bool isCell(int point) const {
+    const int boundary = boundaryOf_[index(mesh_.sourceOf(point))];
+    return kindOf(point) == Kind::Wall && (boundary < 0 || !boundaries_[index(boundary)]->hasSurface());
+  }
   const double* placeOf(int point) const { return mesh_.x.data() + 3 * index(point); }
   void findKinds(const std::vector<int>& flowBlocks);
   void checkSides() const;
   void findNearBoundary();
-  End endOf(int point, int neighbor) const;
-  void meetBoundaries(int point, int neighbor, End& end) const;
+  End endOf(int point, int neighbor, const std::vector<int>& candidates) const;
+  void meetBoundaries(int point, const std::vector<int>& candidates, End& end) const;
+  void meetCells(int point, const std::vector<int>& candidates, End& end) const;
   double crossing(const FlowBoundary& boundary, const double* from, const End& end) const;
 
   Simulation& simulation_;
@@ -80,7 +86,7 @@ class FlowGeometry {
   std::vector<Kind> kind_;                ///< [points]
   std::vector<double> isNear_;            ///< [points] 1 where a neighbour is not fluid
   std::vector<int> fluid_;
-  bool hasSurfaces_ = false, hasOutflow_ = false;
+  bool hasCells_ = false;  ///< walls without a surface
 };
 
 }  // namespace pd

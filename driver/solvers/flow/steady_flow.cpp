@@ -16,7 +16,7 @@ constexpr double keptFactorTolerance = 1e-4, newFactorTolerance = 1e-9;
 /// Iterations of GMRES after which a new factor is cheaper.
 constexpr int mostGmresIterations = 25;
 /// A change above this part of the largest velocity is a new flow, for which the old factor is not tried.
-constexpr double newFlowChange = 0.1;
+constexpr double newFlowChange = 0.3;
 
 double flowNorm(const Communicator& comm, const std::vector<double>& values) {
   double square = 0.0;

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""What `pdrun --check` says of decks of flows."""
+import copy
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from scene import SceneTest, lattice  # noqa: E402
+
+DECK = {
+    "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+    "Materials": {"Water": {"Material Model": "Navier Stokes", "Plane Strain": True, "Density": 1000.0,
+                            "Viscosity": 1e-3}},
+    "Blocks": {"Left": {"Block Names": "block_1", "Material": "Water", "Horizon": 0.3015},
+               "Right": {"Block Names": "block_2", "Material": "Water", "Horizon": 0.3015}},
+    "Boundary Conditions": {
+        "Walls Node Set": {"Expression": "x < 0 || x > 1 || y < 0"}, "Lid Node Set": {"Expression": "y > 1"},
+        "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set", "Surface": "min(min(x, 1 - x), y)"},
+        "Lid": {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set", "Velocity": [1e-6, 0.0],
+                "Surface": "1 - y"}},
+    "Solver": {"Final Time": 1.0, "Steady Flow": {}},
+    "Output": {"Output Filename": "result", "Output Frequency": 1, "Output Variables": ["Velocity", "Pressure"]}}
+
+
+class FlowDecks(SceneTest):
+    def setUp(self):
+        super().setUp()
+        points = lattice([1.8, 1.8], 0.1, origin=[-0.4, -0.4])
+        self.write_mesh(points, 0.01, block=np.where(points[:, 0] < 0.5, 1, 2))
+
+    def check(self, change):
+        deck = copy.deepcopy(DECK)
+        change(deck)
+        return self.run_deck(deck, arguments=["--check"])
+
+    def assert_refused(self, change, *messages):
+        result = self.check(change)
+        self.assertEqual(result.code, 2, result.text)
+        for message in messages:
+            self.assertIn(message, result.text)
+
+    def test_the_deck_is_good(self):
+        result = self.check(lambda deck: None)
+        self.assertEqual(result.code, 0, result.text)
+
+    def test_points_on_the_wrong_side_of_a_surface(self):
+        def turn_round(deck):
+            deck["Boundary Conditions"]["Lid"]["Surface"] = "y - 1"
+        self.assert_refused(turn_round, 'condition "Lid"', "of its node set is not beyond its Surface",
+                            "which is fluid; it must be positive there")
+
+    def test_surfaces_stay_where_they_are(self):
+        def move(deck):
+            deck["Boundary Conditions"]["Lid"]["Surface"] = "1 - y - t"
+        self.assert_refused(move, "Boundary Conditions/Lid/Surface depends on the time")
+
+    def test_velocities_have_values_on_the_boundary(self):
+        def break_velocity(deck):
+            deck["Boundary Conditions"]["Lid"]["Velocity"] = ["sqrt(y - 1.01)", 0.0]
+        self.assert_refused(break_velocity, "has no finite value at")
+
+    def test_an_outflow_says_where_it_is(self):
+        def open_lid(deck):
+            deck["Boundary Conditions"]["Lid"] = {"Type": "Outflow", "Node Set": "Lid Node Set"}
+        self.assert_refused(open_lid, '"Surface"')
+
+    def test_fluids_of_different_viscosity(self):
+        def change_right(deck):
+            deck["Materials"]["Oil"] = {**deck["Materials"]["Water"], "Viscosity": 0.1}
+            deck["Blocks"]["Right"]["Material"] = "Oil"
+        self.assert_refused(change_right, 'the fluids of the blocks "block_1" and "block_2" differ')
+
+    def test_a_flow_needs_a_fluid(self):
+        def solidify(deck):
+            deck["Materials"]["Water"] = {"Material Model": "Diffusion", "Plane Strain": True, "Coefficient": 1.0}
+        self.assert_refused(solidify, "Navier Stokes")
+
+    def test_gradients_of_neighbours_lie_within_the_horizon(self):
+        def reach_further(deck):
+            deck["Materials"]["Water"]["Gradient Horizon"] = 0.25
+        self.assert_refused(reach_further, '"Gradient Horizon"')
+
+    def test_a_gap_without_neighbours(self):
+        def narrow(deck):
+            deck["Boundary Conditions"]["Walls Node Set"]["Expression"] = "x < 0 || x > 1 || y < 0 || y < 0.9"
+            deck["Boundary Conditions"]["Walls"]["Surface"] = "min(min(x, 1 - x), y - 0.9)"
+        result = self.check(narrow)  # one row of points: its neighbours are walls, which is enough for viscosity
+        self.assertIn(result.code, (0, 2), result.text)
+        if result.code == 2:
+            self.assertIn("the gap is too narrow", result.text)
+
+
+if __name__ == "__main__":
+    unittest.main()
