@@ -143,6 +143,7 @@ class Sight {
   std::vector<std::vector<Range>> hidden_;
 };
 
+/// Negative where no place of `a`, or of `b`, that it looks at has material.
 double sharePast(const Cell& a, const Cell& b, const NearDiscontinuities& near, int n, bool countsMiddles,
                  long long* nLines) {
   const Measure measure(countsMiddles ? n : 0);
@@ -156,8 +157,8 @@ double sharePast(const Cell& a, const Cell& b, const NearDiscontinuities& near, 
     seen += sight.seen(place);
     if (nLines != nullptr) *nLines += static_cast<long long>(cell.lines.size());
   });
-  const double share = all > 0.0 ? seen / all : 0.0;
-  return share < negligible ? 0.0 : std::min(share, 1.0);
+  if (all == 0.0) return -1.0;
+  return seen < negligible * all ? 0.0 : std::min(seen / all, 1.0);
 }
 
 /// Is each place of `b` hidden from each of `a` by one screen? What a place does not see is convex, and so are the
@@ -178,6 +179,34 @@ bool hidesAll(const Screen& screen, const std::vector<const Void*>& voids, const
   return true;
 }
 
+/// Share of the cell above a plane crack: of the middles of n^D equal parts, or of all of its places.
+double shareAbove(const Screen& crack, const Cell& cell, int n, bool countsMiddles) {
+  if (countsMiddles) {
+    int above = 0, all = 0;
+    forEachPart(cell, n, [&](const Place& place) {
+      ++all;
+      above += crack.height(place) > 0.0 ? 1 : 0;
+    });
+    return static_cast<double>(above) / all;
+  }
+  const Lines lines = linesAcross(cell, cell.edges[1], n);
+  double sum = 0.0;
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    const Place start{lines.start[0][r], lines.start[1][r], lines.start[2][r]};
+    const double first = crack.height(start), last = crack.height(plus(start, lines.step));
+    const double high = std::max(first, last), low = std::min(first, last);
+    sum += low >= 0.0 ? 1.0 : high <= 0.0 ? 0.0 : high / (high - low);
+  }
+  return sum / static_cast<double>(lines.size());
+}
+
+/// Where a crack divides all that is between two cells, places see each other that are on one side.
+double shareOnOneSide(const Screen& crack, const Cell& a, const Cell& b, int n, bool countsMiddles) {
+  const double ofA = shareAbove(crack, a, n, countsMiddles), ofB = shareAbove(crack, b, n, countsMiddles);
+  const double share = ofA * ofB + (1.0 - ofA) * (1.0 - ofB);
+  return share < negligible ? 0.0 : share;
+}
+
 /// Shares of n lines are off by about a constant over n: what doubling changes is what is left of the error.
 double adaptiveShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, double tolerance,
                      long long* nLines) {
@@ -188,7 +217,7 @@ double adaptiveShare(const Cell& a, const Cell& b, const NearDiscontinuities& ne
   double coarse = sharePast(a, b, near, first, false, nLines);
   for (int n = 2 * first;; n *= 2) {
     const double fine = sharePast(a, b, near, n, false, nLines);
-    if (std::abs(fine - coarse) <= 0.5 * tolerance || n >= most) return fine;
+    if ((fine >= 0.0 && std::abs(fine - coarse) <= 0.5 * tolerance) || n >= most) return std::max(fine, 0.0);
     coarse = fine;
   }
 }
@@ -202,7 +231,7 @@ double shareByTipRule(const Cell& a, const Cell& b, const NearDiscontinuities& n
     if (cuts.value_or(false)) return 0.0;
     if (!cuts) others.screens.push_back(screen);
   }
-  return others.empty() ? 1.0 : sharePast(a, b, others, 1, true, nullptr);
+  return others.screens.empty() ? 1.0 : std::max(0.0, sharePast(a, b, others, 1, true, nullptr));
 }
 
 /// Nodes and weights of Gauss and Legendre on [-1, 1].
@@ -292,10 +321,14 @@ double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities&
   if (between.screens.empty()) return 1.0;
   if (rule.kind == Kind::Both) return shareByTipRule(a, b, between, TipRule::Both);
   if (rule.kind == Kind::Either) return shareByTipRule(a, b, between, TipRule::Either);
-  if (rule.kind == Kind::Intersection) return sharePast(a, b, between, 1, true, nLines);
+  if (rule.kind == Kind::Intersection) return std::max(0.0, sharePast(a, b, between, 1, true, nLines));
+  const bool isUniform = rule.kind == Kind::Uniform;
+  const Screen& first = *between.screens.front();
+  if (between.screens.size() == 1 && between.voids.empty() && first.divides(a, b))
+    return shareOnOneSide(first, a, b, isUniform ? rule.partitions : 32, isUniform);
   for (const Screen* screen : between.screens)
     if (hidesAll(*screen, between.voids, a, b)) return 0.0;
-  if (rule.kind == Kind::Uniform) return sharePast(a, b, between, rule.partitions, true, nLines);
+  if (isUniform) return std::max(0.0, sharePast(a, b, between, rule.partitions, true, nLines));
   return adaptiveShare(a, b, between, rule.tolerance, nLines);
 }
 

@@ -84,7 +84,23 @@ class FlatScreen : public Screen {
     keepCone(apex, height, lines, from, to);
   }
 
+  double height(const Place& place) const override { return dot(minus(place, origin_), normal_); }
+  bool divides(const Cell& a, const Cell& b) const override {
+    const std::vector<Place> corners = cornersOf(a, b);
+    std::vector<double> heights;
+    for (const Place& corner : corners) heights.push_back(height(corner));
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l) {
+        if ((heights[k] > 0.0) == (heights[l] > 0.0)) continue;
+        const double s = heights[k] / (heights[k] - heights[l]);
+        if (!covers(plus(corners[k], minus(corners[l], corners[k]), s))) return false;
+      }
+    return true;
+  }
+
  protected:
+  /// Whether a place in its plane is on the crack.
+  virtual bool covers(const Place& place) const = 0;
   /// Keeps what lies in the cone from `apex`, at this height over the crack, over the outline.
   virtual void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const = 0;
 
@@ -123,6 +139,11 @@ class SegmentScreen : public FlatScreen {
   }
 
  protected:
+  bool covers(const Place& place) const override {
+    const Place along = minus(b_, a_);
+    const double foot = dot(minus(place, a_), along);
+    return foot > 0.0 && foot < dot(along, along);
+  }
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     // The turn from the ray to a to the ray to b has the sign of the height.
     const double sign = height > 0.0 ? 1.0 : -1.0;
@@ -146,6 +167,13 @@ class PolygonScreen : public FlatScreen {
   Box box() const override { return boxOf(corners_); }
 
  protected:
+  bool covers(const Place& place) const override {
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const Place& next = corners_[(k + 1) % corners_.size()];
+      if (dot(crossed(minus(next, corners_[k]), minus(place, corners_[k])), normal_) <= 0.0) return false;
+    }
+    return true;
+  }
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     // Seen from the side that the normal points to, corners follow each other against the clock.
     const double sign = height > 0.0 ? -1.0 : 1.0;
@@ -206,6 +234,7 @@ class DiskScreen : public FlatScreen {
   }
 
  protected:
+  bool covers(const Place& place) const override { return lengthOf(minus(place, origin_)) < radius_; }
   /// The connection from p (height h) to q (height g) passes the plane at (g p - h q)/(g - h).
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     const Place p = plus(minus(apex, origin_), normal_, -height);
@@ -235,12 +264,12 @@ class DiskScreen : public FlatScreen {
 /// An ellipsoid in the coordinates in which it is the unit ball.
 class UnitBall {
  public:
-  explicit UnitBall(const Ellipsoid& shape) : shape_(shape) {}
+  explicit UnitBall(const Ellipsoid& shape) : shape_(shape) {
+    for (std::size_t k = 0; k < shape.halfAxes.size(); ++k)
+      rows_[k] = plus({}, shape.halfAxes[k], 1.0 / dot(shape.halfAxes[k], shape.halfAxes[k]));
+  }
   Place mapped(const Place& difference) const {
-    Place result{};
-    for (std::size_t k = 0; k < shape_.halfAxes.size(); ++k)
-      result[k] = dot(difference, shape_.halfAxes[k]) / dot(shape_.halfAxes[k], shape_.halfAxes[k]);
-    return result;
+    return {dot(difference, rows_[0]), dot(difference, rows_[1]), dot(difference, rows_[2])};
   }
   Place mappedPlace(const Place& place) const { return mapped(minus(place, shape_.center)); }
   /// How far it reaches along `axis` from its centre.
@@ -267,6 +296,7 @@ class UnitBall {
 
  private:
   Ellipsoid shape_;
+  std::array<Place, 3> rows_{};
 };
 
 Range withinBall(const Place& start, const Place& step) {
@@ -311,7 +341,13 @@ class EllipsoidScreen : public Screen {
     double radius = 1.0;
     for (std::size_t k = 0; k < 3; ++k)
       radius += 0.5 * std::max(lengthOf(ball_.mapped(a.edges[k])), lengthOf(ball_.mapped(b.edges[k])));
-    return lengthOf(plus(start, step, s)) <= radius;
+    const Place nearest = plus(start, step, s);
+    const double distance = lengthOf(nearest);
+    if (distance > radius) return false;
+    // A plane between both: across the shortest way from the ball to the bond.
+    const std::vector<Place> corners = cornersOf(a, b);
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Place& corner) { return dot(ball_.mappedPlace(corner), nearest) < distance; });
   }
   Box box() const override { return ball_.box(); }
 
