@@ -53,45 +53,37 @@ class Ellipse:
         return (xx - POISSON * yy) / YOUNG, (yy - POISSON * xx) / YOUNG
 
 
-def functions(ellipses, half):
-    """Displacements as functions of x and y far from the holes of plates with one each, added up with one uniform strain:
-    terms of 1/z fitted to them; the largest misfit in parts of the largest displacement."""
+def functions(ellipse, half):
+    """Displacements as functions of x and y near the rim of the plate: terms of 1/z fitted to them; and the largest misfit
+    in parts of the largest displacement."""
     side = np.linspace(-half, half, 81)
-    x, y = (np.concatenate(v) for v in zip(*[(side, s * np.full(81, 0.5 * (half + inner)))
-                                             for s in (-1, 1) for inner in (half, 0.9 * half)]))
-    x, y = np.concatenate([x, y]), np.concatenate([y, x])
-    terms, columns = [], []
-    for ellipse in ellipses[:1]:
-        p, q = ellipse.center.real, ellipse.center.imag
-        big_x, big_y = f"(x - ({p:.17g}))", f"(y - ({q:.17g}))"
-        r2 = f"({big_x}^2 + {big_y}^2)"
-        z = x - p + 1j * (y - q)
-        # conj(z)^n, real and imaginary, as text
-        powers = {1: (big_x, f"(-{big_y})"),
-                  3: (f"({big_x}^3 - 3*{big_x}*{big_y}^2)", f"({big_y}^3 - 3*{big_x}^2*{big_y})"),
-                  5: (f"({big_x}^5 - 10*{big_x}^3*{big_y}^2 + 5*{big_x}*{big_y}^4)",
-                      f"(10*{big_x}^2*{big_y}^3 - 5*{big_x}^4*{big_y} - {big_y}^5)")}
-        size = half
-        terms += [f"{big_x}/{size:.17g}", f"{big_y}/{size:.17g}"]
-        columns += [z.real / size, z.imag / size]
-        for n, texts in powers.items():
-            for extra in ((0,) if n == 1 else (0, 2)):
-                for text, value in zip(texts, (np.real(z**-n), np.imag(z**-n))):
-                    scale = size**(n - extra)
-                    terms.append(f"{scale:.17g}*{text}/{r2}^{n - extra // 2}")
-                    columns.append(scale * value * np.abs(z)**extra)
-    a = np.column_stack(columns)
-    result, misfit = [], 0.0
-    for axis in (0, 1):
-        wanted = sum(ellipse.displacement(x, y)[axis] for ellipse in ellipses)
-        factors = np.linalg.lstsq(a, wanted, rcond=None)[0]
-        misfit = max(misfit, np.max(np.abs(a @ factors - wanted)) / np.max(np.abs(wanted)))
-        result.append(" + ".join(f"({factor:.17g})*{term}" for factor, term in zip(factors, terms)))
-    return result, misfit
+    layers = [sign * part * half for sign in (-1, 1) for part in (0.95, 1.0)]
+    along, across = np.tile(side, len(layers)), np.repeat(layers, len(side))
+    x, y = np.concatenate([along, across]), np.concatenate([across, along])
+    p, q = ellipse.center.real, ellipse.center.imag
+    big_x, big_y = f"(x - ({p:.17g}))", f"(y - ({q:.17g}))"
+    z, r2 = x - p + 1j * (y - q), f"({big_x}^2 + {big_y}^2)"
+    # conj(z)^n, real and imaginary, as text
+    powers = {1: (big_x, f"(-{big_y})"),
+              3: (f"({big_x}^3 - 3*{big_x}*{big_y}^2)", f"({big_y}^3 - 3*{big_x}^2*{big_y})"),
+              5: (f"({big_x}^5 - 10*{big_x}^3*{big_y}^2 + 5*{big_x}*{big_y}^4)",
+                  f"(10*{big_x}^2*{big_y}^3 - 5*{big_x}^4*{big_y} - {big_y}^5)")}
+    terms, columns = [f"{big_x}/{half:.17g}", f"{big_y}/{half:.17g}"], [z.real / half, z.imag / half]
+    for n, texts in powers.items():
+        for extra in (0,) if n == 1 else (0, 2):  # z^-n and |z|^2 z^-n
+            scale = half**(n - extra)
+            for text, value in zip(texts, (np.real(z**-n), np.imag(z**-n))):
+                terms.append(f"{scale:.17g}*{text}/{r2}^{n - extra // 2}")
+                columns.append(scale * value * np.abs(z)**extra)
+    matrix, texts, misfit = np.column_stack(columns), [], 0.0
+    for wanted in ellipse.displacement(x, y):
+        factors = np.linalg.lstsq(matrix, wanted, rcond=None)[0]
+        misfit = max(misfit, np.max(np.abs(matrix @ factors - wanted)) / np.max(np.abs(wanted)))
+        texts.append(" + ".join(f"({factor:.17g})*{term}" for factor, term in zip(factors, terms)))
+    return texts, misfit
 
 
 if __name__ == "__main__":
-    x, y, a, b, angle, half = map(float, sys.argv[1:])
-    texts, misfit = functions([Ellipse((x * 1e-3, y * 1e-3), a * 1e-3, b * 1e-3, np.radians(angle))], half * 1e-3)
-    print(f"misfit {misfit:.1e}", file=sys.stderr)
-    print("\n".join(texts))
+    center_x, center_y, half_a, half_b, degrees, half_edge = map(float, sys.argv[1:])
+    hole = Ellipse((center_x * 1e-3, center_y * 1e-3), half_a * 1e-3, half_b * 1e-3, np.radians(degrees))
+    print("\n".join(functions(hole, half_edge * 1e-3)[0]))

@@ -158,7 +158,8 @@ double sharePast(const Cell& a, const Cell& b, const NearDiscontinuities& near, 
     if (nLines != nullptr) *nLines += static_cast<long long>(cell.lines.size());
   });
   if (all == 0.0) return -1.0;
-  return seen < negligible * all ? 0.0 : std::min(seen / all, 1.0);
+  const double share = seen / all;
+  return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share;
 }
 
 /// Is each place of `b` hidden from each of `a` by one screen? What a place does not see is convex, and so are the
@@ -213,11 +214,13 @@ double adaptiveShare(const Cell& a, const Cell& b, const NearDiscontinuities& ne
   if (near.screens.size() == 1 && near.voids.empty())
     if (const std::optional<double> hidden = near.screens.front()->hiddenShare(a, b))
       return 1.0 - *hidden < negligible ? 0.0 : std::min(1.0, 1.0 - *hidden);
-  const int first = a.dimension == 3 ? 4 : 8, most = a.dimension == 3 ? 8 : 32;
-  double coarse = sharePast(a, b, near, first, false, nLines);
-  for (int n = 2 * first;; n *= 2) {
+  const int most = a.dimension == 3 ? 8 : 32;
+  double coarse = sharePast(a, b, near, 4, false, nLines);
+  for (int n = 8;; n *= 2) {
     const double fine = sharePast(a, b, near, n, false, nLines);
-    if ((fine >= 0.0 && std::abs(fine - coarse) <= 0.5 * tolerance) || n >= most) return std::max(fine, 0.0);
+    // The first change is small by chance at times.
+    const double least = n == 8 && n < most ? 0.1 * tolerance : 0.5 * tolerance;
+    if ((fine >= 0.0 && std::abs(fine - coarse) <= least) || n >= most) return std::max(fine, 0.0);
     coarse = fine;
   }
 }

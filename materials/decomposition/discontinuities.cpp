@@ -307,30 +307,44 @@ class EllipsoidScreen : public Screen {
  public:
   explicit EllipsoidScreen(const Ellipsoid& shape) : ball_(shape) {}
 
-  /// Behind the ball is what lies in the tangent cone and beyond the plane through the circle of its touch.
+  /// Behind the ball is what lies in the tangent cone and beyond the plane through the circle of its touch. Without
+  /// branches in the loop, for the sake of the compiler.
   void hide(const Place& place, const Lines& lines, double* from, double* to) const override {
     const Place p = ball_.mappedPlace(place), d = ball_.mapped(lines.step);
-    const double beyond = dot(p, p) - 1.0, slope = dot(p, d), square = slope * slope - dot(d, d) * beyond;
+    const double p2 = dot(p, p), d2 = dot(d, d), beyond = p2 - 1.0, slope = dot(p, d);
+    std::fill(from, from + lines.size(), 0.0);
+    std::fill(to, to + lines.size(), 1.0);
+    if (beyond < 0.0) return;
+    if (d2 == 0.0) return hideAlongAxis(p, beyond, lines, from, to);
+    const double square =
+        std::abs(slope * slope - d2 * beyond) > 1e-14 * d2 * p2 ? slope * slope - d2 * beyond : -1e-14 * d2 * p2;
+    const bool isClosed = square < 0.0, isAhead = slope < 0.0;
+    const double perSquare = 1.0 / square, perSlope = slope == 0.0 ? 0.0 : 1.0 / slope, perD2 = 1.0 / d2;
     for (std::size_t r = 0; r < lines.size(); ++r) {
-      from[r] = 0.0;
-      to[r] = 1.0;
-      if (beyond < 0.0) continue;
-      const Place start = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
-      const Place u = minus(start, p);
-      const double height = dot(p, start), away = dot(p, u);
-      Range behind{0.0, 1.0};
-      if (slope != 0.0)
-        (slope > 0.0 ? behind.high : behind.low) =
-            slope > 0.0 ? std::min(1.0, (1.0 - height) / slope) : std::max(0.0, (1.0 - height) / slope);
-      else if (height > 1.0)
-        behind.high = -1.0;
-      if (behind.low < behind.high)
-        behind = nonNegative(square, away * slope - dot(u, d) * beyond, away * away - dot(u, u) * beyond, behind);
-      const Range within = withinBall(start, d);
-      if (behind.low >= behind.high) behind = within;
-      const bool isBoth = within.low < within.high;
-      from[r] = isBoth ? std::min(behind.low, within.low) : behind.low;
-      to[r] = isBoth ? std::max(behind.high, within.high) : behind.high;
+      const Place x = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
+      const double height = dot(p, x), away = height - p2, x2 = dot(x, x), xd = dot(x, d);
+      const double ud = xd - slope, u2 = x2 - 2.0 * height + p2;
+      // In the cone away + s slope < 0 and square s^2 + 2 b s + c >= 0.
+      const double b = away * slope - ud * beyond, c = away * away - u2 * beyond;
+      const double discriminant = b * b - square * c;
+      const double root = std::sqrt(discriminant > 0.0 ? discriminant : 0.0);
+      const double first = (-b + root) * perSquare, second = (-b - root) * perSquare;
+      double low = isClosed || isAhead ? first : 0.0, high = isClosed || !isAhead ? second : 1.0;
+      const double touch = (1.0 - height) * perSlope;
+      low = slope < 0.0 && touch > low ? touch : low;
+      high = slope > 0.0 && touch < high ? touch : high;
+      high = (slope == 0.0 && height > 1.0) || (isClosed && discriminant <= 0.0) ? -1.0 : high;
+      low = low > 0.0 ? low : 0.0;
+      high = high < 1.0 ? high : 1.0;
+      // The part within the ball.
+      const double within = xd * xd - d2 * (x2 - 1.0);
+      const double half = std::sqrt(within > 0.0 ? within : 0.0);
+      double in = (-xd - half) * perD2, out = (-xd + half) * perD2;
+      in = in > 0.0 ? in : 0.0;
+      out = within > 0.0 && out < 1.0 ? out : (within > 0.0 ? 1.0 : -1.0);
+      const bool isIn = in < out, isBehind = low < high;
+      from[r] = isBehind && isIn ? (low < in ? low : in) : (isIn ? in : low);
+      to[r] = isBehind && isIn ? (high > out ? high : out) : (isIn ? out : high);
     }
   }
 
@@ -352,6 +366,17 @@ class EllipsoidScreen : public Screen {
   Box box() const override { return ball_.box(); }
 
  private:
+  /// Lines along an axis of infinite length: all of one or nothing.
+  void hideAlongAxis(const Place& p, double beyond, const Lines& lines, double* from, double* to) const {
+    for (std::size_t r = 0; r < lines.size(); ++r) {
+      const Place x = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
+      const Place u = minus(x, p);
+      const double away = dot(p, u);
+      const bool isBehind = away < 0.0 && dot(p, x) <= 1.0 && away * away >= dot(u, u) * beyond;
+      to[r] = isBehind || dot(x, x) < 1.0 ? 1.0 : from[r];
+    }
+  }
+
   UnitBall ball_;
 };
 
