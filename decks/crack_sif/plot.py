@@ -12,6 +12,8 @@ from pdplot_lib import figures  # noqa: E402
 
 RULES = {"Adaptive": "shares of bonds", "Uniform": "shares, n = 20", "Intersection": "intersection", "Both": "both",
          "Either": "either"}
+COLORS = dict(zip(RULES, ("tab:blue", "black", "tab:orange", "tab:green", "tab:red")))
+LINES = {"Uniform": ":"}
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 lengths = 9.875e-3 + 0.025e-3 * np.arange(11)
 
@@ -23,13 +25,13 @@ for rule, label in RULES.items():
     k = np.array([intensity(*opening(folder / f"{rule}_{n}.h5"), a) for n, a in enumerate(lengths)])
     error = 100 * (k / tada - 1)
     print(f"  {rule:12}", np.round(error, 2), "monotone" if np.all(np.diff(k) > 0) else "not monotone")
-    style = {"marker": "o", "fillstyle": "none", "markersize": 4}
+    style = {"marker": "o", "fillstyle": "none", "markersize": 4, "color": COLORS[rule], "linestyle": LINES.get(rule, "-")}
     of_intensity.plot(lengths * 1e3, k * 1e-6, label=label, **style)
     of_error.plot(lengths * 1e3, error, label=label, **style)
     x, v = opening(folder / f"{rule}_8.h5")
     if rule != "Uniform":
         near = np.abs(x) < 10.6e-3
-        of_opening.plot(x[near] * 1e3, v[near] * 1e6, label=label)
+        of_opening.plot(x[near] * 1e3, v[near] * 1e6, label=label, color=COLORS[rule])
 a = lengths[8]
 x = np.linspace(-a, a, 401)
 of_opening.plot(x * 1e3, 2 * STRESS / YOUNG * tada[8] / (STRESS * np.sqrt(np.pi * a)) * np.sqrt(a**2 - x**2) * 1e6, "--",

@@ -29,15 +29,16 @@ std::vector<Place> cornersOf(const Cell& a, const Cell& b) {
   return corners;
 }
 
-/// Are all places on one side of the plane origin + normal?
+/// Are all places on one side of the plane through `origin`, to a tolerance in heights? `normal`: of length 1.
 bool areOnOneSide(const std::vector<Place>& places, const Place& origin, const Place& normal) {
+  const double tolerance = 1e-9 * lengthOf(minus(places.front(), places.back()));
   double low = everywhere, high = -everywhere;
   for (const Place& place : places) {
     const double height = dot(minus(place, origin), normal);
     low = std::min(low, height);
     high = std::max(high, height);
   }
-  return low > 0.0 || high < 0.0;
+  return low > -tolerance || high < tolerance;
 }
 
 /// Keeps of each range what lies on the positive side of the plane through `apex`.
@@ -84,11 +85,11 @@ class FlatScreen : public Screen {
     keepCone(apex, height, lines, from, to);
   }
 
-  double height(const Place& place) const override { return dot(minus(place, origin_), normal_); }
+  bool isAbove(const Place& place) const override { return heightOf(place) >= -tolerance_; }
   bool divides(const Cell& a, const Cell& b) const override {
     const std::vector<Place> corners = cornersOf(a, b);
     std::vector<double> heights;
-    for (const Place& corner : corners) heights.push_back(height(corner));
+    for (const Place& corner : corners) heights.push_back(heightOf(corner));
     for (std::size_t k = 0; k < corners.size(); ++k)
       for (std::size_t l = 0; l < k; ++l) {
         if ((heights[k] > 0.0) == (heights[l] > 0.0)) continue;
@@ -99,6 +100,7 @@ class FlatScreen : public Screen {
   }
 
  protected:
+  double heightOf(const Place& place) const { return dot(minus(place, origin_), normal_); }
   /// Whether a place in its plane is on the crack.
   virtual bool covers(const Place& place) const = 0;
   /// Keeps what lies in the cone from `apex`, at this height over the crack, over the outline.

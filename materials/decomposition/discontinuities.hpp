@@ -56,8 +56,8 @@ class Screen {
   virtual Box box() const = 0;
   /// Of a flat crack: whether it cuts all of what is between the two cells in two, without an end there.
   virtual bool divides(const Cell&, const Cell&) const { return false; }
-  /// Of a flat crack: height over it, m; its sign is the side.
-  virtual double height(const Place&) const { return 0.0; }
+  /// Of a flat crack: whether a place is on the side that its normal points to.
+  virtual bool isAbove(const Place&) const { return true; }
   /// Share of the connections of all places of both cells that meet it, where that is known in closed form or nearly
   /// so.
   virtual std::optional<double> hiddenShare(const Cell&, const Cell&) const { return std::nullopt; }
