@@ -28,7 +28,7 @@ def opening(name):
     return x[upper, 0], 0.5 * (u[upper, 1] - u[lower, 1])
 
 
-def intensity(x, v, a, nearest=1.5e-3, farthest=5.0e-3):
+def intensity(x, v, a, nearest=3.0e-3, farthest=9.0e-3):
     """K by extrapolation to the right tip: v = 4 K/E sqrt(r/2 pi) sqrt(1 - r/2a), r from the tip, the latter factor that
     of the whole ellipse; what is left is taken as linear in r."""
     r = a - x

@@ -97,12 +97,11 @@ void declareBondDecomposition(Declarations& declare) {
       .text(
           "Rule",
           "Adaptive: the share of connections between two cells that meet no crack and no void, by lines that get "
-          "finer until it changes by no more than Tolerance. Uniform: the same by all pairs of Partitions^D middles of "
-          "equal parts of each cell. Intersection, Both, Either, for comparison: bonds are cut as a whole where the "
-          "line "
-          "between their points meets a crack or void; at the tips of cracks in a plane those, whose two ends are "
-          "beside "
-          "the crack, or one of them.")
+          "finer until it changes by no more than half of Tolerance; beside a straight crack alone by an integral. "
+          "Uniform: the same by all pairs of Partitions^D middles of equal parts of each cell. For comparison, cells "
+          "and bonds keep all or nothing: Intersection cuts bonds where the line between their points meets a crack or "
+          "void; Both and Either do so too, but cut bonds that cross the line of a crack in a plane where both of "
+          "their ends are beside the crack, or one of them.")
       .oneOf({"Adaptive", "Uniform", "Intersection", "Both", "Either"})
       .defaultTo("Adaptive")
       .from("Liu & Bao, Aerospace 9 (2022) 641, sections 2.3.1 and 3.1");

@@ -15,8 +15,9 @@ using decomposition::NearDiscontinuities;
 
 namespace {
 
-/// Cells that have less material are left out.
-constexpr double leastSolid = 1e-3;
+/// Cells that have less material are left out: slivers, whose middles are far from it. Around a hole they are 1e-3 of
+/// the cells that it cuts.
+constexpr double leastSolid = 0.05;
 
 decomposition::DecompositionRule ruleOf(const DeckNode& section) {
   using Kind = decomposition::DecompositionRule::Kind;
@@ -30,6 +31,16 @@ decomposition::DecompositionRule ruleOf(const DeckNode& section) {
   rule.tolerance = section.real("Tolerance", rule.tolerance);
   rule.partitions = section.integer("Partitions", rule.partitions);
   return rule;
+}
+
+/// Whether bonds and cells keep a part, or all or nothing.
+bool isShared(const decomposition::DecompositionRule& rule) {
+  using Kind = decomposition::DecompositionRule::Kind;
+  return rule.kind == Kind::Adaptive || rule.kind == Kind::Uniform;
+}
+
+bool containsAny(const std::vector<const decomposition::Void*>& voids, const decomposition::Place& place) {
+  return std::any_of(voids.begin(), voids.end(), [&](const auto* v) { return v->contains(place); });
 }
 
 /// Keeps the entries of `values`, `width` each, whose points are kept.
@@ -152,7 +163,7 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
   for (int i = 0; i < points.size(); ++i) {
     const Cell cell = cellOf(points.at(i), spacing[i]);
     const NearDiscontinuities within = nearBox(near(points.at(i)), boxAround(cell, cell));
-    solid_[i] = solidShare(cell, within.voids);
+    solid_[i] = isShared(rule_) ? solidShare(cell, within.voids) : containsAny(within.voids, cell.center) ? 0.0 : 1.0;
     isKept[i] = solid_[i] > leastSolid ? 1 : 0;
     if (solid_[i] == 1.0) continue;
     for (Entry& entry : entries_)

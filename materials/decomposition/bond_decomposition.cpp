@@ -36,8 +36,9 @@ double covered(std::vector<Range>& ranges) {
 /// A cell by lines along one of its edges.
 struct LinedCell {
   Lines lines;
-  std::vector<double> solid;  ///< [lines] share of the line that is outside of all voids
-  double allSolid = 0.0;      ///< sum of solid
+  /// [lines] what is in voids, or on the other side of a crack than the cell's point; empty where no line has any.
+  std::vector<std::vector<Range>> left;
+  double counted = 0.0;  ///< sum of the shares of lines that are neither
 };
 
 /// The shares of [0, 1] of a line that count: all of it, or the middles of equal parts.
@@ -75,19 +76,39 @@ Lines linesAcross(const Cell& cell, const Place& direction, int n) {
   return lines;
 }
 
-LinedCell lined(Lines lines, const std::vector<const Void*>& voids, const Measure& measure) {
-  LinedCell cell;
-  std::vector<Range> ranges;
-  for (std::size_t r = 0; r < lines.size(); ++r) {
-    ranges.clear();
-    for (const Void* v : voids)
-      v->addWithin({lines.start[0][r], lines.start[1][r], lines.start[2][r]}, lines.step, ranges);
-    for (Range& range : ranges) range = {measure.snapped(range.low), measure.snapped(range.high)};
-    cell.solid.push_back(1.0 - covered(ranges));
-    cell.allSolid += cell.solid.back();
+/// Adds what `place` does not see of each line.
+void addHidden(const Place& place, const std::vector<const Screen*>& screens, const Lines& lines,
+               const Measure& measure, std::vector<std::vector<Range>>& hidden) {
+  static thread_local std::vector<double> from, to;
+  from.resize(lines.size());
+  to.resize(lines.size());
+  for (const Screen* screen : screens) {
+    screen->hide(place, lines, from.data(), to.data());
+    for (std::size_t r = 0; r < lines.size(); ++r) {
+      const Range range{measure.snapped(from[r]), measure.snapped(to[r])};
+      if (from[r] < to[r] && range.low < range.high) hidden[r].push_back(range);
+    }
   }
-  cell.lines = std::move(lines);
-  return cell;
+}
+
+LinedCell lined(const Cell& cell, const Place& direction, int n, const NearDiscontinuities& near,
+                const Measure& measure) {
+  LinedCell result;
+  result.lines = linesAcross(cell, direction, n);
+  const Lines& lines = result.lines;
+  result.left.resize(lines.size());
+  if (!isIn(near.voids, cell.center)) addHidden(cell.center, near.screens, lines, measure, result.left);
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    std::vector<Range> ranges;
+    for (const Void* v : near.voids)
+      v->addWithin({lines.start[0][r], lines.start[1][r], lines.start[2][r]}, lines.step, ranges);
+    for (const Range& range : ranges)
+      result.left[r].push_back({measure.snapped(range.low), measure.snapped(range.high)});
+    result.counted += 1.0 - covered(result.left[r]);
+  }
+  if (std::all_of(result.left.begin(), result.left.end(), [](const auto& ranges) { return ranges.empty(); }))
+    result.left.clear();
+  return result;
 }
 
 /// Calls visit(place) for the middles of n^D equal parts of the cell.
@@ -101,24 +122,19 @@ void forEachPart(const Cell& cell, int n, Visit visit) {
             placeIn(cell, {(k + 0.5) / n - 0.5, (l + 0.5) / n - 0.5, cell.dimension == 3 ? (m + 0.5) / n - 0.5 : 0.0}));
 }
 
-/// How much of the lines a place sees past all screens.
+/// How much of what counts of a cell's lines a place sees past all screens.
 class Sight {
  public:
   Sight(const LinedCell& cell, const std::vector<const Screen*>& screens, const Measure& measure)
-      : cell_(cell), screens_(screens), measure_(measure), from_(cell.lines.size()), to_(cell.lines.size()) {
-    if (screens.size() > 1) hidden_.resize(cell.lines.size());
-  }
+      : cell_(cell), screens_(screens), measure_(measure), from_(cell.lines.size()), to_(cell.lines.size()) {}
 
   double seen(const Place& place) {
-    if (screens_.size() == 1) return seenPastOne(place);
-    for (auto& ranges : hidden_) ranges.clear();
-    for (const Screen* screen : screens_) {
-      screen->hide(place, cell_.lines, from_.data(), to_.data());
-      for (std::size_t r = 0; r < from_.size(); ++r) {
-        const Range range{measure_.snapped(from_[r]), measure_.snapped(to_[r])};
-        if (from_[r] < to_[r] && range.low < range.high) hidden_[r].push_back(range);
-      }
-    }
+    if (screens_.size() == 1 && cell_.left.empty()) return seenPastOne(place);
+    if (cell_.left.empty())
+      hidden_.assign(cell_.lines.size(), {});
+    else
+      hidden_ = cell_.left;
+    addHidden(place, screens_, cell_.lines, measure_, hidden_);
     double sum = static_cast<double>(hidden_.size());
     for (auto& ranges : hidden_) sum -= covered(ranges);
     return sum;
@@ -143,21 +159,48 @@ class Sight {
   std::vector<std::vector<Range>> hidden_;
 };
 
+/// Whether a screen may pass through the cell.
+bool isCut(const Cell& cell, const std::vector<const Screen*>& screens) {
+  const Box box = boxAround(cell, cell);
+  return std::any_of(screens.begin(), screens.end(),
+                     [&](const Screen* screen) { return screen->box().meets(box) && screen->isBetween(cell, cell); });
+}
+
+/// Whether a connection meets one of the screens.
+bool meetsAny(const std::vector<const Screen*>& screens, const Place& from, const Place& to) {
+  // A line of next to no length across the end, whose middle is the end.
+  const Place way = minus(to, from),
+              across =
+                  crossed(way, std::abs(way[2]) < lengthOf(way) * 0.9 ? Place{0.0, 0.0, 1.0} : Place{1.0, 0.0, 0.0});
+  Lines end;
+  end.step = plus({}, across, 1e-9 * lengthOf(way) / std::max(lengthOf(across), 1e-300));
+  const Place start = plus(to, end.step, -0.5);
+  for (std::size_t d = 0; d < 3; ++d) end.start[d] = {start[d]};
+  return std::any_of(screens.begin(), screens.end(), [&](const Screen* screen) {
+    double first = 0.0, last = 0.0;
+    screen->hide(from, end, &first, &last);
+    return first <= 0.5 && last > 0.5;
+  });
+}
+
+/// Negative where no place of `a`, or of `b`, that it looks at counts.
 double sharePast(const Cell& a, const Cell& b, const NearDiscontinuities& near, int n, bool countsMiddles,
                  long long* nLines) {
   const Measure measure(countsMiddles ? n : 0);
-  const Place direction = minus(b.center, a.center);
-  const LinedCell cell = lined(linesAcross(b, direction, n), near.voids, measure);
+  const LinedCell cell = lined(b, minus(b.center, a.center), n, near, measure);
   Sight sight(cell, near.screens, measure);
+  // Of a point in a void nobody knows on which side it is.
+  const bool hasSide = !isIn(near.voids, a.center) && isCut(a, near.screens);
   double seen = 0.0, all = 0.0;
   forEachPart(a, n, [&](const Place& place) {
-    if (isIn(near.voids, place)) return;
-    all += cell.allSolid;
+    if (isIn(near.voids, place) || (hasSide && meetsAny(near.screens, a.center, place))) return;
+    all += cell.counted;
     seen += sight.seen(place);
     if (nLines != nullptr) *nLines += static_cast<long long>(cell.lines.size());
   });
-  const double share = all > 0.0 ? seen / all : 0.0;
-  return share < negligible ? 0.0 : std::min(share, 1.0);
+  if (all == 0.0) return -1.0;
+  const double share = seen / all;
+  return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share;
 }
 
 /// Is each place of `b` hidden from each of `a` by one screen? What a place does not see is convex, and so are the
@@ -181,14 +224,16 @@ bool hidesAll(const Screen& screen, const std::vector<const Void*>& voids, const
 /// Shares of n lines are off by about a constant over n: what doubling changes is what is left of the error.
 double adaptiveShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, double tolerance,
                      long long* nLines) {
-  if (near.screens.size() == 1 && near.voids.empty())
+  if (near.screens.size() == 1 && near.voids.empty() && !isCut(a, near.screens) && !isCut(b, near.screens))
     if (const std::optional<double> hidden = near.screens.front()->hiddenShare(a, b))
       return 1.0 - *hidden < negligible ? 0.0 : std::min(1.0, 1.0 - *hidden);
-  const int first = a.dimension == 3 ? 4 : 8, most = a.dimension == 3 ? 8 : 32;
-  double coarse = sharePast(a, b, near, first, false, nLines);
-  for (int n = 2 * first;; n *= 2) {
+  const int most = a.dimension == 3 ? 8 : 32;
+  double coarse = sharePast(a, b, near, 4, false, nLines);
+  for (int n = 8;; n *= 2) {
     const double fine = sharePast(a, b, near, n, false, nLines);
-    if (std::abs(fine - coarse) <= 0.5 * tolerance || n >= most) return fine;
+    // The first change is small by chance at times.
+    const double least = n == 8 && n < most ? 0.1 * tolerance : 0.5 * tolerance;
+    if ((fine >= 0.0 && std::abs(fine - coarse) <= least) || n >= most) return std::max(fine, 0.0);
     coarse = fine;
   }
 }
@@ -202,7 +247,7 @@ double shareByTipRule(const Cell& a, const Cell& b, const NearDiscontinuities& n
     if (cuts.value_or(false)) return 0.0;
     if (!cuts) others.screens.push_back(screen);
   }
-  return others.empty() ? 1.0 : sharePast(a, b, others, 1, true, nullptr);
+  return others.screens.empty() ? 1.0 : std::max(0.0, sharePast(a, b, others, 1, true, nullptr));
 }
 
 /// Nodes and weights of Gauss and Legendre on [-1, 1].
@@ -292,10 +337,14 @@ double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities&
   if (between.screens.empty()) return 1.0;
   if (rule.kind == Kind::Both) return shareByTipRule(a, b, between, TipRule::Both);
   if (rule.kind == Kind::Either) return shareByTipRule(a, b, between, TipRule::Either);
-  if (rule.kind == Kind::Intersection) return sharePast(a, b, between, 1, true, nLines);
+  if (rule.kind == Kind::Intersection) return std::max(0.0, sharePast(a, b, between, 1, true, nLines));
+  const bool isUniform = rule.kind == Kind::Uniform;
+  const Screen& first = *between.screens.front();
+  if (between.screens.size() == 1 && between.voids.empty() && first.divides(a, b))
+    return first.isAbove(a.center) == first.isAbove(b.center) ? 1.0 : 0.0;
   for (const Screen* screen : between.screens)
     if (hidesAll(*screen, between.voids, a, b)) return 0.0;
-  if (rule.kind == Kind::Uniform) return sharePast(a, b, between, rule.partitions, true, nLines);
+  if (isUniform) return std::max(0.0, sharePast(a, b, between, rule.partitions, true, nLines));
   return adaptiveShare(a, b, between, rule.tolerance, nLines);
 }
 

@@ -45,8 +45,9 @@ double solidShare(const Cell& cell, const std::vector<const Void*>& voids);
 
 /// eta V'_a V'_b/(V_a V_b) of eqs. 11 and 15 there, V' being the volumes of the cells and V those of the material in
 /// them: the share, of the pairs of places with material in the two cells, of those whose connection meets no crack and
-/// no void. 0 where it is below 1e-6. The two cells may not be exchanged without changing the last digits.
-/// `nLines`, where given, is raised by the lines that it took.
+/// no void. Of a cell that a crack passes through count the places on the side of its point: to the letter of eq. 11
+/// that point would hold on to both faces of the crack, and keep it together. 0 where it is below 1e-6. The two cells
+/// may not be exchanged without changing the last digits. `nLines`, where given, is raised by the lines that it took.
 double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, const DecompositionRule& rule,
                         long long* nLines = nullptr);
 

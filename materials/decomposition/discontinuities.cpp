@@ -29,15 +29,16 @@ std::vector<Place> cornersOf(const Cell& a, const Cell& b) {
   return corners;
 }
 
-/// Are all places on one side of the plane origin + normal?
+/// Are all places on one side of the plane through `origin`, to a tolerance in heights? `normal`: of length 1.
 bool areOnOneSide(const std::vector<Place>& places, const Place& origin, const Place& normal) {
+  const double tolerance = 1e-9 * lengthOf(minus(places.front(), places.back()));
   double low = everywhere, high = -everywhere;
   for (const Place& place : places) {
     const double height = dot(minus(place, origin), normal);
     low = std::min(low, height);
     high = std::max(high, height);
   }
-  return low > 0.0 || high < 0.0;
+  return low > -tolerance || high < tolerance;
 }
 
 /// Keeps of each range what lies on the positive side of the plane through `apex`.
@@ -84,7 +85,24 @@ class FlatScreen : public Screen {
     keepCone(apex, height, lines, from, to);
   }
 
+  bool isAbove(const Place& place) const override { return heightOf(place) >= -tolerance_; }
+  bool divides(const Cell& a, const Cell& b) const override {
+    const std::vector<Place> corners = cornersOf(a, b);
+    std::vector<double> heights;
+    for (const Place& corner : corners) heights.push_back(heightOf(corner));
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l) {
+        if ((heights[k] > 0.0) == (heights[l] > 0.0)) continue;
+        const double s = heights[k] / (heights[k] - heights[l]);
+        if (!covers(plus(corners[k], minus(corners[l], corners[k]), s))) return false;
+      }
+    return true;
+  }
+
  protected:
+  double heightOf(const Place& place) const { return dot(minus(place, origin_), normal_); }
+  /// Whether a place in its plane is on the crack.
+  virtual bool covers(const Place& place) const = 0;
   /// Keeps what lies in the cone from `apex`, at this height over the crack, over the outline.
   virtual void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const = 0;
 
@@ -123,6 +141,11 @@ class SegmentScreen : public FlatScreen {
   }
 
  protected:
+  bool covers(const Place& place) const override {
+    const Place along = minus(b_, a_);
+    const double foot = dot(minus(place, a_), along);
+    return foot > 0.0 && foot < dot(along, along);
+  }
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     // The turn from the ray to a to the ray to b has the sign of the height.
     const double sign = height > 0.0 ? 1.0 : -1.0;
@@ -146,6 +169,13 @@ class PolygonScreen : public FlatScreen {
   Box box() const override { return boxOf(corners_); }
 
  protected:
+  bool covers(const Place& place) const override {
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const Place& next = corners_[(k + 1) % corners_.size()];
+      if (dot(crossed(minus(next, corners_[k]), minus(place, corners_[k])), normal_) <= 0.0) return false;
+    }
+    return true;
+  }
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     // Seen from the side that the normal points to, corners follow each other against the clock.
     const double sign = height > 0.0 ? -1.0 : 1.0;
@@ -206,6 +236,7 @@ class DiskScreen : public FlatScreen {
   }
 
  protected:
+  bool covers(const Place& place) const override { return lengthOf(minus(place, origin_)) < radius_; }
   /// The connection from p (height h) to q (height g) passes the plane at (g p - h q)/(g - h).
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     const Place p = plus(minus(apex, origin_), normal_, -height);
@@ -235,12 +266,12 @@ class DiskScreen : public FlatScreen {
 /// An ellipsoid in the coordinates in which it is the unit ball.
 class UnitBall {
  public:
-  explicit UnitBall(const Ellipsoid& shape) : shape_(shape) {}
+  explicit UnitBall(const Ellipsoid& shape) : shape_(shape) {
+    for (std::size_t k = 0; k < shape.halfAxes.size(); ++k)
+      rows_[k] = plus({}, shape.halfAxes[k], 1.0 / dot(shape.halfAxes[k], shape.halfAxes[k]));
+  }
   Place mapped(const Place& difference) const {
-    Place result{};
-    for (std::size_t k = 0; k < shape_.halfAxes.size(); ++k)
-      result[k] = dot(difference, shape_.halfAxes[k]) / dot(shape_.halfAxes[k], shape_.halfAxes[k]);
-    return result;
+    return {dot(difference, rows_[0]), dot(difference, rows_[1]), dot(difference, rows_[2])};
   }
   Place mappedPlace(const Place& place) const { return mapped(minus(place, shape_.center)); }
   /// How far it reaches along `axis` from its centre.
@@ -267,6 +298,7 @@ class UnitBall {
 
  private:
   Ellipsoid shape_;
+  std::array<Place, 3> rows_{};
 };
 
 Range withinBall(const Place& start, const Place& step) {
@@ -277,30 +309,44 @@ class EllipsoidScreen : public Screen {
  public:
   explicit EllipsoidScreen(const Ellipsoid& shape) : ball_(shape) {}
 
-  /// Behind the ball is what lies in the tangent cone and beyond the plane through the circle of its touch.
+  /// Behind the ball is what lies in the tangent cone and beyond the plane through the circle of its touch. Without
+  /// branches in the loop, for the sake of the compiler.
   void hide(const Place& place, const Lines& lines, double* from, double* to) const override {
     const Place p = ball_.mappedPlace(place), d = ball_.mapped(lines.step);
-    const double beyond = dot(p, p) - 1.0, slope = dot(p, d), square = slope * slope - dot(d, d) * beyond;
+    const double p2 = dot(p, p), d2 = dot(d, d), beyond = p2 - 1.0, slope = dot(p, d);
+    std::fill(from, from + lines.size(), 0.0);
+    std::fill(to, to + lines.size(), 1.0);
+    if (beyond < 0.0) return;
+    if (d2 == 0.0) return hideAlongAxis(p, beyond, lines, from, to);
+    const double square =
+        std::abs(slope * slope - d2 * beyond) > 1e-14 * d2 * p2 ? slope * slope - d2 * beyond : -1e-14 * d2 * p2;
+    const bool isClosed = square < 0.0, isAhead = slope < 0.0;
+    const double perSquare = 1.0 / square, perSlope = slope == 0.0 ? 0.0 : 1.0 / slope, perD2 = 1.0 / d2;
     for (std::size_t r = 0; r < lines.size(); ++r) {
-      from[r] = 0.0;
-      to[r] = 1.0;
-      if (beyond < 0.0) continue;
-      const Place start = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
-      const Place u = minus(start, p);
-      const double height = dot(p, start), away = dot(p, u);
-      Range behind{0.0, 1.0};
-      if (slope != 0.0)
-        (slope > 0.0 ? behind.high : behind.low) =
-            slope > 0.0 ? std::min(1.0, (1.0 - height) / slope) : std::max(0.0, (1.0 - height) / slope);
-      else if (height > 1.0)
-        behind.high = -1.0;
-      if (behind.low < behind.high)
-        behind = nonNegative(square, away * slope - dot(u, d) * beyond, away * away - dot(u, u) * beyond, behind);
-      const Range within = withinBall(start, d);
-      if (behind.low >= behind.high) behind = within;
-      const bool isBoth = within.low < within.high;
-      from[r] = isBoth ? std::min(behind.low, within.low) : behind.low;
-      to[r] = isBoth ? std::max(behind.high, within.high) : behind.high;
+      const Place x = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
+      const double height = dot(p, x), away = height - p2, x2 = dot(x, x), xd = dot(x, d);
+      const double ud = xd - slope, u2 = x2 - 2.0 * height + p2;
+      // In the cone away + s slope < 0 and square s^2 + 2 b s + c >= 0.
+      const double b = away * slope - ud * beyond, c = away * away - u2 * beyond;
+      const double discriminant = b * b - square * c;
+      const double root = std::sqrt(discriminant > 0.0 ? discriminant : 0.0);
+      const double first = (-b + root) * perSquare, second = (-b - root) * perSquare;
+      double low = isClosed || isAhead ? first : 0.0, high = isClosed || !isAhead ? second : 1.0;
+      const double touch = (1.0 - height) * perSlope;
+      low = slope < 0.0 && touch > low ? touch : low;
+      high = slope > 0.0 && touch < high ? touch : high;
+      high = (slope == 0.0 && height > 1.0) || (isClosed && discriminant <= 0.0) ? -1.0 : high;
+      low = low > 0.0 ? low : 0.0;
+      high = high < 1.0 ? high : 1.0;
+      // The part within the ball.
+      const double within = xd * xd - d2 * (x2 - 1.0);
+      const double half = std::sqrt(within > 0.0 ? within : 0.0);
+      double in = (-xd - half) * perD2, out = (-xd + half) * perD2;
+      in = in > 0.0 ? in : 0.0;
+      out = within > 0.0 && out < 1.0 ? out : (within > 0.0 ? 1.0 : -1.0);
+      const bool isIn = in < out, isBehind = low < high;
+      from[r] = isBehind && isIn ? (low < in ? low : in) : (isIn ? in : low);
+      to[r] = isBehind && isIn ? (high > out ? high : out) : (isIn ? out : high);
     }
   }
 
@@ -311,11 +357,28 @@ class EllipsoidScreen : public Screen {
     double radius = 1.0;
     for (std::size_t k = 0; k < 3; ++k)
       radius += 0.5 * std::max(lengthOf(ball_.mapped(a.edges[k])), lengthOf(ball_.mapped(b.edges[k])));
-    return lengthOf(plus(start, step, s)) <= radius;
+    const Place nearest = plus(start, step, s);
+    const double distance = lengthOf(nearest);
+    if (distance > radius) return false;
+    // A plane between both: across the shortest way from the ball to the bond.
+    const std::vector<Place> corners = cornersOf(a, b);
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Place& corner) { return dot(ball_.mappedPlace(corner), nearest) < distance; });
   }
   Box box() const override { return ball_.box(); }
 
  private:
+  /// Lines along an axis of infinite length: all of one or nothing.
+  void hideAlongAxis(const Place& p, double beyond, const Lines& lines, double* from, double* to) const {
+    for (std::size_t r = 0; r < lines.size(); ++r) {
+      const Place x = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
+      const Place u = minus(x, p);
+      const double away = dot(p, u);
+      const bool isBehind = away < 0.0 && dot(p, x) <= 1.0 && away * away >= dot(u, u) * beyond;
+      to[r] = isBehind || dot(x, x) < 1.0 ? 1.0 : from[r];
+    }
+  }
+
   UnitBall ball_;
 };
 

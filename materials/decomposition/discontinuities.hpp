@@ -54,6 +54,10 @@ class Screen {
   /// False only where no connection of the two cells meets it.
   virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
   virtual Box box() const = 0;
+  /// Of a flat crack: whether it cuts all of what is between the two cells in two, without an end there.
+  virtual bool divides(const Cell&, const Cell&) const { return false; }
+  /// Of a flat crack: whether a place is on the side that its normal points to.
+  virtual bool isAbove(const Place&) const { return true; }
   /// Share of the connections of all places of both cells that meet it, where that is known in closed form or nearly
   /// so.
   virtual std::optional<double> hiddenShare(const Cell&, const Cell&) const { return std::nullopt; }

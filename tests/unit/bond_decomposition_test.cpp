@@ -184,18 +184,42 @@ TEST(BondDecomposition, FormsInSpace) {
   EXPECT_NEAR(1.0 - solidShare(cube(0.6, 0.3, 0.4), {pore.get()}), 4.0 / 3.0 * pi * 0.3 * 0.2 * 0.4, 5e-4);
 }
 
-/// A crack through both points, along the bond or along the edge of cells.
+/// A crack through points, which then are on the side of its normal; along the bond; along the edge of cells; through
+/// cells.
 TEST(BondDecomposition, CracksAlongBondsThroughPointsAndOnEdges) {
   const auto through = segmentScreen({-5.0, 0.0, 0.0}, {5.0, 0.0, 0.0});
+  const auto onEdge = segmentScreen({-5.0, 0.5, 0.0}, {5.0, 0.5, 0.0});
+  const auto inside = segmentScreen({-5.0, 0.3, 0.0}, {5.0, 0.2, 0.0});
   for (const DecompositionRule& rule : {uniform(20), adaptive(1e-3)}) {
-    // Both places above the crack or both below.
-    EXPECT_NEAR(interactionShare(square(0.0, 0.0), square(1.0, 0.0), {{through.get()}, {}}, rule), 0.5, 1e-4);
-    // The upper half of the lower cell with all of the upper one.
-    EXPECT_NEAR(interactionShare(square(0.0, 0.0), square(0.0, 1.0), {{through.get()}, {}}, rule), 0.5, 1e-4);
-    EXPECT_EQ(interactionShare(square(0.0, -1.0), square(0.0, 1.0), {{through.get()}, {}}, rule), 0.0);
-    const auto onEdge = segmentScreen({-5.0, 0.5, 0.0}, {5.0, 0.5, 0.0});
-    EXPECT_EQ(interactionShare(square(0.0, 0.0), square(1.0, 0.0), {{onEdge.get()}, {}}, rule), 1.0);
-    EXPECT_EQ(interactionShare(square(0.0, 0.0), square(1.0, 1.0), {{onEdge.get()}, {}}, rule), 0.0);
+    const auto share = [&](const std::unique_ptr<Screen>& crack, const Cell& a, const Cell& b) {
+      return interactionShare(a, b, {{crack.get()}, {}}, rule);
+    };
+    EXPECT_EQ(share(through, square(0.0, 0.0), square(1.0, 0.0)), 1.0);
+    EXPECT_EQ(share(through, square(0.0, 0.0), square(0.0, 1.0)), 1.0);
+    EXPECT_EQ(share(through, square(0.0, -1.0), square(0.0, 0.0)), 0.0);
+    EXPECT_EQ(share(onEdge, square(0.0, 0.0), square(1.0, 0.0)), 1.0);
+    EXPECT_EQ(share(onEdge, square(0.0, 0.0), square(1.0, 1.0)), 0.0);
+    EXPECT_EQ(share(inside, square(0.0, 0.0), square(1.0, 0.0)), 1.0);
+    EXPECT_EQ(share(inside, square(0.0, 0.0), square(1.0, 1.0)), 0.0);
+  }
+}
+
+/// Where a crack ends in a cell, places that its point does not see do not count.
+TEST(BondDecomposition, ACellIsOnTheSideOfItsPoint) {
+  const Place start{-2.0, 0.3, 0.0}, tip{0.9, 0.2, 0.0};
+  const auto crack = segmentScreen(start, tip);
+  const Cell a = square(0.0, 0.0), b = square(1.0, 1.0), c = square(1.0, 0.0);
+  const auto meets = [&](const Place& p, const Place& q) { return segmentsCross(p, q, start, tip); };
+  for (const Cell& other : {b, c}) {
+    const auto isBehind = [&](const Place& p) {
+      const Cell& own = std::max(std::abs(p[0] - a.center[0]), std::abs(p[1] - a.center[1])) < 0.5 ? a : other;
+      return meets(own.center, p);
+    };
+    const Sampled expected = sampled(a, other, isBehind, meets);
+    const NearDiscontinuities near{{crack.get()}, {}};
+    EXPECT_NEAR(interactionShare(a, other, near, adaptive(1e-3)), expected.share, 2e-3 + expected.error);
+    EXPECT_NEAR(interactionShare(other, a, near, adaptive(1e-3)), expected.share, 2e-3 + expected.error);
+    EXPECT_NEAR(interactionShare(a, other, near, uniform(20)), expected.share, 5e-3 + expected.error);
   }
 }
 

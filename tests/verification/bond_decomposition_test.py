@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+"""Cracks and voids that points do not resolve: against fracture mechanics and elasticity, and what must not depend on them."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from scene import SceneTest, lattice, plate_deck  # noqa: E402
+
+YOUNG, THICKNESS = 100.0e9, 1.0e-3
+STEEL = {"Young's Modulus": YOUNG, "Poisson's Ratio": 1.0 / 3.0, "Lattice Rescaling": True,
+         "Surface Correction": "Energy Method"}
+SMALL_STRAIN = {"QuasiStatic": {"Load Steps": 1, "Relative Tolerance": 1e-8, "Kinematics": "Small Strain"}}
+
+
+def prescribed(node_set, axis, value):
+    return {"Type": "Prescribed Displacement", "Node Set": node_set, "Coordinate": axis, "Value": value}
+
+
+def circle(x, y, radius):
+    return {"Type": "Circle", "Center": [x, y], "Radius": radius}
+
+
+class CentreCrack(SceneTest):
+    """20 mm x 40 mm, half length about 4 mm between points 0.25 mm apart, 100 MPa along y."""
+    WIDTH, HEIGHT, SPACING = 20.0e-3, 40.0e-3, 0.25e-3
+
+    def setUp(self):
+        super().setUp()
+        points = lattice([self.WIDTH, self.HEIGHT], self.SPACING, [-0.5 * self.WIDTH, -0.5 * self.HEIGHT])
+        self.write_mesh(points, self.SPACING**2 * THICKNESS)
+        self.points = points
+
+    def intensity(self, a, rule):
+        """K over Tada's, from the ellipse that the opening is nearest to."""
+        force = 100.0e6 * self.WIDTH * THICKNESS
+        deck = plate_deck(
+            4.0 * self.SPACING, THICKNESS, STEEL, solver=SMALL_STRAIN, output={"Output Variables": ["Displacement"]},
+            conditions={"Top Node Set": {"Expression": "y > 19.8e-3"}, "Bottom Node Set": {"Expression": "y < -19.8e-3"},
+                        "Left Node Set": {"Expression": "x < -9.8e-3 && y > 0 && y < 0.2e-3"},
+                        "Sides Node Set": {"Expression": "abs(x) > 9.8e-3 && y > 0 && y < 0.2e-3"},
+                        "Up": {"Type": "Force", "Node Set": "Top Node Set", "Coordinate": "y", "Value": force},
+                        "Down": {"Type": "Force", "Node Set": "Bottom Node Set", "Coordinate": "y", "Value": -force},
+                        "Held X": prescribed("Left Node Set", "x", 0.0), "Held Y": prescribed("Sides Node Set", "y", 0.0)})
+        deck["Discretization"]["Cracks"] = {"Centre": {"Type": "Polyline", "Points": [-a, 0.0, a, 0.0]}}
+        deck["Discretization"]["Bond Decomposition"] = {"Rule": rule}
+        u = self.solve(deck).field("Displacement")[:, 1]
+        x, y = self.points[:, 0], self.points[:, 1]
+        upper, lower = ((side * y > 0) & (np.abs(y) < self.SPACING) for side in (1, -1))
+        v, x = 0.5 * (u[upper] - u[lower]), x[upper]
+        near = np.abs(x) < a - 0.75e-3
+        slope, square = np.polyfit(x[near]**2, v[near]**2, 1)  # v^2 = (2 K/E)^2/(pi a_e) (a_e^2 - x^2)
+        effective = np.sqrt(-square / slope)
+        part = 2.0 * a / self.WIDTH
+        tada = (1 - 0.025 * part**2 + 0.06 * part**4) / np.sqrt(np.cos(0.5 * np.pi * part)) * 100.0e6 * np.sqrt(np.pi * a)
+        return 0.5 * YOUNG * np.sqrt(-slope * np.pi * effective) / tada, effective - a
+
+    def test_a_tip_is_where_the_deck_has_it(self):
+        for rule, a in (("Adaptive", 3.875e-3), ("Uniform", 3.94e-3), ("Adaptive", 4.0e-3)):  # at a point ... beside cells
+            ratio, shift = self.intensity(a, rule)
+            self.assertAlmostEqual(ratio, 1.0, delta=0.02, msg=f"{rule}, {a}")
+            self.assertLess(abs(shift), 0.3 * self.SPACING, f"{rule}, {a}")
+        # Whole bonds put it half a spacing and more away.
+        self.assertGreater(self.intensity(3.88e-3, "Either")[1], 0.5 * self.SPACING)
+
+
+class Pores(SceneTest):
+    SPACING = 1.0e-3
+
+    def mesh(self, jitter):
+        points = lattice([0.03, 0.03], self.SPACING)
+        points[:, :2] += jitter * self.SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, (len(points), 2))
+        self.write_mesh(points, self.SPACING**2 * THICKNESS)
+        return points
+
+    def deck(self, variables, **more):
+        deck = plate_deck(3.2 * self.SPACING, THICKNESS, {"Young's Modulus": YOUNG, "Poisson's Ratio": 0.25,
+                                                          "Density": 8000.0},
+                          output={"Output Variables": variables}, **more)
+        deck["Discretization"]["Voids"] = {
+            "Small": circle(8.3e-3, 8.2e-3, 0.005e-3), "Wide": circle(20.0e-3, 12.0e-3, 4.5e-3),
+            "At The Side": circle(30.0e-3, 22.0e-3, 0.7e-3),
+            "Overlapping": {"Type": "Ellipse", "Center": [16.0e-3, 12.0e-3], "Half Axes": [2.0e-3, 0.4e-3], "Angle": 0.3},
+            "Corner": {"Type": "Polygon", "Corners": [7e-3, 20e-3, 12e-3, 21e-3, 9.2e-3, 22.1e-3, 9e-3, 25.4e-3]}}
+        deck["Discretization"]["Cracks"] = {
+            "From The Polygon": {"Type": "Polyline", "Points": [9e-3, 23e-3, 14.2e-3, 26.1e-3, 18.3e-3, 24.0e-3]}}
+        return deck
+
+    def test_forces_are_balanced_and_a_rigid_motion_makes_none(self):
+        points = self.mesh(0.3)
+        for form in ("Objective", "Linear"):
+            shapes = {"Stretched": ("0.01*y^2/0.03 + 0.002*sin(300*x)", "0.003*cos(200*x*y/0.03)"),
+                      "Turned": ("-0.5*x - 0.8660254037844386*y", "0.8660254037844386*x - 0.5*y")}  # by 120 degrees
+            forces = {}
+            for name, (u, v) in shapes.items():
+                conditions = {"All Node Set": {"Expression": "x > -1"}}
+                for axis, value in (("x", u), ("y", v)):
+                    conditions[f"Initial {axis}"] = {"Type": "Initial Displacement", "Node Set": "All Node Set",
+                                                     "Coordinate": axis, "Value": value}
+                deck = self.deck(["Force_Density", "Volume"], conditions=conditions,
+                                 solver={"Final Time": 1e-12, "Verlet": {"Fixed dt": 1e-12}})
+                deck["Materials"]["Steel"]["Tangential Force"] = form
+                result = self.solve(deck)
+                forces[name] = result.field("Force_Density", 0) * result.field("Volume", 0)[:, None]
+            scale = np.sum(np.abs(forces["Stretched"]))
+            self.assertLess(np.max(np.abs(np.sum(forces["Stretched"], axis=0))), 1e-12 * scale, form)
+            if form == "Objective":
+                self.assertLess(np.sum(np.abs(forces["Turned"])), 1e-12 * scale)
+        self.assertLess(len(result.field("Volume", 0)), len(points))
+
+    def test_ranks_find_the_same_shares(self):
+        self.mesh(0.3)
+        conditions = {"Top Node Set": {"Expression": "y > 26.8e-3"}, "Bottom Node Set": {"Expression": "y < 3.2e-3"},
+                      "Up": prescribed("Top Node Set", "y", "1.0e-5*t"), "Down": prescribed("Bottom Node Set", "y", 0.0),
+                      "Top Stays": prescribed("Top Node Set", "x", 0.0), "Stays": prescribed("Bottom Node Set", "x", 0.0)}
+        deck = self.deck(["Displacement", "Damage", "Volume"], conditions=conditions, solver=SMALL_STRAIN,
+                         damage={"Damage Model": "Critical Stretch", "Critical Stretch": 1.0})
+        results = [self.solve({**deck, "Output": {**deck["Output"], "Output Filename": f"on_{n}"}}, ranks=n) for n in (1, 2, 4)]
+        one = results[0]
+        self.assertGreater(one.field("Damage").max(), 0.4)
+        for other in results[1:]:
+            np.testing.assert_array_equal(one.field("Volume"), other.field("Volume"))
+            # Sums over neighbours, whose order is another one.
+            np.testing.assert_allclose(one.field("Damage"), other.field("Damage"), rtol=0, atol=1e-14)
+            u, v = one.field("Displacement"), other.field("Displacement")
+            self.assertLess(np.max(np.abs(u - v)), 1e-7 * np.max(np.abs(u)))
+
+    def test_two_hundred_ellipses_take_their_area(self):
+        self.mesh(0.0)
+        random = np.random.default_rng(3)
+        deck = self.deck(["Volume"], solver={"Final Time": 1e-12, "Verlet": {"Fixed dt": 1e-12}})
+        del deck["Discretization"]["Cracks"]
+        voids, area = {}, 0.0
+        for row in range(10):
+            for column in range(20):  # apart from each other
+                half = random.uniform(0.1e-3, 0.6e-3), random.uniform(0.01e-3, 0.5e-3)
+                voids[f"Pore {20 * row + column}"] = {
+                    "Type": "Ellipse", "Center": [(column + 0.5) * 1.5e-3, (row + 0.5) * 3e-3], "Half Axes": list(half),
+                    "Angle": random.uniform(0.0, 3.0)}
+                area += np.pi * half[0] * half[1]
+        deck["Discretization"]["Voids"] = voids
+        volume = np.sum(self.solve(deck).field("Volume", 0))
+        self.assertAlmostEqual(volume, (0.03**2 - area) * THICKNESS, delta=1e-3 * area * THICKNESS)
+
+    def test_bonds_break_and_a_run_goes_on(self):
+        self.mesh(0.3)
+        conditions = {"Top Node Set": {"Expression": "y > 26.8e-3"}, "Bottom Node Set": {"Expression": "y < 3.2e-3"},
+                      "Up": prescribed("Top Node Set", "y", "20.0*t"), "Down": prescribed("Bottom Node Set", "y", "-20.0*t")}
+        deck = self.deck(["Displacement", "Damage"], conditions=conditions,
+                         damage={"Damage Model": "Critical Stretch", "Critical Stretch": 0.01},
+                         solver={"Final Time": 2e-5, "Verlet": {"Fixed dt": 1e-7}})
+        deck["Output"].update({"Output Frequency": 100, "Checkpoint Frequency": 100})
+        whole = self.solve(deck)
+        before, after = whole.field("Damage", 0), whole.field("Damage")
+        self.assertTrue(np.all(after >= before))
+        self.assertGreater(np.max(after - before), 0.2)
+        deck["Output"].update({"Output Frequency": 200, "Output Filename": "half"})
+        deck["Solver"]["Final Time"] = 1e-5
+        self.solve(deck)
+        deck["Solver"]["Final Time"] = 2e-5
+        deck["Output"]["Output Filename"] = "rest"
+        rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
+        for label in ("Damage", "Displacement"):
+            np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
+class Refusals(SceneTest):
+    def test_what_is_wrong_is_said_with_its_place(self):
+        self.write_mesh(lattice([0.03, 0.03], 1e-3), 1e-9)
+        good = {"Cracks": {"Edge": {"Type": "Polyline", "Points": [0.0, 0.0151, 0.0102, 0.0151]}}}
+        material = {"Young's Modulus": YOUNG, "Poisson's Ratio": 0.25}
+        diffusing = {"Diffusivity": 1.0, "Solid Concentration": 1.0, "Saturation Concentration": 0.5, "Charge Number": 2.0,
+                     "Current Density": "1.0"}
+        cases = [
+            ({"Voids": {"Far": circle(0.05, 0.01, 1e-3)}}, {}, "Voids/Far meets no cell and no bond of the body"),
+            ({"Cracks": {"Far": {"Type": "Polyline", "Points": [0.05, 0.0, 0.06, 0.0]}}}, {}, "Cracks/Far meets no cell"),
+            ({"Voids": {"All": circle(0.015, 0.015, 0.1)}}, {}, "leave nothing of the body"),
+            ({"Voids": {"Ball": {"Type": "Sphere", "Center": [0.01, 0.01, 0.0], "Radius": 1e-3}}}, {}, "a form in space"),
+            ({"Cracks": {"One": {"Type": "Polyline", "Points": [0.01, 0.01]}}}, {}, "2 numbers for each of 2 places"),
+            ({"Bond Decomposition": {"Rule": "Uniform"}}, {}, "has neither"),
+            ({**good, "Symmetry": {"Plane": {"Point": [0, 0, 0], "Normal": [1, 0, 0]}}}, {}, "do not go with planes of symmetry"),
+            (good, {"Material Model": "Corrosion Dissolution", **diffusing, "damage": {"Damage Model": "Dissolution"}},
+             "Interaction_Share"),
+            (good, {"damage": {"Damage Model": "Nodal Energy", "Fracture Energy": 10.0, "Plane Stress": True, "Horizon": 3.2e-3,
+                               "Thickness": THICKNESS, **material}}, "whole bonds only"),
+        ]
+        for geometry, change, message in cases:
+            change = dict(change)
+            damage = change.pop("damage", None)
+            corrodes = "Material Model" in change
+            deck = plate_deck(3.2e-3, THICKNESS, {} if corrodes else material, damage=damage,
+                              solver={"QuasiStatic": {"Load Steps": 1}}, output={"Output Variables": ["Volume"]})
+            deck["Materials"]["Steel"].update(change)
+            if corrodes:
+                deck["Solver"] = {"Final Time": 1.0, "Corrosion": {"Load Steps": 1}}
+            deck["Discretization"].update(geometry)
+            result = self.run_deck(deck, arguments=["--check"])
+            self.assertEqual(result.code, 2, message + "\n" + result.text)
+            self.assertIn(message, result.text)
+
+
+if __name__ == "__main__":
+    unittest.main()
