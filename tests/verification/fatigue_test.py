@@ -190,7 +190,7 @@ class CrackedPlate(SceneTest):
         horizon = damage["Horizon"]
         rate = numbers[" B = "] * numbers[" A2 = "] * horizon * (1e6 / (numbers["E' = "] * horizon**0.5))**3
         self.assertAlmostEqual(rate / 1e-11, 1.0, delta=2e-3)  # four digits are printed
-        self.assertAlmostEqual(numbers[" B = "] / 0.204, 1.0, delta=0.04)
+        self.assertAlmostEqual(numbers[" B = "] / 0.207, 1.0, delta=0.05)  # of an independent prototype
         deck["Discretization"]["Influence Function"] = "1 - zeta/horizon"  # bonds reach beyond the horizon
         result = self.run_deck(deck)
         self.assertEqual(result.code, 2)
