@@ -14,9 +14,9 @@ namespace pd {
 
 class JIntegral : public TabledCompute {
  public:
-  struct Fields : TipRingFields {
+  struct Fields : TipFields {
     FieldHandle energyReleaseRate;
-    explicit Fields(const Teuchos::ParameterList& parameters) : TipRingFields(parameters) {
+    explicit Fields(const Teuchos::ParameterList& parameters) : TipFields(parameters) {
       energyReleaseRate = writes(outputField(parameters, pd::fields::globalScalar, "J/m2", "Energy release rate."));
     }
   };

@@ -44,9 +44,9 @@ std::array<double, 4> williamsGradient(int mode, double x, double y, double kapp
 
 class StressIntensity : public TabledCompute {
  public:
-  struct Fields : TipRingFields {
+  struct Fields : TipFields {
     FieldHandle intensities;
-    explicit Fields(const Teuchos::ParameterList& parameters) : TipRingFields(parameters) {
+    explicit Fields(const Teuchos::ParameterList& parameters) : TipFields(parameters) {
       intensities = writes(outputField(parameters, pd::fields::globalVector, "Pa m^0.5", "K_I, K_II and 0."));
     }
   };

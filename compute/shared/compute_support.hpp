@@ -60,6 +60,9 @@ Vector3 vectorOf(const Teuchos::ParameterList& parameters, const std::string& pr
 Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string& prefix);
 
 inline double dot(const Vector3& a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 /// Values of a field as the block sees it, at the end of the step.
 inline double* view(PeridigmNS::Block& block, const FieldHandle& field) { return field.of(*block.getDataManager()); }

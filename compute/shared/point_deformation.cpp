@@ -19,7 +19,8 @@ void addOuterProduct(Tensor& sum, double weight, const double* a, const double* 
     for (std::size_t j = 0; j < 3; ++j) sum[3 * i + j] += weight * a[i] * b[j];
 }
 
-/// Of a symmetric tensor without negative eigenvalues; those below 1e-8 of the largest count as zero.
+}  // namespace
+
 Tensor pseudoInverse(const Tensor& symmetric) {
   Tensor vectors = symmetric;
   double values[3] = {0.0, 0.0, 0.0}, work[16];
@@ -31,8 +32,6 @@ Tensor pseudoInverse(const Tensor& symmetric) {
       addOuterProduct(result, 1.0 / values[k], vectors.data() + 3 * k, vectors.data() + 3 * k);
   return result;
 }
-
-}  // namespace
 
 std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact) const {
   const double* volume = view(block, fields_.volume);

@@ -34,6 +34,9 @@ class DeformationGradients {
   Fields fields_;
 };
 
+/// Of a symmetric tensor without negative eigenvalues; those below 1e-8 of the largest count as zero.
+Tensor pseudoInverse(const Tensor& symmetric);
+
 /// What becomes of a tensor where vectors v become `reflection` v, a symmetric matrix.
 Tensor reflected(const Tensor& tensor, const Tensor& reflection);
 

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Two unit vectors at right angles to a unit vector and each other; along axes of coordinates where it is.
 std::array<Vector3, 2> axesAcross(const Vector3& direction) {
   std::size_t least = 0;

@@ -2,71 +2,20 @@
 
 namespace pd {
 
-namespace {
-
-constexpr const char* tipKey = "Tip Field";
-
-bool isGlobalVector(const PeridigmNS::FieldSpec& spec) {
-  namespace Field = PeridigmNS::PeridigmField;
-  return spec.getRelation() == Field::GLOBAL && spec.getLength() == Field::VECTOR &&
-         spec.getTemporal() == Field::CONSTANT;
-}
-
-}  // namespace
-
-TipRingFields::TipRingFields(const Teuchos::ParameterList& parameters) {
-  if (!parameters.isParameter(tipKey)) return;
-  const FieldDescription position =
-      pd::fields::globalVector(parameters.get<std::string>(tipKey), "m", "Position of the crack tip.");
-  auto& known = PeridigmNS::FieldManager::self();
-  if (!known.hasField(position.label) || isGlobalVector(known.getFieldSpec(position.label))) {
-    tip = readsIfThere(position);
-    direction = readsIfThere(
-        pd::fields::globalVector(crackDirectionLabel(position.label), "1", "Direction of the crack at its tip."));
-  }
-}
-
 void TipRing::declareParameters(ParameterDeclarations& declarations, const char* compute) {
-  declareCommonParameters(declarations, compute);
+  TipPlace::declareParameters(declarations, compute);
   HookesLaw::declareParameters(declarations);
-  declarations.real("Thickness", "m", "Thickness of the plane body.").positive().required();
   declarations.real("Inner Radius", "m", "Inner radius of the ring; one horizon at least.").positive().required();
   declarations.real("Outer Radius", "m", "Outer radius of the ring.").positive().required();
-  declareVector(declarations, "Direction", "1",
-                "Direction in which the crack grows (default: that of the Tip Field, else x).");
-  declareVector(declarations, "Tip", "m", "Position of the crack tip; what is not given is 0.");
-  declarations.text(tipKey, "Label of a Crack_Tip compute whose position is used instead of \"Tip X, Y, Z\".");
 }
 
 TipRing::TipRing(const Teuchos::ParameterList& parameters, std::string compute)
-    : compute_(std::move(compute)),
-      tipField_(parameters.isParameter(tipKey) ? parameters.get<std::string>(tipKey) : ""),
-      tip_(vectorOf(parameters, "Tip")),
-      direction_(directionOf(parameters, "Direction")),
+    : TipPlace(parameters, std::move(compute)),
       innerRadius_(parameters.get<double>("Inner Radius")),
       outerRadius_(parameters.get<double>("Outer Radius")),
-      thickness_(parameters.get<double>("Thickness")),
       isPlaneStress_(parameters.get<bool>("Plane Stress")) {
   if (!(outerRadius_ > innerRadius_))
     throw std::invalid_argument(compute_ + ": \"Outer Radius\" must be larger than \"Inner Radius\"");
-  if (direction_[2] != 0.0) throw std::invalid_argument(compute_ + ": \"Direction\" must lie in the x-y plane");
-  for (const char* key : {"Direction X", "Direction Y", "Direction Z"})
-    isDirectionGiven_ = isDirectionGiven_ || parameters.isParameter(key);
-}
-
-void TipRing::requireTip(PeridigmNS::Block& block, const FieldHandle& tip) const {
-  if (!tipField_.empty() && !tip.isIn(*block.getDataManager()))
-    throw std::invalid_argument(compute_ + ": \"Tip Field\" \"" + tipField_ + "\" is not the result of a Crack_Tip");
-}
-
-TipRing::Tip TipRing::tip(PeridigmNS::Block& block, const TipRingFields& fields) const {
-  const auto valueOr = [&](const FieldHandle& field, const Vector3& ofDeck) {
-    const double* value = field.ifIn(*block.getDataManager());
-    return value == nullptr ? ofDeck : Vector3{value[0], value[1], value[2]};
-  };
-  Tip tip{valueOr(fields.tip, tip_), direction_};
-  if (!isDirectionGiven_) tip.direction = valueOr(fields.direction, direction_);
-  return tip;
 }
 
 }  // namespace pd

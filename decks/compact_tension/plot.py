@@ -10,7 +10,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 
-WIDTH, THICKNESS, YOUNG, LOAD, RATIO, PARIS, RANGE = 0.04, 0.0032, 211e9, 1750.0, 0.1, 1.615e-11, 15.0  # of the deck
+WIDTH, THICKNESS, MODULUS, LOAD, RATIO, PARIS, RANGE = 0.04, 0.0032, 205.9e9, 1750.0, 0.1, 1.615e-11, 15.0  # of the deck
+INTEGRALS = {"J": "ring", "J_Of_Bonds": "rectangle", "J_Further_Out": "larger rectangle"}
 HORIZONS = ("2.25", "1.125", "0.5625")  # mm
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
@@ -18,7 +19,7 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 def history(name):
     with open(folder / f"{name}.csv") as file:
         rows = list(csv.DictReader(file))
-    return {key: np.array([float(row[key]) for row in rows]) for key in ("time", "Crack_Length", "J")}
+    return {key: np.array([float(row[key]) for row in rows]) for key in ("time", "Crack_Length", *INTEGRALS)}
 
 
 def standard(a):
@@ -34,10 +35,10 @@ def life_of_law(exponent, first, last):
     return np.sum(0.5 * (1 / rate[1:] + 1 / rate[:-1]) * np.diff(a))
 
 
-def intensity_ratio(run, length, horizon):
+def intensity_ratio(run, length, horizon, integral="J"):
     """K by J over that of the standard, mean over the growth by two spacings about a length: a crack goes row by row."""
     near = np.abs(run["Crack_Length"] - length) < horizon / 3
-    return np.mean(np.sqrt(np.maximum(run["J"][near], 0) * YOUNG) / standard(run["Crack_Length"][near]))
+    return np.mean(np.sqrt(np.maximum(run[integral][near], 0) * MODULUS) / standard(run["Crack_Length"][near]))
 
 
 def draw_growth(axis):
@@ -69,15 +70,18 @@ def draw_amplitude(of_intensity, of_length):
             if not (folder / f"amplitude_{exponent}_{horizon}.csv").exists():
                 continue
             run = history(f"amplitude_{exponent}_{horizon}")
-            ratios = [intensity_ratio(run, a, float(horizon) * 1e-3) for a in at]
+            ratios = {integral: [intensity_ratio(run, a, float(horizon) * 1e-3, integral) for a in at]
+                      for integral in INTEGRALS}
             lengths, first = np.unique(run["Crack_Length"], return_index=True)
             cycles = run["time"][first]
             start, end = np.interp([0.014, 0.028], lengths, cycles)
             total = life_of_law(exponent, 0.014, 0.028)
-            print(f"  M = {exponent}, horizon {horizon} mm: K " + " ".join(f"{ratio:.3f}" for ratio in ratios)
-                  + f"; life {(end - start) / total:.3f}")
-            if exponent == 3.0:
-                of_intensity.plot(at / WIDTH, ratios, "o-", fillstyle="none", label=f"horizon {horizon} mm")
+            print(f"  M = {exponent}, horizon {horizon} mm: life {(end - start) / total:.3f}")
+            for integral, name in INTEGRALS.items():
+                print(f"    K, {name}: " + " ".join(f"{ratio:.3f}" for ratio in ratios[integral]))
+                if exponent == 3.0 and integral != "J_Further_Out":
+                    of_intensity.plot(at / WIDTH, ratios[integral], "o-" if integral == "J" else "s--", fillstyle="none",
+                                      label=f"horizon {horizon} mm, {name}")
             if horizon == HORIZONS[1]:
                 color = of_length.plot((cycles - start) / total, lengths * 1e3)[0].get_color()
                 grid = np.linspace(0.014, 0.028, 60)

@@ -17,6 +17,12 @@ run() { # name, horizon in mm, exponent of Paris' law, more overrides
     --set "Damage Models/Fatigue/Horizon=$horizon mm" --set "Damage Models/Fatigue/Spacing=$spacing mm" \
     --set "Compute Class Parameters/J/Inner Radius=$(times 2 "$horizon") mm" \
     --set "Compute Class Parameters/J/Outer Radius=$(times 3.1 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds/Ahead=$(times 2 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds/Behind=$(times 2 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds/Above=$(times 2 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds Further Out/Ahead=$(times 2 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds Further Out/Behind=$(times 3 "$horizon") mm" \
+    --set "Compute Class Parameters/J Of Bonds Further Out/Above=$(times 4.5 "$horizon") mm" \
     --set "Damage Models/Fatigue/Paris Exponent=$exponent" "$@"
 }
 constant=(--set "Solver/Fatigue/Stress Intensity/Range=15.0e6" --set "Solver/Fatigue/Stop When/Reaches=0.021")
@@ -26,7 +32,8 @@ for horizon in 2.25 1.125; do
     run "range_${exponent}_$horizon" "$horizon" "$exponent" "${constant[@]}"
   done
   run "range_conical_$horizon" "$horizon" 3.0 "${constant[@]}" \
-    --set "Discretization/Influence Function=max(1 - zeta/horizon, 0)"
+    --set "Discretization/Influence Function=max(1 - zeta/horizon, 0)" \
+    --set "Solver/Fatigue/Stress Intensity/Effective Modulus=204.4e9"
 done
 run range_3.0_0.5625 0.5625 3.0 "${constant[@]}"
 "$here/plot.py" "$results"

@@ -18,13 +18,18 @@ constexpr int mostPoorSteps = 3;
 }  // namespace
 
 void Newton::hold(const std::vector<char>& isHeld) {
-  if (isHeld != isHeld_) hasTangent_ = false;
+  if (isHeld != isHeld_) forgetTangent();
   isHeld_ = isHeld;
   if (springs_) springs_->hold(isHeld_);
 }
 
-void Newton::dropTangent() {
+void Newton::forgetTangent() {
   hasTangent_ = false;
+  slack_.clear();
+}
+
+void Newton::dropTangent() {
+  forgetTangent();
   if (springs_) springs_->bondsHaveChanged();
 }
 
@@ -73,14 +78,29 @@ Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::v
     const double external = externalForce[i] * volume[i / 3], internal = force[i] * volume[i / 3];
     if (!isHeld_[i]) {
       residual_[i] = internal + external;
-      mine[0] += residual_[i] * residual_[i];
       mine[1] += external * external;
     } else if (isPrescribed[i]) {
       mine[2] += internal * internal;
     }
   }
+  leaveOutSlack(externalForce);
+  for (const double unbalanced : residual_) mine[0] += unbalanced * unbalanced;
   model.comm().SumAll(mine.data(), all.data(), 3);
   return {std::sqrt(all[0]), std::sqrt(std::max(all[1], all[2]))};
+}
+
+/// Where nothing resists a point, and no load acts on it, what bends its line of bonds is not balanced: a fibre in
+/// compression would buckle, which a search for equilibrium follows without end.
+void Newton::leaveOutSlack(const std::vector<double>& externalForce) {
+  for (const SlackDirection& slack : slack_) {
+    double load = 0.0, along = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      load += slack.axis[k] * externalForce[3 * slack.point + k];
+      along += slack.axis[k] * residual_[3 * slack.point + k];
+    }
+    if (load != 0.0) continue;
+    for (std::size_t k = 0; k < 3; ++k) residual_[3 * slack.point + k] -= along * slack.axis[k];
+  }
 }
 
 void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce) {

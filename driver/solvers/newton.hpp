@@ -2,6 +2,7 @@
 #ifndef PD_NEWTON_HPP
 #define PD_NEWTON_HPP
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -98,7 +99,15 @@ class Newton {
   /// about the present displacements, for which the former are the preconditioner; or the matrix of the tangent.
   enum class Tangent { Springs, Differences, Assembled };
 
+  /// In which no bond resists a point: it hangs on bonds in a line, as a loose end or a fibre on the lips of a crack.
+  struct SlackDirection {
+    std::size_t point;
+    std::array<double, 3> axis;
+  };
+
   Balance evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce);
+  void forgetTangent();
+  void leaveOutSlack(const std::vector<double>& externalForce);
   void chooseTangent(Model& model);
   void makeTangent(Simulation& simulation, double dt);
   /// Goes over to a better kind. False where there is none.
@@ -128,6 +137,7 @@ class Newton {
   double nonlinearity_ = 1e-3;           ///< what a step leaves of the residual that solves the linear problem exactly
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
+  std::vector<SlackDirection> slack_;    ///< of the last matrix
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;
   double roundOff_ = 0.0;  ///< N: what rounding of coordinates alone makes of the residual
 };

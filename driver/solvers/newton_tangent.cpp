@@ -116,11 +116,12 @@ void Newton::assemble(Simulation& simulation, double dt) {
 }
 
 /// A point that hangs on too few bonds (one, or some in a line) can move along some direction without force. Its own
-/// stiffness is spread to those directions; equilibrium itself is not changed by that.
+/// stiffness is spread to those directions, and forces along them are left out of the balance.
 void Newton::stiffenLoosePoints(Model& model) {
   constexpr double negligible = 1e-6, added = 1e-4;  // of the point's largest stiffness
   const std::vector<double> blocks = system_->diagonalBlocks();
   nStiffenedPoints = 0;
+  slack_.clear();
   for (int point = 0; point < model.nOwned(); ++point) {
     const auto first = static_cast<std::size_t>(3 * point);
     std::vector<int> axes;
@@ -134,6 +135,12 @@ void Newton::stiffenLoosePoints(Model& model) {
     const SymmetricEigen eigen = symmetricEigen(own, static_cast<int>(axes.size()));
     if (eigen.values.front() > negligible * eigen.values.back()) continue;
     ++nStiffenedPoints;
+    for (std::size_t mode = 0; mode < axes.size(); ++mode) {
+      if (eigen.values[mode] > negligible * eigen.values.back()) continue;
+      SlackDirection& slack = slack_.emplace_back(SlackDirection{static_cast<std::size_t>(point), {}});
+      for (std::size_t k = 0; k < axes.size(); ++k)
+        slack.axis[static_cast<std::size_t>(axes[k])] = eigen.vectors[mode * axes.size() + k];
+    }
     const double stiffness = std::max(std::abs(eigen.values.front()), std::abs(eigen.values.back()));
     for (const int axis : axes) system_->addToDiagonal(point, axis, stiffness > 0.0 ? added * stiffness : 1.0);
   }

@@ -62,7 +62,7 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
   // The lattice against the integrals, by bonds without k_t; with it E' is that of the material.
   const kernels::Stiffness c = kernels::stiffness(family_.section.geometry, young, poisson);
   const double cell = family_.dimension() == 3 ? std::pow(spacing_, 3) : spacing_ * spacing_ * family_.section.size;
-  const double ofLattice = constants.normal * cell * spacing_ * planeModulus(trial_.bonds);
+  const double ofLattice = constants.normal * cell * spacing_ * planeStiffness(trial_.bonds).fractureModulus();
   modulus_ = hasTangential_ ? (c.c11 * c.c11 - c.c12 * c.c12) / c.c11 : ofLattice;
   result_ = growthTrial(trial_);
   // A = C (E' sqrt(delta))^M / (B delta), C in Pa sqrt(m)

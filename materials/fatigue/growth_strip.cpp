@@ -10,6 +10,9 @@ namespace {
 
 // Of the strip, in its heights: the crack at the start, what is left ahead of it at the end.
 constexpr double crackedPart = 0.6, aheadPart = 0.8;
+/// T sqrt(height)/K of a crack from the far left along the middle of a strip between grips that do not move along it,
+/// C11 = 3 C12 = 3 C66 (all lattices of springs, nearly): by finite elements of second order, to 1e-3.
+constexpr double stressAlong = -0.6095;
 constexpr int rowsThatBreak = 3;  ///< beside the crack: of bonds that do not cross it
 
 int rounded(double value) { return static_cast<int>(std::lround(value)); }
@@ -43,6 +46,11 @@ GrowthStrip::GrowthStrip(std::vector<LatticeBond> bonds, double horizon, double 
   firstColumn_ = rounded(crackedPart * height * horizon);
   nColumns_ = firstColumn_ + nGrowth + rounded(aheadPart * height * horizon);
   nBroken_.assign(static_cast<std::size_t>(nColumns_ * nRows_), 0.0);
+  const PlaneStiffness stiffness = planeStiffness(lattice_);
+  poisson_ = stiffness.c12 / stiffness.c11;
+  strainUnit_ = std::sqrt(solveFarAhead() / stiffness.fractureModulus() / horizon);
+  // T = stressAlong K / sqrt(height), over E' along the crack
+  frameStrain_ = -stressAlong * strainUnit_ * stiffness.fractureModulus() / stiffness.modulus() / std::sqrt(height);
   std::vector<Bond> all;
   for (int column = 0; column < nColumns_; ++column)
     for (int row = 0; row < nRows_; ++row) collect(column, row, all);
@@ -54,20 +62,21 @@ GrowthStrip::GrowthStrip(std::vector<LatticeBond> bonds, double horizon, double 
     const Measure measure = measureOf(bond);
     for (std::size_t a = 0; a < static_cast<std::size_t>(measure.n); ++a) {
       const double force = bond.stiffness * measure.value[a];
-      u[static_cast<std::size_t>(measure.unknown[a])] -= force * measure.atGrips;
+      u[static_cast<std::size_t>(measure.unknown[a])] -= force * measure.ofFrame;
       for (std::size_t b = 0; b <= a; ++b) solver.add(measure.unknown[a], measure.unknown[b], force * measure.value[b]);
     }
-    if (!mayBreak(bond, nGrowth)) continue;
-    const bool isUpright = bond.isAcross && bond.from == bond.to && bond.from % static_cast<std::size_t>(nRows_) == 0;
-    const int column = static_cast<int>(bond.from) / nRows_;
-    if (isUpright && column >= firstColumn_ && bond.alongY == -1.0) tipBond_.push_back(bonds_.size());
-    bonds_.push_back(bond);
-    measures_.push_back(measure);
+    if (mayBreak(bond, nGrowth)) add(bond);
   }
   solver.factor();
   solver.solve(u);
-  findFlexibilities(solver, u);
-  strainUnit_ = std::sqrt(heldEnergy() / planeModulus(lattice_) / horizon);
+  condense(solver, u);
+}
+
+/// Of a place of the frame, or beyond an end that of a strip without end.
+GrowthStrip::Displacement GrowthStrip::ofFrame(int column, int row) const {
+  const bool isAhead = column >= nColumns_ && row < nRows_;
+  return {frameStrain_ * (column - firstColumn_),
+          (isAhead ? farAhead_[static_cast<std::size_t>(row)] : 1.0) - poisson_ * frameStrain_ * (row + 0.5)};
 }
 
 /// Whether the crack of the start cuts a bond across the middle.
@@ -80,23 +89,23 @@ void GrowthStrip::collect(int column, int row, std::vector<Bond>& all) {
   const std::size_t from = point(column, row);
   for (const LatticeBond& bond : lattice_) {
     const int toColumn = column + bond.x, toRow = row + bond.y;
-    if (toColumn < 0 || toColumn >= nColumns_) continue;
     const double length2 = bond.length * bond.length;
-    Bond made{from, from, false, false, bond.x / length2, bond.y / length2, bond.stiffness, bond.count};
-    if (toRow >= nRows_) {
-      made.isInGrip = true;
-    } else if (toRow >= 0) {
-      if (bond.y < 0 || (bond.y == 0 && bond.x < 0)) continue;
-      made.to = point(toColumn, toRow);
-    } else {
+    Bond made{from,           from,       false,    false, bond.x / length2, bond.y / length2,
+              bond.stiffness, bond.count, toColumn, toRow};
+    if (toRow < 0) {
       if (isCut(column, row, bond)) {
         nBroken_[from] += bond.count;
         continue;
       }
       made.isAcross = true;
-      made.to = point(toColumn, -1 - toRow);
-      if (made.to < from) continue;
-      if (made.to == from) made.stiffness *= 0.5;
+      made.row = -1 - toRow;
+    }
+    made.isToFrame = toColumn < 0 || toColumn >= nColumns_ || toRow >= nRows_;
+    if (!made.isToFrame) {
+      if (!made.isAcross && (bond.y < 0 || (bond.y == 0 && bond.x < 0))) continue;
+      made.to = point(toColumn, made.row);
+      if (made.isAcross && made.to < from) continue;
+      if (made.isAcross && made.to == from) made.stiffness *= 0.5;
     }
     all.push_back(made);
   }
@@ -105,37 +114,57 @@ void GrowthStrip::collect(int column, int row, std::vector<Bond>& all) {
 GrowthStrip::Measure GrowthStrip::measureOf(const Bond& bond) const {
   Measure measure;
   const int from = 2 * static_cast<int>(bond.from), to = 2 * static_cast<int>(bond.to);
+  const double mirroredY = bond.isAcross ? -bond.alongY : bond.alongY;
   measure.add(from, -bond.alongX);
   measure.add(from + 1, -bond.alongY);
-  if (bond.isInGrip) {
-    measure.atGrips = bond.alongY;
+  if (bond.isToFrame) {
+    const Displacement u = ofFrame(bond.column, bond.row);
+    measure.ofFrame = bond.alongX * u[0] + mirroredY * u[1];
   } else {
     measure.add(to, bond.alongX);
-    measure.add(to + 1, bond.isAcross ? -bond.alongY : bond.alongY);
+    measure.add(to + 1, mirroredY);
   }
   return measure;
 }
 
 bool GrowthStrip::mayBreak(const Bond& bond, int growth) const {
-  if (bond.isInGrip) return false;
+  if (bond.isToFrame) return false;
   const auto rows = static_cast<std::size_t>(nRows_);
   const int a = static_cast<int>(bond.from / rows), b = static_cast<int>(bond.to / rows);
   if (std::min(a, b) < firstColumn_ - 2 * reach_ || std::max(a, b) > firstColumn_ + growth + reach_) return false;
   return bond.isAcross || std::max(bond.from % rows, bond.to % rows) < rowsThatBreak;
 }
 
-void GrowthStrip::findFlexibilities(const BandedCholesky& solver, const std::vector<double>& u) {
-  isBroken_.assign(bonds_.size(), 0);
+void GrowthStrip::add(const Bond& bond) {
+  const bool isUpright = bond.isAcross && bond.from == bond.to && bond.from % static_cast<std::size_t>(nRows_) == 0;
+  const int column = static_cast<int>(bond.from) / nRows_;
+  if (isUpright && column >= firstColumn_ && bond.alongY == -1.0) tipBond_.push_back(bonds_.size());
+  bonds_.push_back(bond);
+  measures_.push_back(measureOf(bond));
+  isBroken_.push_back(0);
+}
+
+/// Keeps of the solution what the bonds that may break see, and counts their unknowns anew.
+void GrowthStrip::condense(const BandedCholesky& solver, const std::vector<double>& u) {
+  std::vector<int> place(u.size(), -1);
+  std::vector<std::size_t> kept;
+  for (Measure& measure : measures_)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(measure.n); ++k) {
+      int& now = place[static_cast<std::size_t>(measure.unknown[k])];
+      if (now < 0) {
+        now = static_cast<int>(kept.size());
+        kept.push_back(static_cast<std::size_t>(measure.unknown[k]));
+      }
+      measure.unknown[k] = now;
+    }
   std::vector<double> x;
-  for (const Measure& own : measures_) {
-    stretch_.push_back(own.of(u) + own.atGrips);
+  for (const std::size_t unknown : kept) {
+    u_.push_back(u[unknown]);
     x.assign(u.size(), 0.0);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(own.n); ++k)
-      x[static_cast<std::size_t>(own.unknown[k])] = own.value[k];
+    x[unknown] = 1.0;
     solver.solve(x);
-    std::vector<double> row;
-    for (const Measure& other : measures_) row.push_back(other.of(x));
-    flexibility_.push_back(std::move(row));
+    std::vector<double>& row = compliance_.emplace_back();
+    for (const std::size_t other : kept) row.push_back(x[other]);
   }
 }
 
@@ -144,16 +173,17 @@ void GrowthStrip::breakBond(std::size_t bond) {
   isBroken_[bond] = 1;
   nBroken_[broken.from] += broken.count;
   if (broken.to != broken.from) nBroken_[broken.to] += broken.count;
-  const std::vector<double> own = flexibility_[bond];
-  const double left = 1.0 - broken.stiffness * own[bond];
+  const Measure& measure = measures_[bond];
+  std::vector<double> moved;  // by a pair of forces along the bond
+  for (const std::vector<double>& row : compliance_) moved.push_back(measure.of(row));
+  const double left = 1.0 - broken.stiffness * measure.of(moved);
   if (left < 1e-9) return;  // nothing else holds what it held
-  const double factor = broken.stiffness / left, stretch = stretch_[bond];
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    if (isBroken_[i] != 0) continue;
-    const double times = factor * own[i];
-    stretch_[i] += times * stretch;
-    double* row = flexibility_[i].data();
-    for (std::size_t j = 0; j < own.size(); ++j) row[j] += times * own[j];
+  const double factor = broken.stiffness / left, stretch = measure.of(u_);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const double times = factor * moved[i];
+    u_[i] += times * stretch;
+    double* row = compliance_[i].data();
+    for (std::size_t j = 0; j < moved.size(); ++j) row[j] += times * moved[j];
   }
 }
 
@@ -177,10 +207,12 @@ int GrowthStrip::nColumnsOpen() const {
   return n;
 }
 
-/// Energy of a column of the whole strip far ahead of the crack, where nothing moves along x and all columns alike.
-double GrowthStrip::heldEnergy() const {
+/// Finds how rows move far ahead of the crack, where nothing moves along x and all columns alike, and returns the
+/// energy of a column of the whole strip there. What stretches the frame adds nothing to what the crack sets free.
+double GrowthStrip::solveFarAhead() {
   BandedCholesky solver(nRows_, nRows_ - 1);
-  std::vector<double> v(static_cast<std::size_t>(nRows_), 0.0);
+  std::vector<double>& v = farAhead_;
+  v.assign(static_cast<std::size_t>(nRows_), 0.0);
   struct Upright {
     int from, to;  ///< rows; `to` < 0: a grip
     double sign, along, stiffness;

@@ -13,8 +13,11 @@
 namespace pd {
 
 /// The upper half alone, in units of the spacing; the crack lies between two rows. Elastic energy of bonds is quadratic
-/// in displacements. Grips are one neighbourhood thick and move by 1 each. Bonds near the path of the crack may break:
-/// their stretches follow by rank-one updates of their mutual flexibilities.
+/// in displacements. The strip stands in a frame one neighbourhood thick: grips that move by 1 each, and beyond both
+/// ends what a strip without end does. The frame is stretched along the crack, too, and contracts across it as a free
+/// plate does: that adds a uniform stress along the crack and no K, and is such that the T-stress is 0, which it would
+/// else be as 1/sqrt(height) only. Bonds near the path of the crack may break: displacements there follow by rank-one
+/// updates of the compliance of its points.
 class GrowthStrip {
  public:
   /// `height` of the whole between the grips and `growth` that there is room for, in horizons of `horizon` spacings.
@@ -23,7 +26,7 @@ class GrowthStrip {
   /// K/(E' sqrt(horizon)) with K from the energy that the strip far ahead of the crack holds.
   double strainUnit() const { return strainUnit_; }
   std::size_t nBonds() const { return bonds_.size(); }  ///< that may break
-  double stretch(std::size_t bond) const { return stretch_[bond]; }
+  double stretch(std::size_t bond) const { return measures_[bond].of(u_); }
   bool isBroken(std::size_t bond) const { return isBroken_[bond] != 0; }
   void breakBond(std::size_t bond);
   /// [points] 1 where a point or one of its neighbours has lost that part of its bonds.
@@ -35,19 +38,22 @@ class GrowthStrip {
   int nColumnsOpen() const;
 
  private:
+  using Displacement = std::array<double, 2>;
+
   /// Between points of the upper half; of a pair across the crack and its mirror image one.
   struct Bond {
     std::size_t from, to;  ///< points
-    bool isAcross, isInGrip;
+    bool isAcross, isToFrame;
     double alongX, alongY;  ///< xi / |xi|^2
     double stiffness, count;
+    int column, row;  ///< of the end in the frame
   };
-  /// stretch = sum of value[k] u[unknown[k]] + atGrips
+  /// stretch = sum of value[k] u[unknown[k]] + ofFrame
   struct Measure {
     std::array<int, 4> unknown{};
     std::array<double, 4> value{};
     int n = 0;
-    double atGrips = 0.0;
+    double ofFrame = 0.0;
     void add(int where, double what);
     double of(const std::vector<double>& u) const;
   };
@@ -55,21 +61,25 @@ class GrowthStrip {
   std::size_t point(int column, int row) const { return static_cast<std::size_t>(column * nRows_ + row); }
   bool isCut(int column, int row, const LatticeBond& bond) const;
   void collect(int column, int row, std::vector<Bond>& all);
+  Displacement ofFrame(int column, int row) const;
   Measure measureOf(const Bond& bond) const;
   bool mayBreak(const Bond& bond, int growth) const;
-  void findFlexibilities(const BandedCholesky& solver, const std::vector<double>& u);
-  double heldEnergy() const;
+  void add(const Bond& bond);
+  void condense(const BandedCholesky& solver, const std::vector<double>& u);
+  double solveFarAhead();
 
   std::vector<LatticeBond> lattice_;
   int reach_ = 0, nRows_, nColumns_, firstColumn_;
-  double strainUnit_ = 0.0, bondsOfAPoint_ = 0.0;
-  std::vector<double> nBroken_;  ///< [points]
+  double poisson_, strainUnit_ = 0.0, frameStrain_ = 0.0, bondsOfAPoint_ = 0.0;
+  std::vector<double> farAhead_;  ///< [rows] displacement along y far ahead of the crack
+  std::vector<double> nBroken_;   ///< [points]
+  // Of bonds that may break. Their unknowns are counted among those of all such bonds.
   std::vector<Bond> bonds_;
   std::vector<Measure> measures_;
-  std::vector<double> stretch_;
-  std::vector<std::vector<double>> flexibility_;
   std::vector<char> isBroken_;
-  std::vector<std::size_t> tipBond_;  ///< [columns from the first that may open] across the crack
+  std::vector<double> u_;
+  std::vector<std::vector<double>> compliance_;  ///< symmetric
+  std::vector<std::size_t> tipBond_;             ///< [columns from the first that may open] across the crack
 };
 
 }  // namespace pd

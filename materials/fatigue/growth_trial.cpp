@@ -16,8 +16,8 @@ using kernels::LifeLaw;
 
 namespace {
 
-constexpr double firstGrowth = 1.5, lastGrowth = 3.0;  ///< horizons between which growth is steady and measured
-constexpr double height = 8.0;                         ///< horizons, of the smaller strip
+constexpr double firstGrowth = 2.0, lastGrowth = 4.0;  ///< horizons between which growth is steady and measured
+constexpr double height = 12.0;                        ///< horizons, of the smaller strip
 const char* const noGrowth = "no crack grows in the trial that finds the growth coefficient";
 constexpr double enoughLost = 1.0 - 1e-3;  ///< of a life: bonds that fail nearly together fail together
 
@@ -127,14 +127,19 @@ std::vector<double> keyOf(const GrowthTrialCase& trial) {
 
 }  // namespace
 
-double planeModulus(const std::vector<LatticeBond>& bonds) {
-  double c11 = 0.0, c12 = 0.0;
+double PlaneStiffness::fractureModulus() const {
+  const double determinant = c11 * c11 - c12 * c12, a11 = c11 / determinant, a12 = -c12 / determinant, a66 = 1.0 / c12;
+  return 1.0 / (a11 * std::sqrt(0.5 * (1.0 + (2.0 * a12 + a66) / (2.0 * a11))));
+}
+
+PlaneStiffness planeStiffness(const std::vector<LatticeBond>& bonds) {
+  PlaneStiffness sum;
   for (const LatticeBond& bond : bonds) {
     const double l4 = std::pow(bond.length, 4), x2 = bond.x * bond.x, y2 = bond.y * bond.y;
-    c11 += 0.5 * bond.stiffness * x2 * x2 / l4;
-    c12 += 0.5 * bond.stiffness * x2 * y2 / l4;
+    sum.c11 += 0.5 * bond.stiffness * x2 * x2 / l4;
+    sum.c12 += 0.5 * bond.stiffness * x2 * y2 / l4;
   }
-  return (c11 * c11 - c12 * c12) / c11;
+  return sum;
 }
 
 const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial) {

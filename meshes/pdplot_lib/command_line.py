@@ -16,6 +16,7 @@ _EPILOG = """sample runs
   pdplot plate --path Crack_Tip --measured test.txt      the way of the crack over the measured one
   pdplot plate other --field Damage            two runs and their difference
   pdplot plate other --history Crack_Length,Top_ReactionY
+  pdplot specimen --growth                     da/dN over the range of K, and the exponent of the line through it
   pdplot solid --field Damage --slice z=0.002
 """
 # What a viewer wants to see first.
@@ -58,7 +59,11 @@ def _parser():
     parser.add_argument("--speed", type=float, default=5.0, help="frames a second of the animation")
     parser.add_argument("--history", nargs="?", const="", metavar="COLUMN,COLUMN...",
                         help="curves of NAME.csv over time, all columns or those named")
-    parser.add_argument("--against", metavar="COLUMN", help="what the history is drawn over; default: time")
+    parser.add_argument("--growth", nargs="?", const="Crack_Length", metavar="LENGTH",
+                        help="growth of a crack in a cycle, by the Output Label of its Crack_Length (default: "
+                        "Crack_Length), on axes of logarithms over the range of K")
+    parser.add_argument("--against", metavar="COLUMN", help="what the history is drawn over (default: time), or the "
+                        "growth (default: Stress_Intensity_Range)")
     parser.add_argument("-o", "--output", help="picture to write (.png, .pdf, .svg)")
     return parser
 
@@ -66,7 +71,9 @@ def _parser():
 def _draw(options):
     from . import figures
     if options.history is not None:
-        return [_draw_history(options, figures)]
+        return [_draw_history(options)]
+    if options.growth is not None:
+        return [_draw_growth(options)]
     runs = [Results(name) for name in options.results or [None]]
     view = _view(options, runs[0], figures)
     steps = [_steps(options.step, run) for run in runs]
@@ -88,16 +95,28 @@ def _draw(options):
     return [_write(figure, options, str(runs[0].path.with_name(f"{runs[0].label}_{view.field}.png")))]
 
 
-def _draw_history(options, figures):
+def _draw_history(options):
     from .history import history_panels
+    histories, units = _histories(options)
+    columns = [column.strip() for column in options.history.split(",") if column.strip()]
+    figure = history_panels(histories, columns, options.against, units)
+    return _write(figure, options, f"{Path(histories[0][0]).name}_history.png")
+
+
+def _draw_growth(options):
+    from .growth import growth_panel
+    histories, units = _histories(options)
+    figure = growth_panel(histories, options.growth, options.against or "Stress_Intensity_Range", units)
+    return _write(figure, options, f"{Path(histories[0][0]).name}_growth.png")
+
+
+def _histories(options):
+    """[(label, {column: values})] of the runs, and the units of the first."""
     names = options.results or [None]
     histories = [(Path(str(name or ".")).stem or "run", read_history(name or ".")) for name in names]
     if len({label for label, _ in histories}) < len(histories):
         histories = [(str(name), history) for name, (_, history) in zip(names, histories)]
-    columns = [column.strip() for column in options.history.split(",") if column.strip()]
-    figure = history_panels(histories, columns, options.against,
-                            history_units(names[0] or ".", histories[0][1]))
-    return _write(figure, options, f"{Path(histories[0][0]).name}_history.png")
+    return histories, history_units(names[0] or ".", histories[0][1])
 
 
 def _write(figure, options, default):

@@ -9,9 +9,9 @@ from .units import time_unit, with_unit
 def history_panels(runs, columns=None, against=None, units=None):
     """Histories of several runs: a panel for each column. runs: [(label, {column: values})]; units: {column: unit}."""
     first, units = runs[0][1], units or {}
-    against = _found(first, against)[0] if against else ("time" if "time" in first else "step")
+    against = found_columns(first, against)[0] if against else ("time" if "time" in first else "step")
     if columns:
-        columns = [name for wanted in columns for name in _found(first, wanted)]
+        columns = [name for wanted in columns for name in found_columns(first, wanted)]
     else:
         columns = [name for name in first if name not in ("step", "time", against)]
         # What is the same all along, as a reaction across the plane, says nothing.
@@ -48,7 +48,7 @@ def _axis(runs, against, units):
     return seconds, with_unit(against, unit)
 
 
-def _found(history, wanted):
+def found_columns(history, wanted):
     """Columns that `wanted` means: itself, in any case of letters, or the components of a vector."""
     if wanted in history:
         return [wanted]

@@ -22,6 +22,7 @@ from in_process import run  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.components import component_of  # noqa: E402
 from pdplot_lib.command_line import main  # noqa: E402
+from pdplot_lib.growth import exponent_of, growth_rates  # noqa: E402
 from pdplot_lib.history import history_panels  # noqa: E402
 from pdplot_lib.raster import Raster  # noqa: E402
 from pdplot_lib.results import PlotError, Results, find_results, history_units, read_history, read_path  # noqa: E402
@@ -317,6 +318,26 @@ class PdplotTest(unittest.TestCase):
                          ["Top ReactionX (N)", "Top ReactionY (N)"])
         figures.plt.close(figure)
         self.pdplot("plate", "--history", "TOP_REACTIONX")
+
+    def test_growth_of_a_crack_is_a_line_over_the_range_of_k(self):
+        # A crack that goes by rows of 0.1 mm with da/dN = 1e-11 (dK / MPa m^0.5)^3, dK rising with its length
+        lengths = np.repeat(1e-4 * np.arange(100, 161), 2)
+        ranges = 10e6 * np.exp(100 * (lengths - 0.010))
+        cycles = np.concatenate([[0.0], np.cumsum(np.where(np.diff(lengths) > 0, 1e-4, 0.0)
+                                                  / (1e-11 * (1e-6 * ranges[:-1])**3))])
+        found, rates = growth_rates(cycles, lengths, ranges)
+        np.testing.assert_allclose(rates, 1e-11 * (1e-6 * found)**3, rtol=0.02)
+        self.assertAlmostEqual(exponent_of(found, rates), 3.0, delta=0.02)
+        self.assertIsNone(exponent_of(np.full(5, 1e7), rates[:5]))  # a range that is held
+        table = np.column_stack([np.arange(len(cycles)), cycles, lengths, ranges])
+        np.savetxt(self.folder / "plate.csv", table, delimiter=",", comments="",
+                   header="step,time,Crack_Length,Stress_Intensity_Range")
+        self.assertEqual(self.pdplot("plate", "--growth")[0], ["plate_growth.png"])
+        for arguments in (["--growth", "Nothing"], ["--growth", "--against", "Nothing"]):
+            self.assertIn("no column Nothing", self.pdplot("plate", *arguments, expect=2)[1])
+        np.savetxt(self.folder / "plate.csv", table[:1], delimiter=",", comments="",
+                   header="step,time,Crack_Length,Stress_Intensity_Range")
+        self.assertIn("has not grown", self.pdplot("plate", "--growth", expect=2)[1])
 
     def test_mistakes_are_told_without_a_traceback(self):
         for arguments, message in ((["none"], "no such results"), (["plate", "--field", "Dmage"], "no field Dmage"),

@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from cracked_plate import CRACK, SPACING, cracked_plate  # noqa: E402
+from cracked_plate import CRACK, SPACING, THICKNESS, cracked_plate  # noqa: E402
 from scene import SceneTest  # noqa: E402
 
 
@@ -17,6 +17,10 @@ def until(columns):
 class Fatigue(SceneTest):
     def run_until(self, columns, **options):
         deck = cracked_plate(self, solver=until(columns), **{"Checkpoint Frequency": 1000000})
+        deck["Compute Class Parameters"]["J"] = {
+            "Compute Class": "Nonlocal_J_Integral", "Thickness": THICKNESS, "Tip X": CRACK, "Ahead": 4e-3, "Behind": 4e-3,
+            "Above": 4e-3, "Output Label": "J"}
+        deck["Output"]["Output Variables"].append("J")
         return self.solve(deck, **options)
 
     def test_the_same_bonds_fail_in_the_same_order_on_any_number_of_ranks(self):
@@ -26,6 +30,7 @@ class Fatigue(SceneTest):
             result = self.run_until(1.4, ranks=ranks)
             np.testing.assert_allclose(result.history()["time"], lives["time"], rtol=1e-6, err_msg=f"{ranks} ranks")
             np.testing.assert_array_equal(result.history()["Length"], lives["Length"])
+            np.testing.assert_allclose(result.history()["J"], lives["J"], rtol=1e-6)
             np.testing.assert_array_equal(result.field("Damage"), damage)
             np.testing.assert_allclose(result.field("Cycles_To_First_Break"), first, rtol=1e-6)
 

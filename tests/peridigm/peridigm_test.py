@@ -235,6 +235,56 @@ class Breakage(InPeridigm):
                   [name for name in plain + list(computes) if name not in fields])
 
 
+class Fatigue(InPeridigm):
+    """A compact tension specimen (ASTM E647, W = 40 mm) whose bonds tire by a number of cycles each load step."""
+
+    def specimen(self):
+        """Points 1.25 mm apart; x = 0 is the load line. Returns the conditions: pins that move apart, steadily."""
+        spacing, height, radius = 1.25e-3, 11e-3, 5e-3
+        points = lattice([50e-3, 47.5e-3], spacing, [-10e-3, -23.75e-3])
+        above, below = (np.hypot(points[:, 0], points[:, 1] - y) for y in (height, -height))
+        points = points[(above > radius) & (below > radius)]
+        self.write_mesh(points, spacing**2)
+        pins = {name: np.hypot(points[:, 0], points[:, 1] - y) < 1.5 * radius
+                for name, y in (("Upper", height), ("Lower", -height))}
+        hold = {"Type": "Prescribed Displacement"}
+        conditions = {"All Node Set": self.node_set("all.txt", points[:, 0] < 1.0)}
+        for name, speed in (("Upper", "2.0e-5*t"), ("Lower", "-2.0e-5*t")):
+            node_set = f"{name} Pin Node Set"
+            conditions[node_set] = self.node_set(f"{name}.txt", pins[name])
+            conditions[f"{name} Y"] = {**hold, "Node Set": node_set, "Coordinate": "y", "Value": speed}
+            conditions[f"{name} X"] = {**hold, "Node Set": node_set, "Coordinate": "x", "Value": "0.0"}
+        return {**conditions, "Plane": {**hold, "Node Set": "All Node Set", "Coordinate": "z", "Value": "0.0"}}
+
+    def test_compact_tension(self):
+        """Bonds break at the tip of a cut, away from cracks first, then beside one; Peridigm tests them in iterates of Newton's
+        method, too. It exchanges nothing before it asks for damage: one rank."""
+        conditions = self.specimen()
+        steps = 15
+        deck = {"Peridigm": {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt", "Bond Filters": {"Notch": {
+                "Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0,
+                "Lower_Left_Corner_X": -1.0, "Lower_Left_Corner_Y": 1e-4, "Lower_Left_Corner_Z": -1.0,
+                "Bottom_Unit_Vector_X": 1.0, "Bottom_Unit_Vector_Y": 0.0, "Bottom_Unit_Vector_Z": 0.0,
+                "Bottom_Length": 1.0151, "Side_Length": 2.0}}},
+            "Materials": {"Steel": {**STEEL, "Poisson's Ratio": 1 / 3, "Plane Stress": True,
+                                    "Volume Correction": "Ramp To Horizon"}},
+            "Damage Models": {"Tiring": {
+                "Damage Model": "Remaining Life", "Initiation Coefficient": 2e4, "Initiation Exponent": 2.77,
+                "Growth Coefficient": 2e5, "Growth Exponent": 3.0, "Growth Damage": 0.07,
+                "Cycles Per Step": 900.0, "Load Ratio": 0.1}},
+            "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Damage Model": "Tiring",
+                                "Horizon": 3.015 * 1.25e-3}},
+            "Boundary Conditions": conditions,
+            "Solver": {"Final Time": 1.25, "QuasiStatic": {
+                "Number of Load Steps": steps, "Relative Tolerance": 1e-10, "Maximum Solver Iterations": 50,
+                "Belos Linear Solver": "BlockGMRES", "Belos Relative Tolerance": 1e-10}},
+            "Output": {"Output File Type": "ExodusII", "Output Filename": "result", "Output Frequency": 1,
+                       "Output Variables": {"Displacement": True, "Damage": True}}}}
+        found = self.compare(yaml(deck) + "\n", 1e-8, ["Displacement", "Damage"], all_ranks=(1,))
+        self.assertGreaterEqual(np.count_nonzero(found["Damage"]), 20)
+
+
 STEADY = {"Solve For Displacement": False, "Solve For Temperature": True,
           "ImplicitDiffusion": {"Number of Load Steps": 2, "Relative Tolerance": 1e-13,
                                 "Belos Linear Solver": "BlockGMRES", "Belos Relative Tolerance": 1e-12},

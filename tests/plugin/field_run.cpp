@@ -5,7 +5,9 @@
 #include <set>
 
 #include "../support/corroded_body.hpp"
+#include "bond_family.hpp"
 #include "fields.hpp"
+#include "linear_bonds.hpp"
 #include "plugins.hpp"
 
 namespace pdtest {
@@ -112,8 +114,8 @@ std::string brokenFieldContract(const Sample& sample, PluginKind kind) {
 
 namespace {
 
-/// Reports an energy and nothing else.
-class StillMaterial : public Material {
+/// Reports an energy, and springs of one stiffness.
+class StillMaterial : public Material, public pd::LinearBonds {
  public:
   StillMaterial() : Material(Teuchos::ParameterList()) {}
   std::string Name() const override { return "Still"; }
@@ -125,6 +127,12 @@ class StillMaterial : public Material {
                                          DataManager& data) const override {
     FieldVector& energy = *data.getData(pd::fields::storedEnergyDensity().id(), PeridigmField::STEP_NONE);
     for (int i = 0; i < n; ++i) energy[owned[i]] = 1.0 + owned[i];
+  }
+  pd::LinearSprings::Family springFamily() const override { return pd::LinearSprings::Family::None; }
+  pd::LinearSprings springs(const pd::Call& call, DataManager&) const override {
+    pd::LinearSprings springs;
+    pd::forEachBond(call, [&](int, int, std::size_t) { springs.along.push_back(1.0); });
+    return springs;
   }
 };
 
@@ -213,6 +221,7 @@ std::vector<ComputeSample> computeSamples() {
   for (const auto& [key, value] :
        std::map<const char*, double>{{"Thickness", 1.0}, {"Inner Radius", 0.5}, {"Outer Radius", 4.0}})
     for (const char* plugin : {"J_Integral", "Stress_Intensity"}) given[plugin].set(key, value);
+  for (const char* key : {"Ahead", "Behind", "Above", "Thickness"}) given["Nonlocal_J_Integral"].set(key, 2.0);
   std::vector<ComputeSample> samples;
   for (const std::string& name : pd::ComputeRegistry::self().names())
     if (name.find("Test") != 0) samples.push_back({name, given[name]});

@@ -66,10 +66,18 @@ class Plate(SceneTest):
                            "Bottom_Length": 2 * half, "Side_Length": 2.0}}
         ring = {"J": {"Compute Class": "J_Integral", "Plane Stress": True, "Thickness": 1.0, "Tip X": half,
                       "Inner Radius": 8.0, "Outer Radius": 18.0, "Output Label": "J"}}
-        points, result, stress = self.pulled(width, 240, filters=crack, computes=ring, variables=["J"])
+        rectangles = {f"J{number}": {"Compute Class": "Nonlocal_J_Integral", "Thickness": 1.0, "Tip X": half, "Ahead": ahead,
+                                     "Behind": behind, "Above": above, "Output Label": f"J{number}"}
+                      for number, (ahead, behind, above) in enumerate(((8.0, 8.0, 8.0), (20.0, 9.3, 14.0), (11.7, 19.0, 30.0)))}
+        points, result, stress = self.pulled(width, 240, filters=crack, computes={**ring, **rectangles},
+                                             variables=["J", *rectangles])
         energy = stress**2 * np.pi * half * 1.0575**2 / E
         # K = sqrt(E J) within 5 % (usual for a peridynamic J integral at 8 horizons of half length; seen: 3 % high).
         self.assertAlmostEqual(np.sqrt(result.history()["J"][-1] / energy), 1.0, delta=0.05)
+        # By the bonds themselves, the same over any rectangle.
+        of_bonds = [result.history()[name][-1] for name in rectangles]
+        self.assertAlmostEqual(np.sqrt(of_bonds[0] / energy), 1.0, delta=0.03)
+        np.testing.assert_allclose(of_bonds, of_bonds[0], rtol=0.006)
         # Opening of the faces, 2v = 4 s F sqrt(a^2 - x^2)/E; peridynamic tips are about half a spacing off.
         u = result.field("Displacement")[:, 1]
         for x in (0.5, 10.5, 16.5):

@@ -1,0 +1,174 @@
+// Nonlocal_J_Integral: energy release rate of a crack in a plane body, J/m2, as an integral over a rectangle around the
+// tip, of the bonds themselves.
+//
+// Peridynamics' own form (Hu, Ha, Bobaru and Silling, Int. J. Fract. 176 (2012) 195): with the inside R of a contour,
+//   J h = contour integral of W n_d - sum over bonds from i in R to j outside of 1/2 f_ij.(u_i,d + u_j,d),
+// d the direction of growth, W the energy density, f_ij the force that j exerts on i, h the thickness. It needs no
+// stress and no elastic constants of the continuum, and holds in a lattice as it does in an isotropic body. The sides
+// of the rectangle are as wide as two spacings: with q, which falls from 1 inside to 0 outside across them,
+//   J h = - sum of W V q_,d - sum over bonds of 1/2 f_ij.(u_i,d + u_j,d) (q_i - q_j),
+// so that J does not jump as the tip moves. Energies and forces are those of small displacements. The crack must leave
+// the rectangle through its side behind the tip, and be free of traction.
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "plugins.hpp"
+#include "spring_state.hpp"
+#include "tip_place.hpp"
+#include "whole_body.hpp"
+
+namespace pd {
+
+namespace {
+
+const char* const nonlocalJName = "Nonlocal_J_Integral";
+
+/// A step from 1 to 0 about 0 that is one spacing wide either way; `slope`: its derivative.
+double softStep(double t, double& slope) {
+  slope = -std::max(0.0, 1.0 - std::abs(t));
+  if (t <= -1.0) return 1.0;
+  if (t >= 1.0) return 0.0;
+  return t < 0.0 ? 1.0 - 0.5 * (1.0 + t) * (1.0 + t) : 0.5 * (1.0 - t) * (1.0 - t);
+}
+
+}  // namespace
+
+class NonlocalJIntegral : public TabledCompute {
+ public:
+  struct Fields : TipFields {
+    SpringState::Fields springs;
+    FieldHandle energyReleaseRate;
+    explicit Fields(const Teuchos::ParameterList& parameters) : TipFields(parameters) {
+      include(springs);
+      energyReleaseRate = writes(outputField(parameters, pd::fields::globalScalar, "J/m2", "Energy release rate."));
+    }
+  };
+  static void declareParameters(ParameterDeclarations& declarations);
+  NonlocalJIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData);
+
+  const Fields& fields() const override { return fields_; }
+  void initialize(Blocks blocks) override;
+  int compute(Blocks blocks) const override;
+
+ private:
+  struct Inside {
+    double share, slope;  ///< q; 1/m, its derivative along d
+  };
+  using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
+  Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
+  Slopes slopesBesideTheSides(const Blocks& blocks, const TipPlace::Tip& tip) const;
+
+  DeformationGradients gradients_;
+  Fields fields_;
+  TipPlace place_;
+  double ahead_, behind_, above_, below_;  ///< m
+};
+
+void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
+  TipPlace::declareParameters(declarations, nonlocalJName);
+  declarations.real("Ahead", "m", "From the tip to the side of the rectangle that the crack grows to.")
+      .positive()
+      .required();
+  declarations.real("Behind", "m", "From the tip to the side that the crack comes through.").positive().required();
+  declarations.real("Above", "m", "From the tip to the side on the left of the direction of growth.")
+      .positive()
+      .required();
+  declarations.real("Below", "m", "From the tip to the side on the right; as Above where it is not given.").positive();
+}
+
+NonlocalJIntegral::NonlocalJIntegral(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
+    : TabledCompute(completeParameters<NonlocalJIntegral>(params, nonlocalJName), params, comm, globalData),
+      fields_(parameters_),
+      place_(parameters_, nonlocalJName),
+      ahead_(parameters_.get<double>("Ahead")),
+      behind_(parameters_.get<double>("Behind")),
+      above_(parameters_.get<double>("Above")),
+      below_(parameters_.isParameter("Below") ? parameters_.get<double>("Below") : above_) {
+  if (WholeBody::of(globalData)->nCopies() > 1)
+    throw std::invalid_argument(std::string(nonlocalJName) +
+                                ": a rectangle does not go through planes of symmetry; use J_Integral");
+}
+
+void NonlocalJIntegral::initialize(Blocks blocks) {
+  place_.requireTip(blocks->front(), fields_.tip);
+  for (PeridigmNS::Block& block : *blocks) SpringState::require(block, nonlocalJName);
+}
+
+NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double volume, const TipPlace::Tip& tip) const {
+  const double spacing = std::sqrt(volume / place_.thickness());
+  const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
+  const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
+  const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
+  double atFront = 0.0, atBack = 0.0, unused = 0.0;
+  const double front = softStep((a - ahead_) / spacing, atFront), back = softStep(-(a + behind_) / spacing, atBack);
+  const double high = softStep((b - above_) / spacing, unused) * softStep(-(b + below_) / spacing, unused);
+  return {front * back * high, (atFront * back - front * atBack) * high / spacing};
+}
+
+/// Of points of all ranks with a bond whose ends are not equally far inside.
+NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBesideTheSides(const Blocks& blocks,
+                                                                  const TipPlace::Tip& tip) const {
+  std::vector<double> found;  // id, slope
+  for (PeridigmNS::Block& block : *blocks) {
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact);
+    const auto map = block.getOverlapScalarPointMap();
+    const int* list = block.getNeighborhoodData()->NeighborhoodList();
+    for (std::size_t p = 0; p < gradients.size(); ++p) {
+      const int i = block.getNeighborhoodData()->OwnedIDs()[p], n = *list++;
+      const double share = insideOf(x + 3 * i, volume[i], tip).share;
+      const bool isBeside =
+          std::any_of(list, list + n, [&](int j) { return insideOf(x + 3 * j, volume[j], tip).share != share; });
+      list += n;
+      if (!isBeside) continue;
+      found.push_back(map->GID(i));
+      for (std::size_t k = 0; k < 3; ++k) {
+        double slope = 0.0;
+        for (std::size_t d = 0; d < 3; ++d)
+          slope += (gradients[p][3 * k + d] - (k == d ? 1.0 : 0.0)) * tip.direction[d];
+        found.push_back(slope);
+      }
+    }
+  }
+  Slopes slopes;
+  const std::vector<double> all = gatherFromRanks(*epetraComm, found);
+  for (std::size_t at = 0; at < all.size(); at += 4)
+    slopes[static_cast<int>(all[at])] = {all[at + 1], all[at + 2], all[at + 3]};
+  return slopes;
+}
+
+int NonlocalJIntegral::compute(Blocks blocks) const {
+  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  const Slopes slopes = slopesBesideTheSides(blocks, tip);
+  double sum = 0.0;
+  for (PeridigmNS::Block& block : *blocks) {
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    const auto map = block.getOverlapScalarPointMap();
+    const SpringState springs(block, fields_.springs);
+    const int* list = block.getNeighborhoodData()->NeighborhoodList();
+    std::size_t bond = 0;
+    for (std::size_t p = 0; p < springs.energy.size(); ++p) {
+      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+      const Inside inside = insideOf(x + 3 * i, volume[i], tip);
+      sum -= springs.energy[p] * inside.slope;
+      const auto own = slopes.find(map->GID(i));
+      for (int n = *list++; n > 0; --n, ++list, ++bond) {
+        if (own == slopes.end()) continue;
+        const double difference = inside.share - insideOf(x + 3 * *list, volume[*list], tip).share;
+        if (difference == 0.0) continue;
+        const Vector3& other = slopes.at(map->GID(*list));
+        const Vector3 both{own->second[0] + other[0], own->second[1] + other[1], own->second[2] + other[2]};
+        sum -= 0.5 * difference * dot(both, springs.force[bond].data());
+      }
+    }
+  }
+  setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / place_.thickness());
+  return 0;
+}
+
+}  // namespace pd
+
+using pd::NonlocalJIntegral;
+PD_REGISTER_COMPUTE(NonlocalJIntegral, "Nonlocal_J_Integral",
+                    "Energy release rate of a crack in a plane body, over a rectangle around its tip, of its bonds.")
