@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -21,50 +22,91 @@ constexpr double height = 12.0;                        ///< horizons, of the sma
 const char* const noGrowth = "no crack grows in the trial that finds the growth coefficient";
 constexpr double enoughLost = 1.0 - 1e-3;  ///< of a life: bonds that fail nearly together fail together
 
-/// Growth in a cycle over A delta (dK / (E' sqrt(delta)))^M, where bonds lose what the law says of their strains over
-/// dK / (E' sqrt(delta)): life of all bonds of the strip that may break, event by event. 0 where the crack stands.
-double growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LifeLaw& law, int& nBroken) {
+LossRate lossRateOf(const LifeLaw& law) {
+  return [law](double strain) { return law.rate(strain); };
+}
+
+struct Growth {
+  double rate = 0.0;  ///< horizons a cycle; 0 where the crack stands
+  int nBroken = 0;
+};
+
+/// Where bonds lose what the law says of their strains over dK / (E' sqrt(delta)): life of all bonds of the strip that
+/// may break, event by event.
+Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate& law) {
   const double unit = strip.strainUnit();
   const std::size_t n = strip.nBonds();
   std::vector<double> lost(n, 0.0), rate(n);
   const int first = static_cast<int>(std::lround(firstGrowth * trial.horizon));
   const int last = static_cast<int>(std::lround(lastGrowth * trial.horizon));
   double cycles = 0.0, atFirst = 0.0;
-  nBroken = 0;
+  Growth growth;
   while (true) {
     const std::vector<char> nearTip = strip.pointsNear(trial.growthDamage);
     double next = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < n; ++b) {
       const bool wears = !strip.isBroken(b) && strip.stretch(b) > 0.0 && strip.hasEndIn(nearTip, b);
-      rate[b] = wears ? law.rate(strip.stretch(b) / unit) : 0.0;
+      rate[b] = wears ? law(strip.stretch(b) / unit) : 0.0;
       if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
     }
-    if (!std::isfinite(next)) return 0.0;
+    if (!std::isfinite(next)) return {};
     cycles += next;
     for (std::size_t b = 0; b < n; ++b) {
       lost[b] += next * rate[b];
       if (rate[b] == 0.0 || lost[b] < enoughLost) continue;
       strip.breakBond(b);
-      ++nBroken;
+      ++growth.nBroken;
     }
     const int tip = strip.nColumnsOpen();
     if (atFirst == 0.0 && tip >= first) atFirst = cycles;
-    if (tip >= last) return (last - first) / (cycles - atFirst) / trial.horizon;
+    if (tip < last) continue;
+    growth.rate = (last - first) / (cycles - atFirst) / trial.horizon;
+    return growth;
   }
 }
 
-GrowthStrip stripOf(const GrowthTrialCase& trial, double height) {
-  return {trial.bonds, trial.horizon, height, lastGrowth};
+/// Of one and of two heights.
+struct Strips {
+  GrowthStrip low, high;
+  explicit Strips(const GrowthTrialCase& trial)
+      : low(trial.bonds, trial.horizon, height, lastGrowth),
+        high(trial.bonds, trial.horizon, 2.0 * height, lastGrowth) {}
+};
+
+std::vector<double> keyOfLattice(const GrowthTrialCase& trial) {
+  std::vector<double> key{trial.horizon};
+  for (const LatticeBond& bond : trial.bonds)
+    key.insert(key.end(), {double(bond.x), double(bond.y), bond.length, bond.stiffness, bond.count});
+  return key;
+}
+
+/// Those of a lattice take longer to make than a crack to grow through them; the last are kept.
+const Strips& stripsOf(const GrowthTrialCase& trial) {
+  static std::vector<double> lastKey;
+  static std::unique_ptr<Strips> last;
+  std::vector<double> key = keyOfLattice(trial);
+  if (key != lastKey) {
+    last = std::make_unique<Strips>(trial);
+    lastKey = std::move(key);
+  }
+  return *last;
+}
+
+/// In a body large beside the horizon.
+Growth growthInBody(const GrowthTrialCase& trial, const LossRate& law) {
+  const Strips& strips = stripsOf(trial);
+  const Growth low = growthIn(strips.low, trial, law), high = growthIn(strips.high, trial, law);
+  if (low.rate == 0.0 || high.rate == 0.0) return {};
+  return {2.0 * high.rate - low.rate, high.nBroken};
 }
 
 /// Growth in the smaller strip with a limit of strain ranges.
 class LimitedGrowth {
  public:
-  explicit LimitedGrowth(const GrowthTrialCase& trial) : trial_(trial), strip_(stripOf(trial, height)) {}
+  explicit LimitedGrowth(const GrowthTrialCase& trial) : trial_(trial), strip_(stripsOf(trial).low) {}
 
   double at(double limit, double sharpness) const {
-    int nBroken = 0;
-    return growthIn(strip_, trial_, LifeLaw::power(1.0, trial_.exponent, limit, sharpness), nBroken);
+    return growthIn(strip_, trial_, lossRateOf(LifeLaw::power(1.0, trial_.exponent, limit, sharpness))).rate;
   }
 
   /// The limit at which the crack stands, to 2e-3 of it.
@@ -90,7 +132,7 @@ class LimitedGrowth {
 
  private:
   const GrowthTrialCase& trial_;
-  GrowthStrip strip_;
+  const GrowthStrip& strip_;
 };
 
 /// The sharpness whose growth is nearest to the law, by golden sections of its logarithm.
@@ -118,10 +160,11 @@ GrowthThreshold findThreshold(const GrowthTrialCase& trial) {
   return {limit, std::exp(atA < atB ? a : b), std::exp(std::min(atA, atB)) - 1.0};
 }
 
+}  // namespace
+
 std::vector<double> keyOf(const GrowthTrialCase& trial) {
-  std::vector<double> key{trial.horizon, trial.exponent, trial.growthDamage};
-  for (const LatticeBond& bond : trial.bonds)
-    key.insert(key.end(), {double(bond.x), double(bond.y), bond.length, bond.stiffness, bond.count});
+  std::vector<double> key = keyOfLattice(trial);
+  key.insert(key.end(), {trial.exponent, trial.growthDamage});
   return key;
 }
 
@@ -147,14 +190,17 @@ const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial) {
   const std::vector<double> key = keyOf(trial);
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
-  GrowthTrialResult result;
-  const LifeLaw law = LifeLaw::power(1.0, trial.exponent, 0.0);
-  const double low = growthIn(stripOf(trial, height), trial, law, result.nBroken);
-  const double high = growthIn(stripOf(trial, 2.0 * height), trial, law, result.nBroken);
-  if (low == 0.0 || high == 0.0) throw std::runtime_error(noGrowth);
-  result.factor = 2.0 * high - low;
-  return known.emplace(key, result).first->second;
+  const Growth growth = growthInBody(trial, lossRateOf(LifeLaw::power(1.0, trial.exponent, 0.0)));
+  if (growth.rate == 0.0) throw std::runtime_error(noGrowth);
+  return known.emplace(key, GrowthTrialResult{growth.rate, growth.nBroken}).first->second;
 }
+
+double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, TrialBody body) {
+  const bool isLarge = body == TrialBody::Large;
+  return (isLarge ? growthInBody(trial, lossRate) : growthIn(stripsOf(trial).low, trial, lossRate)).rate;
+}
+
+double standingStrain(const GrowthTrialCase& trial) { return LimitedGrowth(trial).largestLimit(); }
 
 const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial) {
   static std::map<std::vector<double>, GrowthThreshold> known;

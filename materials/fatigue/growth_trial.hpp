@@ -14,6 +14,7 @@
 #ifndef PD_GROWTH_TRIAL_HPP
 #define PD_GROWTH_TRIAL_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct GrowthTrialCase {
   double exponent = 3.0;           ///< M
   double growthDamage = 0.35;  ///< a bond wears where an end, or one of its neighbours, has lost this part of its bonds
 };
+
+/// Numbers that tell a case from all others.
+std::vector<double> keyOf(const GrowthTrialCase& trial);
 
 struct GrowthTrialResult {
   double factor = 0.0;  ///< B, for a body large beside the horizon
@@ -62,6 +66,19 @@ struct GrowthThreshold {
 /// and takes that out: strips of 24 and 48 horizons give the same within 1 %. Once in a process for each case. Throws
 /// std::runtime_error where no crack grows.
 const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial);
+
+/// Part of a life in a cycle, over the strain range in parts of dK / (E' sqrt(delta)).
+using LossRate = std::function<double(double)>;
+enum class TrialBody {
+  Strip,  ///< the smaller one
+  Large   ///< what both have in common
+};
+/// Horizons a cycle where bonds near the tip lose by this law in place of a power; 0 where the crack stands.
+double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, TrialBody body);
+
+/// Strain range of the bond that must break next where a crack stands, over dK / (E' sqrt(delta)), to 2e-3 of it: with
+/// that limit of strains a crack grows at ranges of K above dK alone. By some ten trials in the smaller strip.
+double standingStrain(const GrowthTrialCase& trial);
 
 /// By some thirty trials in the smaller strip. Once in a process for each case. Throws as growthTrial() does.
 const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial);

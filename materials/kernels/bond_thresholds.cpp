@@ -2,7 +2,7 @@
 
 #include <Random123/philox.h>
 
-#include <algorithm>
+#include "bond_name.hpp"
 
 namespace pd::kernels {
 
@@ -12,19 +12,13 @@ double uniform(std::uint32_t bits) { return (bits + 0.5) / 4294967296.0; }
 
 }  // namespace
 
-BondThresholds bondThresholds(std::uint32_t seed, int firstId, int secondId) {
+BondThresholds bondThresholds(std::uint32_t seed, int firstId, int secondId, int shift) {
   const r123::Philox2x32 generator;
-  const auto [low, high] = std::minmax(firstId, secondId);
-  const auto numbers = generator({{static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high)}}, {{seed}});
+  const BondName bond = bondName(firstId, secondId, shift);
+  const auto numbers =
+      generator({{static_cast<std::uint32_t>(bond.low), static_cast<std::uint32_t>(bond.high)}}, {{seed}});
   const double ofLow = uniform(numbers[0]), ofHigh = uniform(numbers[1]);
-  return firstId == low ? BondThresholds{ofLow, ofHigh} : BondThresholds{ofHigh, ofLow};
-}
-
-BondThresholds bondThresholds(std::uint32_t seed, int firstId, int imageId, int shift) {
-  const int mirrored = imageId - shift;
-  if (shift == 0 || firstId <= mirrored) return bondThresholds(seed, firstId, imageId);
-  const BondThresholds numbers = bondThresholds(seed, mirrored, firstId + shift);
-  return {numbers.ofSecond, numbers.ofFirst};
+  return bond.isLowTheFirst ? BondThresholds{ofLow, ofHigh} : BondThresholds{ofHigh, ofLow};
 }
 
 }  // namespace pd::kernels

@@ -15,12 +15,16 @@ def until(columns):
 
 
 class Fatigue(SceneTest):
+    damage = None  # that of the plate
+
     def run_until(self, columns, **options):
         deck = cracked_plate(self, solver=until(columns), **{"Checkpoint Frequency": 1000000})
         deck["Compute Class Parameters"]["J"] = {
             "Compute Class": "Nonlocal_J_Integral", "Thickness": THICKNESS, "Tip X": CRACK, "Ahead": 4e-3, "Behind": 4e-3,
             "Above": 4e-3, "Output Label": "J"}
         deck["Output"]["Output Variables"].append("J")
+        if self.damage is not None:
+            deck["Damage Models"]["Breakage"] = self.damage
         return self.solve(deck, **options)
 
     def test_the_same_bonds_fail_in_the_same_order_on_any_number_of_ranks(self):
@@ -43,6 +47,8 @@ class Fatigue(SceneTest):
             np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
         np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
 
+
+class Springs(SceneTest):
     def test_springs_go_on_to_the_last_bit_where_both_runs_wrote_the_checkpoint(self):
         # What conjugate gradients have of the bonds that were is renewed there, in the run that goes on as well.
         deck = cracked_plate(self, solver={**until(1.4), "Preconditioner": "Two Level"})
@@ -55,6 +61,14 @@ class Fatigue(SceneTest):
         for label, values in history.items():
             np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
         np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
+
+
+class FatigueThatScatters(Fatigue):
+    """Each bond has constants of its own, by the numbers of its ends."""
+
+    damage = {"Damage Model": "Cumulative Fatigue", "Ductility Coefficient": 1.0, "Ductility Exponent": -0.6,
+              "Strain Limit": 1e-3, "Scatter Between": "Bonds", "Random Seed": 3, "Scatter Of Limit": 0.1,
+              "Scatter Of Ductility": 0.2, "Scatter Of Exponent": 0.02}
 
 
 if __name__ == "__main__":

@@ -191,6 +191,33 @@ std::vector<Sample> damageSamples() {
     list.remove("Growth Exponent");
     return list;
   }();
+  const Teuchos::ParameterList cumulative = [] {
+    Teuchos::ParameterList list;
+    list.set("Ductility Coefficient", 0.08);
+    list.set("Ductility Exponent", -0.5);
+    list.set("Strain Limit", 0.004);
+    list.set("Growth Damage", 0.25);
+    list.set("Cycles Per Step", 2.0);
+    return list;
+  }();
+  Sample growing{"CumulativeFatigue", "Cumulative Fatigue", 2, cumulative};
+  growing.isUniform = true;
+  growing.parameters = plate(growing.parameters, "Plane Stress");
+  growing.parameters.set("Element Length", 0.2);
+  growing.parameters.set("Yield Stress", 0.05);
+  growing.parameters.set("Young's Modulus", 1.0);
+  growing.parameters.set("Poisson's Ratio", 1.0 / 3.0);
+  growing.parameters.set("Spacing", spacing);
+  growing.parameters.set("Horizon", 2.015 * spacing);
+  const Teuchos::ParameterList scattered = [&] {
+    Teuchos::ParameterList list = withText(cumulative, "Strain Measure", "Range");
+    list.set<std::string>("Scatter Between", "Bonds");
+    list.set("Random Seed", 5);
+    list.set("Scatter Of Limit", 0.2);
+    list.set("Scatter Of Ductility", 0.3);
+    list.set("Scatter Of Exponent", 0.05);
+    return list;
+  }();
   const Sample wearAndTear{
       "BreakageAndDissolution", "Combined", 2,
       model({{"Breakage", "Critical Stretch", stretch}, {"Dissolution", "Dissolution", Teuchos::ParameterList()}})};
@@ -209,6 +236,8 @@ std::vector<Sample> damageSamples() {
       {"Bilinear", "Bilinear", 2, stretch},
       {"RemainingLife", "Remaining Life", 2, life},
       {"RemainingLifeBeforeACrack", "Remaining Life", 3, initiation},
+      growing,
+      {"CumulativeFatigueThatScatters", "Cumulative Fatigue", 3, scattered},
       dissolution,
       {"TwoLimits", "Combined", 2,
        model({{"Steel", "Critical Stretch", with(stretch, "Critical Compressive Stretch", 0.06)},

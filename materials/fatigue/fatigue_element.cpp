@@ -1,0 +1,66 @@
+#include "fatigue_element.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace pd {
+
+void FatigueElement::declareParameters(ParameterDeclarations& declare) {
+  declare
+      .real("Element Length", "m",
+            "r of the fatigue element block: growth of a crack while the element at its tip fails. Without it bonds "
+            "beside cracks have the lives of all others.")
+      .positive();
+  declare.real("Yield Stress", "Pa", "Cyclic, without hardening: of the element at the tip of a crack.").positive();
+  GrowthLattice::declareParameters(declare);
+  declare.needs("Element Length", {"Yield Stress"});
+  declare.needs("Element Length", GrowthLattice::neededKeys());
+  declare.needs("Yield Stress", {"Element Length"});
+}
+
+FatigueElement::FatigueElement(const Teuchos::ParameterList& params, const kernels::StrainLife& life,
+                               const std::string& owner)
+    : lattice_(params, owner, "leave out Element Length, for bodies in which no crack grows"),
+      length_(params.get<double>("Element Length")),
+      yieldStrain_(params.get<double>("Yield Stress") / params.get<double>("Young's Modulus")) {
+  constexpr double pi = 3.14159265358979323846;
+  elasticStrain_ = 1.0 / (params.get<double>("Young's Modulus") * std::sqrt(2.0 * pi * length_));
+  if (life.limitOfRange() >= 2.0 * yieldStrain_)
+    throw std::invalid_argument(owner + ": the material yields below its Strain Limit; look at both");
+  bonds_ = elementTrial({lattice_.trial(life.power()), life.limitOfRange() / (2.0 * yieldStrain_)});
+}
+
+double FatigueElement::lossRate(double bondStrainRange, const kernels::StrainLife& life) const {
+  const double elasticRange = elasticStrain_ * bondStrainRange / (bonds_.reading * lattice_.strainAt(1.0));
+  const double ofElement = life.lossRate(kernels::neuberStrainRange(elasticRange, yieldStrain_));
+  if (ofElement == 0.0) return 0.0;
+  return length_ / lattice_.horizon() * bonds_.factor(elasticRange / (2.0 * yieldStrain_)) * ofElement;
+}
+
+double FatigueElement::growth(double intensityRange, const kernels::StrainLife& life) const {
+  return length_ * life.lossRate(kernels::neuberStrainRange(elasticStrain_ * intensityRange, yieldStrain_));
+}
+
+double FatigueElement::trialGrowth(double intensityRange, const kernels::StrainLife& life) const {
+  const double unit = lattice_.strainAt(intensityRange);
+  const auto ofStrain = [&](double strain) { return lossRate(strain * unit, life); };
+  return lattice_.horizon() * pd::trialGrowth(lattice_.trial(life.power()), ofStrain, TrialBody::Large);
+}
+
+std::string FatigueElement::note(const kernels::StrainLife& life) const {
+  std::ostringstream text;
+  text.precision(4);
+  text << "Cumulative Fatigue: growth by r/N of elements of r = " << length_ << " m, in trials with " << lattice_.text()
+       << " to " << 100.0 * bonds_.deviationAboveYield << " % where they yield and to "
+       << 100.0 * bonds_.deviationBelowYield << " % where they do not"
+       << "; a bond near a tip reads dK = e E' delta^0.5 / k, k = " << bonds_.reading;
+  if (life.limit > 0.0)
+    text << "; a crack stands below dK = " << 1e-6 * life.limitOfRange() / elasticStrain_ << " MPa m^0.5";
+  text << "; predicted da/dN at dK = 5, 10, 20, 50 MPa m^0.5: ";
+  for (const double range : {5.0, 10.0, 20.0, 50.0})
+    text << growth(1e6 * range, life) << (range < 50.0 ? ", " : " m/cycle");
+  return text.str();
+}
+
+}  // namespace pd
