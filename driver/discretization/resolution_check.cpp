@@ -106,6 +106,23 @@ void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Sur
                   perPoint, bondsOnARank, nRanks, nearest / n));
 }
 
+/// What half of the points have fewer of: with it a plane or a body has the stiffness of a few directions, whatever its
+/// material is. Squares have 4 neighbours within 1.4 spacings and 8 beyond, cubes 6 and 18.
+void checkReach(const Deck& deck, int dimension, std::vector<Surroundings> sampled) {
+  constexpr long long fewest[] = {0, 5, 10};  // by dimension
+  const auto middle = sampled.begin() + static_cast<std::ptrdiff_t>(sampled.size() / 2);
+  std::nth_element(sampled.begin(), middle, sampled.end(),
+                   [](const Surroundings& a, const Surroundings& b) { return a.nNeighbors < b.nNeighbors; });
+  const Surroundings median = *middle;
+  if (median.nNeighbors >= fewest[dimension - 1]) return;
+  deck.warnings().add(
+      deck["Blocks"].place(),
+      fmt::format("half of the points have no more than {} neighbours within their Horizon; so few do not make the "
+                  "stiffness, conductivity or Poisson's ratio of the material. Points are {:.3g} m apart: choose a "
+                  "Horizon of 3 to 6 times that",
+                  median.nNeighbors, median.nearest));
+}
+
 }  // namespace
 
 void checkResolution(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
@@ -113,6 +130,7 @@ void checkResolution(const Deck& deck, const MeshPoints& points, const std::vect
   if (points.size() < 2) return;  // a single point is reported as one without neighbours
   const std::vector<Surroundings> sampled = sample(points, rule);
   if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, rule, sampled);
+  checkReach(deck, dimension, sampled);
   checkSize(deck, points, sampled, nRanks, nCopies);
 }
 

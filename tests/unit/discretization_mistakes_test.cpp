@@ -11,7 +11,9 @@ using pd_test::deckText;
 using pd_test::latticeMesh;
 using pd_test::SceneFiles;
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 /// The text of the DeckError that reading throws.
@@ -203,6 +205,22 @@ TEST(ResolutionMistakes, VolumesThatDoNotFitTheSpacing) {
 TEST(ResolutionMistakes, OneVolumeFarTooLarge) {
   EXPECT_THAT(complaints(latticeMesh(9, 9, 9) + "9 0 0 1 1e9\n", deckText("3.015")),
               HasSubstr("the volume 1e+09 m3 of the point scene_mistakes/mesh.txt:731 means a spacing of 1000 m"));
+}
+
+TEST(ResolutionMistakes, AHorizonOfFewNeighborsIsWarnedOf) {
+  const auto warnings = [](const std::string& mesh, const std::string& horizon) {
+    const SceneFiles files("few_neighbors");
+    files.write("mesh.txt", mesh);
+    const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText(horizon)));
+    pd::readDiscretization(deck, pd::Communicator(MPI_COMM_SELF));
+    return deck.warnings().lines();
+  };
+  // Squares have 4 neighbours within 1.1 spacings and 8 within 1.5, cubes 6 and 18.
+  EXPECT_THAT(warnings(latticeMesh(9, 9, 1), "1.1"), Contains(HasSubstr("no more than 4 neighbours")));
+  EXPECT_THAT(warnings(latticeMesh(9, 9, 1), "1.5"), IsEmpty());
+  EXPECT_THAT(warnings(latticeMesh(13, 13, 13), "1.1"), Contains(HasSubstr("no more than 6 neighbours")));
+  EXPECT_THAT(warnings(latticeMesh(13, 13, 13), "1.5"), IsEmpty());
+  EXPECT_THAT(warnings(latticeMesh(9, 1, 1), "1.1"), IsEmpty());
 }
 
 TEST(ResolutionMistakes, AHorizonFarTooLargeIsSeenBeforeTheSearch) {

@@ -366,7 +366,7 @@ TEST(BondFilters, OneThatCutsNothingIsWarnedOf) {
       "0.0, "
       "Radius: 0.6}\n    Beside: {Type: Disk, Center_X: 1.0, Center_Y: 9.5, Center_Z: 0.0, Normal_X: 0.0, "
       "Normal_Y: 1.0, Normal_Z: 0.0, Radius: 3.0}\n";
-  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText("1.2", plane(0.0, 3.5, 4.0) + disk)));
+  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText("1.5", plane(0.0, 3.5, 4.0) + disk)));
   pd::readDiscretization(deck, pd::Communicator(MPI_COMM_SELF));
   ASSERT_EQ(deck.warnings().lines().size(), 1u);
   EXPECT_THAT(deck.warnings().lines()[0],
