@@ -168,8 +168,6 @@ std::vector<double> keyOf(const GrowthTrialCase& trial) {
   return key;
 }
 
-}  // namespace
-
 double PlaneStiffness::fractureModulus() const {
   const double determinant = c11 * c11 - c12 * c12, a11 = c11 / determinant, a12 = -c12 / determinant, a66 = 1.0 / c12;
   return 1.0 / (a11 * std::sqrt(0.5 * (1.0 + (2.0 * a12 + a66) / (2.0 * a11))));
