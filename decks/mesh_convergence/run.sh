@@ -9,8 +9,9 @@ meshes=("4k 90 44 0.00225" "6k 110 54 0.001835" "8k 126 64 0.001575" "10k 142 70
         "50k 316 158 0.000633")
 for mesh in "${meshes[@]}"; do
   read -r name nx ny _ <<<"$mesh"
-  gmsh -v 2 -2 "$here/../hydrogen_plate/plate.geo" -setnumber nx "$nx" -setnumber ny "$ny" -o "$here/plate_$name.msh"
-  "$pdmesh" convert "$here/plate_$name.msh" "$here/plate_$name.txt" --thickness 0.004 --quiet
+  mkdir -p "$here/$name"
+  gmsh -v 2 -2 "$here/../hydrogen_plate/plate.geo" -setnumber nx "$nx" -setnumber ny "$ny" -o "$here/$name/plate.msh"
+  "$pdmesh" convert "$here/$name/plate.msh" "$here/$name/plate.txt" --thickness 0.004 --quiet
 done
 cd "$results"
 for mesh in "${meshes[@]}"; do
@@ -21,7 +22,7 @@ for mesh in "${meshes[@]}"; do
       for horizon in 0.005 "$(awk "BEGIN {print 4 * $spacing}")"; do
         kind=delta
         [[ "$horizon" == 0.005 ]] && kind=m
-        "$pdrun" "$here/$deck.yaml" --quiet --set "Discretization/Input Mesh File=plate_$name.txt" \
+        "$pdrun" "$here/$deck.yaml" --quiet --set "Discretization/Input Mesh File=$name/plate.txt" \
           --set "Blocks/Plate/Horizon=$horizon" --set "Materials/AISI 4340/Lattice Rescaling=$rescaled" \
           --set "Output/Output Filename=${deck}_${kind}_${rescaled}_$name"
       done
