@@ -28,7 +28,7 @@ class ExternalWork : public TabledCompute {
   };
   static void declareParameters(ParameterDeclarations& declarations) {
     declareCommonParameters(declarations, "External_Work");
-    declarations.text("Node Set", "Points whose displacement is prescribed.");
+    declarations.text("Node Set", "Points whose prescribed displacement does work, too; without it only loads do.");
     declarations.texts("Node Sets", "Several such node sets.");
     declarations.atMostOneOf({"Node Set", "Node Sets"});
   }
@@ -76,4 +76,4 @@ int ExternalWork::compute(Blocks blocks) const {
 }  // namespace pd
 
 using pd::ExternalWork;
-PD_REGISTER_COMPUTE(ExternalWork, "External_Work", "Work of prescribed displacements and body forces since the start.")
+PD_REGISTER_COMPUTE(ExternalWork, "External_Work", "Work of loads, and of prescribed displacements of node sets, since the start.")

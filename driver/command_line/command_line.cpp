@@ -232,8 +232,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
                  "Run or check the deck on so many processes: starts itself under mpirun, also for root and on fewer "
                  "cores.")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  app.add_flag("--quiet", options.isQuiet, "Print nothing on the terminal but errors.");
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--quiet", options.isQuiet, "Print nothing on the terminal but warnings and errors.");
   app.set_version_flag("--version", std::string("pdrun ") + PD_VERSION);
 
   const auto printing = [&](const std::string& text) {

@@ -94,7 +94,7 @@ class PluginCheck {
     try {
       for (const int id : create()) {
         const PeridigmNS::FieldSpec spec = FieldManager::self().getFieldSpec(id);
-        if (spec.getRelation() != PeridigmNS::PeridigmField::BOND) labels_.insert(spec.getLabel());
+        (spec.getRelation() == PeridigmNS::PeridigmField::BOND ? bondLabels_ : labels_).insert(spec.getLabel());
       }
       return true;
     } catch (const DeckError& error) {
@@ -355,6 +355,11 @@ class PluginCheck {
 
   bool isKnownLabel(const std::string& label, const std::string& place, const std::string& path) {
     if (labels_.count(label) != 0) return true;
+    if (bondLabels_.count(label) != 0) {
+      mistakes_.add(place, path + ": \"" + label +
+                               "\" is a field of bonds; name the Output Label of a Bond_Field_Mean of it, a compute");
+      return false;
+    }
     const std::vector<std::string> known(labels_.begin(), labels_.end());
     if (!isComplete_) {
       // With a plug-in missing, only a slip of the pen is sure to be one.
@@ -384,6 +389,7 @@ class PluginCheck {
                                             "Element_Id",        "Proc_Num",    "Horizon", "External_Force_Density"};
   RunParts parts_;
   std::set<std::string> labels_;                ///< all that is known
+  std::set<std::string> bondLabels_;            ///< fields of bonds
   std::set<std::string> usedLabels_;            ///< by plug-ins of blocks, what they leave to conditions included
   std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
   RunContents run_;

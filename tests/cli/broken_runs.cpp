@@ -296,6 +296,10 @@ std::vector<Broken> brokenRuns() {
        {{"Displacement, Damage,", "Displacment, Damage,"}},
        {"deck.yaml:79:22: Output/Output Variables: nothing in this deck provides \"Displacment\" (did you mean "
         "\"Displacement\"?)"}},
+      {"OutputOfBonds",
+       {{"Displacement, Damage,", "Displacement, Bond_Damage,"}},
+       {"deck.yaml:79:36: Output/Output Variables: \"Bond_Damage\" is a field of bonds; name the Output Label of a "
+        "Bond_Field_Mean of it, a compute"}},
       {"OutputFrequency",
        {{"Output Frequency: 1", "Output Frequency: often"}},
        {"deck.yaml:78:21: Output/Output Frequency must be an integer >= -1, not \"often\""}},

@@ -100,12 +100,15 @@ TEST_F(Energies, RadiusIsThatOfABallOfTheVolume) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(4.0 / 3.0 * pi * std::pow(body.value("Radius", i), 3), i + 1.0, 1e-14);
 }
 
-TEST_F(Energies, ReactionIsMinusTheInternalForceOfTheSet) {
+TEST_F(Energies, ReactionBalancesTheInternalForceAndTheLoadsOfTheSet) {
   const auto compute = makeCompute(body, "Reaction_Force", on("First Two"));
-  for (int i = 0; i < 3; ++i) body.field("Force_Density")[3 * i + 1] = 10.0 * (i + 1);
+  for (int i = 0; i < 3; ++i) {
+    body.field("Force_Density")[3 * i + 1] = 10.0 * (i + 1);
+    body.field("External_Force_Density")[3 * i + 1] = -4.0;
+  }
   compute->compute(body.blocks());
   EXPECT_DOUBLE_EQ(body.value("Reaction_Force", 0), 0.0);
-  EXPECT_DOUBLE_EQ(body.value("Reaction_Force", 1), -(10.0 + 40.0));
+  EXPECT_DOUBLE_EQ(body.value("Reaction_Force", 1), -(10.0 + 40.0) + 4.0 * (1.0 + 2.0));
 }
 
 TEST_F(Energies, WorkOnASpringIsHalfForceTimesDisplacementInAnyNumberOfSteps) {

@@ -58,6 +58,14 @@ class SmoothBar(SceneTest):
         life = self.life(2.0e-3, "Damage Models/Fatigue=" + json.dumps(table))
         self.assertAlmostEqual(life / 1e5, 1.0, delta=1e-8)
 
+    def test_loads_that_grow_are_followed_by_intervals_or_a_word_is_said(self):
+        growth, limit, coefficient, exponent = 4.0e-7, 1.86e-3, 426.0, 2.77  # of the strain range in a cycle
+        exact = (limit + (growth * (exponent + 1) / coefficient) ** (1 / (exponent + 1))) / growth
+        for intervals, error in ((1000, 0.01), (10, 0.3)):
+            result = self.bar("2.0e-7*t", "Solver/Final Time=1e5", f"Solver/Fatigue/Intervals={intervals}")
+            self.assertAlmostEqual(result.history()["time"][-1] / exact, 1.0, delta=error)
+            self.assertEqual("loads changed within steps" in " ".join(result.report["solver"]), intervals == 10)
+
     def test_as_a_part_of_staggered_time_scale_is_the_frequency(self):
         solver = {"Final Time": 1e4, "Staggered": {"Load Steps": 20, "Solvers": {"Cycles": {
             "Fatigue": {"Load Ratio": -1.0}, "Time Scale": 10.0}}}}

@@ -31,7 +31,6 @@ class CoarseSpace {
 
   int nUnknowns() const { return nUnknowns_; }        ///< of all ranks
   int nOwnUnknowns() const { return base_.back(); }   ///< of this one
-  int firstUnknown() const { return firstUnknown_; }  ///< of this rank
   int nPieces() const { return static_cast<int>(base_.size()) - 1; }
   /// Of an owned point, or of a ghost or an image after exchange().
   PointModes modesAt(int point) const;

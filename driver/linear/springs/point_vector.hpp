@@ -31,12 +31,6 @@ class PointVector {
   std::vector<Real> values_;
 };
 
-/// work(values of a, values of b, ...) component by component, over the first `n` points.
-template <class Work, class First, class... Rest>
-void forEachComponent(const Work& work, First& first, Rest&... rest) {
-  for (int c = 0; c < first.nComponents(); ++c) work(first[c], rest[c]...);
-}
-
 }  // namespace pd
 
 #endif

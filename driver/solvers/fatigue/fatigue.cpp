@@ -13,7 +13,8 @@ namespace pd {
 
 namespace {
 
-constexpr double mostOverdrawn = 0.1;  ///< of a life, in blocks of fixed length
+constexpr double mostOverdrawn = 0.1;   ///< of a life, in blocks of fixed length
+constexpr double mostMisjudged = 0.05;  ///< part of a life, by loads that change within steps, that needs no word
 
 }  // namespace
 
@@ -199,6 +200,20 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
   }
 }
 
+/// A step without failures wore bonds at the rate of its first cycle. Had the load not changed, the worst of them would
+/// lose rateBefore (1 - rateBefore cycles)^-1 of its remaining life in a cycle after it; half the difference is what
+/// the step is wrong by.
+void Fatigue::watchLoad(Simulation& simulation, double rateBefore, double cycles, double reached) {
+  const double rate = worst(simulation.model).lossRate * std::max(1.0 - rateBefore * cycles, 0.0);
+  const bool wasSmall = misjudgedLife_ <= mostMisjudged;
+  misjudgedLife_ += 0.5 * std::abs(rate - rateBefore) * cycles;
+  if (wasSmall && misjudgedLife_ > mostMisjudged)
+    simulation.output.log(
+        fmt::format("Fatigue: warning: loads change within the {:.6g} cycles up to {:.6g}, in which "
+                    "bonds wear at the load of the first one; give more Intervals",
+                    cycles, reached));
+}
+
 double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   Model& model = simulation.model;
   const bool isAtWork = equilibrium_.hasSupports();
@@ -210,22 +225,24 @@ double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   if (!isAtWork) setLoad(simulation, t);  // the start, or a restart
   if (!reasonToStop_.empty()) return t;
   const double stop = std::min(end, loads_.at(t).end);
+  const long long nEventsBefore = nEvents_;
   double cycles = stop - t;
   bool hasBroken = passCycles(simulation, 0.0);  // the load may be another since the last step
+  const double rateBefore = worst(model).lossRate;
   if (hasBroken) {
     cycles = 0.0;
   } else if (cyclesPerBlock_ > 0.0) {
     cycles = passBlock(simulation, cycles, hasBroken);
   } else {
-    const double rate = worst(model).lossRate;
     // A step must not be shorter than rounding of t.
-    if (rate > 0.0 && 1.0 / rate < cycles * (1.0 - 1e-12)) cycles = 1.0 / rate;
+    if (rateBefore > 0.0 && 1.0 / rateBefore < cycles * (1.0 - 1e-12)) cycles = 1.0 / rateBefore;
     hasBroken = passCycles(simulation, cycles);
   }
   const double reached = cycles < stop - t ? t + cycles : stop;
   if (hasBroken) noteBreakage(simulation, reached);
   model.acceptStep(reached, cycles);
   settle(simulation, reached, false);
+  if (nEvents_ == nEventsBefore && reasonToStop_.empty()) watchLoad(simulation, rateBefore, cycles, reached);
   if (reasonToStop_.empty()) setLoad(simulation, reached);
   model.requireFinite("Displacement", static_cast<int>(nEvents_));
   return reached;
@@ -271,6 +288,11 @@ std::vector<std::string> Fatigue::summary() const {
                         nBroken_, nEvents_, firstBreak_, firstPlace_[0], firstPlace_[1], firstPlace_[2], nPasses_,
                         nHalved_));
   if (!reasonToStop_.empty()) lines.push_back("Fatigue: ended since " + reasonToStop_);
+  if (misjudgedLife_ > mostMisjudged)
+    lines.push_back(
+        fmt::format("Fatigue: warning: loads changed within steps, by which lives may be wrong by {:.2g} of "
+                    "themselves; give more Intervals",
+                    misjudgedLife_));
   for (const std::string& line : equilibrium_.summary()) lines.push_back(line);
   return lines;
 }

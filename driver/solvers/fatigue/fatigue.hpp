@@ -63,6 +63,7 @@ class Fatigue : public EventSolver {
   /// Equilibrium at the load of time t; bonds break and it is found again until none breaks.
   void settle(Simulation& simulation, double t, bool fromRest);
   void noteBreakage(Simulation& simulation, double t);
+  void watchLoad(Simulation& simulation, double rateBefore, double cycles, double reached);
   /// Load of the cycles after t, by blocks and by what the crack asks for.
   void setLoad(Simulation& simulation, double t);
 
@@ -79,6 +80,7 @@ class Fatigue : public EventSolver {
   double bondDamage_ = 0.0;  ///< sum over all bonds
   double firstBreak_ = 0.0;  ///< cycles
   std::array<double, 3> firstPlace_{};
+  double misjudgedLife_ = 0.0;  ///< of the worst bonds, by loads that changed within steps; parts of a life
   long long nEvents_ = 0, nBroken_ = 0, nHalved_ = 0, nPasses_ = 0;
 };
 
