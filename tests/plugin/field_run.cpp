@@ -213,6 +213,9 @@ std::vector<ComputeSample> computeSamples() {
   for (const auto& [key, value] :
        std::map<const char*, double>{{"Thickness", 1.0}, {"Inner Radius", 0.5}, {"Outer Radius", 4.0}})
     for (const char* plugin : {"J_Integral", "Stress_Intensity"}) given[plugin].set(key, value);
+  given["Flow_Force"].set("Inner Radius", 0.5);
+  given["Flow_Force"].set("Outer Radius", 4.0);
+  given["Mass_Flow"].set("Width", 2.0);
   std::vector<ComputeSample> samples;
   for (const std::string& name : pd::ComputeRegistry::self().names())
     if (name.find("Test") != 0) samples.push_back({name, given[name]});
