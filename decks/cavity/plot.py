@@ -63,7 +63,7 @@ def draw_lines():
             s = (np.arange(n) + 0.5) / n
             left.plot(s, u, "-", label="u on x = 1/2")
             left.plot(s, v, "-", label="v on y = 1/2")
-    left.plot(Y, U, "k.", X, V, "k.", markersize=4, label="converged")
+    left.plot(Y + X, U + V, "k.", markersize=4, label="converged")
     left.set_xlabel("y, x")
     left.set_ylabel("velocity over that of the lid, 48 points across")
     left.legend(fontsize=7)
@@ -73,6 +73,7 @@ def draw_lines():
     right.set_xlabel("points across")
     right.set_ylabel("error of the extremes")
     right.set_xticks(POINTS, POINTS)
+    right.set_yticks([5e-4, 1e-3, 2e-3, 4e-3], ["0.0005", "0.001", "0.002", "0.004"])
     right.minorticks_off()
     right.legend(fontsize=7)
     save(figure, "lines.png")

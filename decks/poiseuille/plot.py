@@ -51,7 +51,7 @@ def draw_errors():
         axis.set_ylabel(title)
         axis.set_xticks(POINTS, POINTS)
         axis.minorticks_off()
-    left.legend(fontsize=7)
+    left.legend(fontsize=7, loc=(0.02, 0.4))
     save(figure, "errors.png")
 
 

@@ -126,7 +126,8 @@ std::vector<double> linearGradientWeights(const BondEnds& ends) {
   return weights;
 }
 
-std::vector<double> interpolationWeights(const BondEnds& ends, const double* place) {
+std::vector<double> interpolationWeights(const BondEnds& ends, const double* place, int degree) {
+  if (ends.count() == 0) return {};
   const ScaledEnds scaled(ends);
   const auto dimension = static_cast<std::size_t>(ends.dimension);
   std::array<double, 3> target{};
@@ -141,8 +142,8 @@ std::vector<double> interpolationWeights(const BondEnds& ends, const double* pla
     constexpr double core = 0.03;  // of the longest bond, squared: ends nearer than that count alike
     freedom[k] = core * core / ((square + core) * (square + core));
   }
-  if (makeExact(ends.dimension, 2, scaled.xi, freedom, monomialsOf(ends.dimension, 2, target.data()), weights) >
-      exactEnough)
+  if (makeExact(ends.dimension, degree, scaled.xi, freedom, monomialsOf(ends.dimension, degree, target.data()),
+                weights) > exactEnough)
     return {};
   return weights;
 }

@@ -49,9 +49,9 @@ std::vector<double> gradientWeights(const BondEnds& ends);
 /// The same, exact for linear fields alone. Along directions in which there is no end the gradient is none.
 std::vector<double> linearGradientWeights(const BondEnds& ends);
 
-/// Weights [n] with f(place) = f + sum_k w_k (f_k - f), exact for quadratic fields, from the ends near `place`
-/// [dimension], m, seen from the point. Empty where the ends cannot do it.
-std::vector<double> interpolationWeights(const BondEnds& ends, const double* place);
+/// Weights [n] with f(place) = f + sum_k w_k (f_k - f), exact for fields of this degree (1 or 2), from the ends near
+/// `place` [dimension], m, seen from the point. Empty where the ends cannot do it.
+std::vector<double> interpolationWeights(const BondEnds& ends, const double* place, int degree);
 
 /// Symmetric weight of the bond of length |xi| between the points i and j, whose cells have edges about `spacing`, in
 ///   sum_j s(|xi|) [p_j - p_i - 1/2 (g_i + g_j).xi], g the gradients of p at both ends:

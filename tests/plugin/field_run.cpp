@@ -222,6 +222,9 @@ std::vector<ComputeSample> computeSamples() {
        std::map<const char*, double>{{"Thickness", 1.0}, {"Inner Radius", 0.5}, {"Outer Radius", 4.0}})
     for (const char* plugin : {"J_Integral", "Stress_Intensity"}) given[plugin].set(key, value);
   for (const char* key : {"Ahead", "Behind", "Above", "Thickness"}) given["Nonlocal_J_Integral"].set(key, 2.0);
+  given["Flow_Force"].set("Inner Radius", 0.5);
+  given["Flow_Force"].set("Outer Radius", 4.0);
+  given["Mass_Flow"].set("Width", 2.0);
   std::vector<ComputeSample> samples;
   for (const std::string& name : pd::ComputeRegistry::self().names())
     if (name.find("Test") != 0) samples.push_back({name, given[name]});

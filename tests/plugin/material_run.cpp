@@ -97,10 +97,13 @@ std::vector<std::string> MaterialRun::summedFields() {
   return labels;
 }
 
-/// Stepped scalars that are no results take values between 0 and 1. Of a material that declares Damage, half of the
-/// points are damaged wholly.
+/// Stepped scalars that are no results take values between 0 and 1, velocities between -1 and 1. Of a material that
+/// declares Damage, half of the points are damaged wholly.
 void MaterialRun::fillInputs(SmallBody& body) {
   const std::vector<std::string> results = summedFields();
+  if (body.hasField("Velocity"))
+    for (int i = 0; i < body.nPoints(); ++i)
+      for (int k = 0; k < sample_.dimension; ++k) body.field("Velocity")[3 * i + k] = noise(body.globalId(i), 40 + k);
   for (const int id : fieldIds_) {
     const FieldSpec spec = FieldManager::self().getFieldSpec(id);
     const bool isPointScalar = (spec.relation == PeridigmField::NODE || spec.relation == PeridigmField::ELEMENT) &&

@@ -126,7 +126,7 @@ TEST(FlowWeights, AreExactForQuadraticFieldsWhereverBondsEnd) {
         EXPECT_NEAR(sum, exact[a], 1e-7);
       }
       const Place place{0.4, -0.7, dimension == 3 ? 0.3 : 0.0};
-      const std::vector<double> interpolation = interpolationWeights(ends, place.data());
+      const std::vector<double> interpolation = interpolationWeights(ends, place.data(), 2);
       double value = 0.0;
       for (std::size_t k = 0; k < ends.count(); ++k) value += interpolation[k] * valueAt(k);
       EXPECT_NEAR(value, quadratic(place.data(), dimension), 1e-7);

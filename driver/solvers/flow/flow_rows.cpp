@@ -168,7 +168,7 @@ class RowMaker {
         return {{{end.point, end.copy, 1.0}}, {}};
       if (end.kind != FlowKind::Beyond) usable.push_back(end);
     }
-    const std::vector<double> weights = kernels::interpolationWeights(bondsOf(usable), seen.data());
+    const std::vector<double> weights = kernels::interpolationWeights(bondsOf(usable), seen.data(), 2);
     if (weights.empty()) tooFewNeighbors(point);
     VelocityValue value;
     double rest = 1.0;
@@ -239,43 +239,76 @@ class RowMaker {
     rows_.viscous.close(constant);
   }
 
-  /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it.
+  /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it. Beyond an
+  /// outflow the pressure is twice that of the outflow less that of the mirrored place.
   const PressureFit& fitAt(int point, const std::vector<int>& candidates) {
     const auto found = fits_.find(point);
     if (found != fits_.end()) return found->second;
-    const bool isOwned = point < mesh().nOwned;
     const std::vector<FlowEnd> ends =
-        geometry_.compactEndsOf(point, isOwned ? geometry_.neighborsOf(point) : candidates);
-    std::vector<const FlowEnd*> used;
-    kernels::BondEnds bonds;
-    bonds.dimension = geometry_.dimension();
+        geometry_.compactEndsOf(point, point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates);
+    std::vector<FlowEnd> used, fluid;
     for (const FlowEnd& end : ends) {
       const bool isOpen = end.openFraction <= 1.0;
-      if (!isOpen && end.kind != FlowKind::Fluid) continue;
-      const double part = isOpen ? end.openFraction : 1.0;
-      const FlowVector xi{part * end.xi[0], part * end.xi[1], part * end.xi[2]};
-      bonds.add(xi.data(), end.volume);
-      used.push_back(&end);
+      if (isOpen || end.kind == FlowKind::Fluid) used.push_back(end);
+      if (!isOpen && end.kind == FlowKind::Fluid) fluid.push_back(end);
     }
     PressureFit fit;
     if (!used.empty()) {
-      const std::vector<double> weights = kernels::linearGradientWeights(bonds);
-      FlowVector own{};
+      const std::vector<double> weights = kernels::linearGradientWeights(wholeBonds(used));
       for (std::size_t k = 0; k < used.size(); ++k) {
-        FlowVector weight{};
-        for (std::size_t a = 0; a < n_; ++a) weight[a] = weights[n_ * k + a];
-        for (std::size_t a = 0; a < n_; ++a) own[a] -= weight[a];
-        if (used[k]->openFraction > 1.0) {
-          fit.terms.push_back({used[k]->point, used[k]->copy, weight});
-          continue;
+        FlowVector weight{}, opposite{};
+        for (std::size_t a = 0; a < n_; ++a) {
+          weight[a] = weights[n_ * k + a];
+          opposite[a] = -weight[a];
         }
-        const double pressure =
-            geometry_.outflowPressure(used[k]->outflow, geometry_.placeOn(point, *used[k], used[k]->openFraction), t_);
-        for (std::size_t a = 0; a < n_; ++a) fit.constant[a] += weight[a] * pressure;
+        fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), opposite});
+        if (used[k].openFraction > 1.0)
+          fit.terms.push_back({used[k].point, used[k].copy, weight});
+        else
+          addMirroredPressure(point, used[k], fluid, weight, fit);
       }
-      fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), own});
     }
     return fits_.emplace(point, std::move(fit)).first->second;
+  }
+
+  kernels::BondEnds wholeBonds(const std::vector<FlowEnd>& ends) const {
+    kernels::BondEnds bonds;
+    bonds.dimension = geometry_.dimension();
+    for (const FlowEnd& end : ends) bonds.add(end.xi.data(), end.volume);
+    return bonds;
+  }
+
+  void addMirroredPressure(int point, const FlowEnd& end, const std::vector<FlowEnd>& fluid, const FlowVector& weight,
+                           PressureFit& fit) const {
+    const FlowVector seen = geometry_.mirrored(point, end);
+    const double pressure = geometry_.outflowPressure(end.outflow, geometry_.placeOn(point, end, end.openFraction), t_);
+    for (std::size_t a = 0; a < n_; ++a) fit.constant[a] += 2.0 * pressure * weight[a];
+    const auto add = [&](int other, int copy, double share) {
+      FlowVector part{};
+      for (std::size_t a = 0; a < n_; ++a) part[a] = -share * weight[a];
+      fit.terms.push_back({other, copy, part});
+    };
+    const std::vector<double> shares = sharesAt(point, fluid, seen);
+    double rest = 1.0;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      if (shares[k] != 0.0) add(fluid[k].point, fluid[k].copy, shares[k]);
+      rest -= shares[k];
+    }
+    if (rest != 0.0) add(mesh().sourceOf(point), mesh().copyOf(point), rest);
+  }
+
+  /// Of the ends in the value at a place `seen` from the point, whose share is the rest: of the one that is there, or
+  /// of a linear fit.
+  std::vector<double> sharesAt(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) const {
+    const double near = 1e-3 * geometry_.spacingOf(point);
+    std::vector<double> shares(ends.size(), 0.0);
+    if (std::hypot(seen[0], seen[1], seen[2]) < near) return shares;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      if (std::hypot(ends[k].xi[0] - seen[0], ends[k].xi[1] - seen[1], ends[k].xi[2] - seen[2]) < near) {
+        shares[k] = 1.0;
+        return shares;
+      }
+    return kernels::interpolationWeights(wholeBonds(ends), seen.data(), 1);
   }
 
   std::vector<int> candidatesAround(int point) const {
@@ -306,14 +339,13 @@ class RowMaker {
 
   /// What is said of a boundary by the bonds that meet it around a point.
   struct Facet {
-    int boundary = -1;
-    bool isOutflow = false;
     FlowVector normal{}, velocity{};
     double count = 0.0;
     double area = 0.0;  ///< over the volume of the point, 1/m
   };
 
-  /// -sum_j V_j/V_i G_ji v_j, with G the gradient of the pressure, and the flux through the boundaries.
+  /// -sum_j V_j/V_i G_ji v_j, with G the gradient of the pressure, and the flux through walls and inlets. That through
+  /// outflows is in the first term, since pressures are known there.
   void massBalanceRow(std::size_t row) {
     const int point = geometry_.fluid()[row];
     const std::vector<int> candidates = candidatesAround(point);
@@ -340,11 +372,7 @@ class RowMaker {
     for (const auto& [key, facet] : facets) {
       FlowVector outward{};
       for (std::size_t a = 0; a < n_; ++a) outward[a] = facet.area * facet.normal[a];
-      if (facet.isOutflow) {
-        rows_.divergence.terms.push_back({point, outward});
-      } else {
-        for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a] / facet.count;
-      }
+      for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a] / facet.count;
     }
     rows_.divergence.close(constantFlux);
     ++rows_.nAtJumps;
@@ -353,16 +381,12 @@ class RowMaker {
   void addFacets(int point, const std::vector<int>& candidates, std::map<int, Facet>& facets) const {
     const std::vector<int> own = point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates;
     for (const FlowEnd& end : geometry_.compactEndsOf(point, own)) {
-      const bool isOpen = end.openFraction <= 1.0;
-      if (!isOpen && end.kind != FlowKind::Wall) continue;
-      const int boundary = isOpen ? end.outflow : end.boundary;
-      const FlowVector place = geometry_.placeOn(point, end, isOpen ? end.openFraction : end.fraction);
-      Facet& facet = facets[boundary];
-      facet.boundary = boundary;
-      facet.isOutflow = isOpen;
+      if (end.kind != FlowKind::Wall || end.openFraction <= 1.0) continue;
+      const FlowVector place = geometry_.placeOn(point, end, end.fraction);
+      Facet& facet = facets[end.boundary];
       facet.count += 1.0;
-      const FlowVector normal = geometry_.normalAt(boundary, place);
-      const FlowVector velocity = isOpen ? FlowVector{} : geometry_.wallVelocity(boundary, place, t_);
+      const FlowVector normal = geometry_.normalAt(end.boundary, place);
+      const FlowVector velocity = geometry_.wallVelocity(end.boundary, place, t_);
       for (std::size_t a = 0; a < n_; ++a) {
         facet.normal[a] += normal[a];
         facet.velocity[a] += velocity[a];
