@@ -32,29 +32,35 @@ class CentreCrack(SceneTest):
         self.write_mesh(points, self.SPACING**2 * THICKNESS)
         self.points = points
 
-    def intensity(self, a, rule):
-        """K over Tada's, from the ellipse that the opening is nearest to."""
+    def deck(self, a, rule, variables):
         force = 100.0e6 * self.WIDTH * THICKNESS
+        sides = "abs(y - 0.1e-3) < 0.15e-3"
         deck = plate_deck(
-            4.0 * self.SPACING, THICKNESS, STEEL, solver=SMALL_STRAIN, output={"Output Variables": ["Displacement"]},
-            conditions={"Top Node Set": {"Expression": "y > 19.8e-3"}, "Bottom Node Set": {"Expression": "y < -19.8e-3"},
-                        "Left Node Set": {"Expression": "x < -9.8e-3 && y > 0 && y < 0.2e-3"},
-                        "Sides Node Set": {"Expression": "abs(x) > 9.8e-3 && y > 0 && y < 0.2e-3"},
+            4.0 * self.SPACING, THICKNESS, STEEL, solver=SMALL_STRAIN, output={"Output Variables": variables},
+            conditions={"Top Node Set": {"Expression": "y > 19.6e-3"}, "Bottom Node Set": {"Expression": "y < -19.6e-3"},
+                        "Left Node Set": {"Expression": f"x < -9.7e-3 && {sides}"},
+                        "Sides Node Set": {"Expression": f"abs(x) > 9.7e-3 && {sides}"},
                         "Up": {"Type": "Force", "Node Set": "Top Node Set", "Coordinate": "y", "Value": force},
                         "Down": {"Type": "Force", "Node Set": "Bottom Node Set", "Coordinate": "y", "Value": -force},
                         "Held X": prescribed("Left Node Set", "x", 0.0), "Held Y": prescribed("Sides Node Set", "y", 0.0)})
         deck["Discretization"]["Cracks"] = {"Centre": {"Type": "Polyline", "Points": [-a, 0.0, a, 0.0]}}
         deck["Discretization"]["Bond Decomposition"] = {"Rule": rule}
-        u = self.solve(deck).field("Displacement")[:, 1]
+        return deck
+
+    def tada(self, a):
+        part = 2.0 * a / self.WIDTH
+        return (1 - 0.025 * part**2 + 0.06 * part**4) / np.sqrt(np.cos(0.5 * np.pi * part)) * 100.0e6 * np.sqrt(np.pi * a)
+
+    def intensity(self, a, rule):
+        """K over Tada's, and how far beyond the tip the ellipse ends, that the opening is nearest to."""
+        u = self.solve(self.deck(a, rule, ["Displacement"])).field("Displacement")[:, 1]
         x, y = self.points[:, 0], self.points[:, 1]
         upper, lower = ((side * y > 0) & (np.abs(y) < self.SPACING) for side in (1, -1))
         v, x = 0.5 * (u[upper] - u[lower]), x[upper]
         near = np.abs(x) < a - 0.75e-3
         slope, square = np.polyfit(x[near]**2, v[near]**2, 1)  # v^2 = (2 K/E)^2/(pi a_e) (a_e^2 - x^2)
         effective = np.sqrt(-square / slope)
-        part = 2.0 * a / self.WIDTH
-        tada = (1 - 0.025 * part**2 + 0.06 * part**4) / np.sqrt(np.cos(0.5 * np.pi * part)) * 100.0e6 * np.sqrt(np.pi * a)
-        return 0.5 * YOUNG * np.sqrt(-slope * np.pi * effective) / tada, effective - a
+        return 0.5 * YOUNG * np.sqrt(-slope * np.pi * effective) / self.tada(a), effective - a
 
     def test_a_tip_is_where_the_deck_has_it(self):
         for rule, a in (("Adaptive", 3.875e-3), ("Uniform", 3.94e-3), ("Adaptive", 4.0e-3)):  # at a point ... beside cells
@@ -63,6 +69,23 @@ class CentreCrack(SceneTest):
             self.assertLess(abs(shift), 0.3 * self.SPACING, f"{rule}, {a}")
         # Whole bonds put it half a spacing and more away.
         self.assertGreater(self.intensity(3.88e-3, "Either")[1], 0.5 * self.SPACING)
+
+
+    def test_points_need_not_lie_in_rows_along_a_crack(self):
+        """K by an interaction integral; cells that the crack passes through must not join its faces."""
+        points = self.points.copy()
+        points[:, :2] += 0.3 * self.SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, (len(points), 2))
+        self.write_mesh(points, self.SPACING**2 * THICKNESS)
+        a = 4.0e-3
+        deck = self.deck(a, "Adaptive", ["K"])
+        deck["Materials"]["Steel"].pop("Lattice Rescaling")
+        deck["Compute Class Parameters"] = {
+            "K": {"Compute Class": "Stress_Intensity", "Plane Stress": True, "Thickness": THICKNESS, "Inner Radius": 2.0e-3,
+                  "Outer Radius": 3.2e-3, "Tip X": a, "Tip Y": 0.0, "Direction X": 1.0, "Direction Y": 0.0,
+                  "Output Label": "K"}}
+        history = self.solve(deck).history()
+        k = next(values[-1] for name, values in history.items() if name.startswith("K"))
+        self.assertAlmostEqual(k / self.tada(a), 1.0, delta=0.03)
 
 
 class Pores(SceneTest):
@@ -91,7 +114,7 @@ class Pores(SceneTest):
         points = self.mesh(0.3)
         for form in ("Objective", "Linear"):
             shapes = {"Stretched": ("0.01*y^2/0.03 + 0.002*sin(300*x)", "0.003*cos(200*x*y/0.03)"),
-                      "Turned": ("-0.5*x - 0.8660254037844386*y", "0.8660254037844386*x - 0.5*y")}  # by 120 degrees
+                      "Turned": ("-1.5*x - 0.8660254037844386*y", "0.8660254037844386*x - 1.5*y")}  # by 120 degrees
             forces = {}
             for name, (u, v) in shapes.items():
                 conditions = {"All Node Set": {"Expression": "x > -1"}}
@@ -108,6 +131,37 @@ class Pores(SceneTest):
             if form == "Objective":
                 self.assertLess(np.sum(np.abs(forces["Turned"])), 1e-12 * scale)
         self.assertLess(len(result.field("Volume", 0)), len(points))
+
+    def test_in_space_too(self):
+        points = lattice([0.008, 0.008, 0.008], self.SPACING)
+        points += 0.2 * self.SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, points.shape)
+        self.write_mesh(points, self.SPACING**3)
+        shapes = {"Stretched": ("0.01*y^2/0.008", "0.002*sin(300*x)", "0.003*z*x/0.008"),
+                  "Turned": ("-0.5*x - 0.8660254037844386*y", "0.8660254037844386*x - 0.5*y", "z")}
+        forces = {}
+        for name, values in shapes.items():
+            conditions = {"All Node Set": {"Expression": "x > -1"}}
+            for axis, value in zip("xyz", values):
+                own = f"({value}) - {axis}" if name == "Turned" else value
+                conditions[f"Initial {axis}"] = {"Type": "Initial Displacement", "Node Set": "All Node Set",
+                                                 "Coordinate": axis, "Value": own}
+            deck = plate_deck(2.2e-3, 1.0, conditions=conditions, output={"Output Variables": ["Force_Density", "Volume"]},
+                              solver={"Final Time": 1e-12, "Verlet": {"Fixed dt": 1e-12}})
+            deck["Materials"]["Steel"] = {"Material Model": "Elastic", "Density": 8000.0, "Bulk Modulus": 1.0e11,
+                                          "Shear Modulus": 0.4e11}
+            deck["Discretization"] = {
+                "Type": "Text File", "Input Mesh File": "mesh.txt",
+                "Voids": {"Pore": {"Type": "Sphere", "Center": [2.7e-3, 5.2e-3, 4.1e-3], "Radius": 0.8e-3}},
+                "Cracks": {"Penny": {"Type": "Disk", "Center": [5.6e-3, 3e-3, 3.9e-3], "Normal": [0.2, 0.1, 1.0],
+                                     "Radius": 1.7e-3}}}
+            result = self.solve(deck)
+            volume = result.field("Volume", 0)
+            forces[name] = result.field("Force_Density", 0) * volume[:, None]
+        scale = np.sum(np.abs(forces["Stretched"]))
+        self.assertLess(np.max(np.abs(np.sum(forces["Stretched"], axis=0))), 1e-12 * scale)
+        self.assertLess(np.sum(np.abs(forces["Turned"])), 1e-11 * scale)
+        pore = 4.0 / 3.0 * np.pi * 0.8e-3**3
+        self.assertLess(np.sum(volume), 0.008**3 - 0.9 * pore)  # cells of jittered points overlap
 
     def test_ranks_find_the_same_shares(self):
         self.mesh(0.3)
@@ -163,6 +217,33 @@ class Pores(SceneTest):
         rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
         for label in ("Damage", "Displacement"):
             np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
+class DamageOfCracks(SceneTest):
+    def test_it_is_that_of_a_filter_but_at_the_tip(self):
+        points = lattice([0.03, 0.03], 1e-3)
+        self.write_mesh(points, 1e-9)
+        damage = {}
+        geometry = {
+            "filter": {"Bond Filters": {"Edge": {
+                "Type": "Rectangular_Plane", "Normal_X": 0.0, "Normal_Y": 1.0, "Normal_Z": 0.0, "Lower_Left_Corner_X": -1.0,
+                "Lower_Left_Corner_Y": 15e-3, "Lower_Left_Corner_Z": -1.0, "Bottom_Unit_Vector_X": 1.0,
+                "Bottom_Unit_Vector_Y": 0.0, "Bottom_Unit_Vector_Z": 0.0, "Bottom_Length": 1.0102, "Side_Length": 2.0,
+                "Count In Damage": True}}},
+            "shares": {"Cracks": {"Edge": {"Type": "Polyline", "Points": [-1.0, 15e-3, 10.2e-3, 15e-3]}}},
+            "not counted": {"Cracks": {"Edge": {"Type": "Polyline", "Points": [-1.0, 15e-3, 10.2e-3, 15e-3]}},
+                            "Bond Decomposition": {"Cracks Count In Damage": False}}}
+        for name, section in geometry.items():
+            deck = plate_deck(3.2e-3, THICKNESS, {"Young's Modulus": YOUNG, "Poisson's Ratio": 0.25, "Density": 8000.0},
+                              damage={"Damage Model": "Critical Stretch", "Critical Stretch": 0.1},
+                              solver={"Final Time": 1e-12, "Verlet": {"Fixed dt": 1e-12}}, output={"Output Variables": ["Damage"]})
+            deck["Discretization"].update(section)
+            damage[name] = self.solve(deck).field("Damage")
+        behind, ahead = points[:, 0] < 6.4e-3, points[:, 0] > 14e-3
+        np.testing.assert_allclose(damage["shares"][behind], damage["filter"][behind], rtol=0, atol=1e-12)
+        self.assertGreater(damage["shares"].max(), 0.35)
+        self.assertEqual(damage["shares"][ahead].max(), 0.0)
+        self.assertEqual(damage["not counted"].max(), 0.0)
 
 
 class Refusals(SceneTest):
