@@ -26,8 +26,8 @@ def main(x, y, spacing, points, file):
                        ("Damage Models/Fatigue/Spacing", f"{spacing:.9g}e-3"),
                        ("Damage Models/Fatigue/Horizon", f"{horizon:.9g}e-3"),
                        ("Blocks/Body/Horizon", f"{horizon:.9g}e-3"),
-                       ("Compute Class Parameters/J/Inner Radius", f"{horizon:.9g}e-3"),
-                       ("Compute Class Parameters/J/Outer Radius", f"{2.5 * horizon:.9g}e-3")):
+                       *((f"Compute Class Parameters/J/{side}", f"{part * horizon:.9g}e-3")
+                         for side, part in (("Ahead", 1.5), ("Behind", 1.5), ("Above", 2.0)))):
         print(f"--set\n{key}={value}")
 
 
