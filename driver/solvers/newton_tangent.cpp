@@ -238,6 +238,16 @@ void Newton::completeSmallStrain(Model& model, double dt) {
     springForce(model);
   }
   springs_->copyForceToBlocks();
+  largestBondMotion_ = std::max(largestBondMotion_, springs_->meanBondMotion(model.field(fields_.displacement)));
+}
+
+std::vector<std::string> Newton::warnings() const {
+  constexpr double mostBondMotion = 0.02;
+  if (largestBondMotion_ <= mostBondMotion) return {};
+  return {
+      fmt::format("warning: bonds stretched or turned by {:.2g} in the mean of the body, which is too much for "
+                  "Kinematics: Small Strain; results are those of a body that stays as it is. Use Finite",
+                  largestBondMotion_)};
 }
 
 void Newton::prepareTangent(Simulation& simulation, double dt) {

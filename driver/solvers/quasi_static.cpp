@@ -275,6 +275,7 @@ std::vector<std::string> QuasiStatic::summary() const {
                     newton_.nGmresFallbacks));
   if (newton_.stoppedAtRoundOff)
     lines.push_back("QuasiStatic: the tolerance was below what rounding of coordinates leaves; the latter was reached");
+  for (const std::string& warning : newton_.warnings()) lines.push_back("QuasiStatic: " + warning);
   return lines;
 }
 

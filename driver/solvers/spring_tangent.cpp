@@ -272,6 +272,28 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
           !result.hasBrokenDown && result.relativeResidual <= tolerance, "CG"};
 }
 
+double SpringTangent::meanBondMotion(const double* displacement) const {
+  constexpr int sampleSize = 200;
+  const double* x = model_.field("Model_Coordinates");
+  const auto squaredDistance = [](const double* a, const double* b) {
+    double sum = 0.0;
+    for (int d = 0; d < 3; ++d) sum += (b[d] - a[d]) * (b[d] - a[d]);
+    return sum;
+  };
+  double sum = 0.0, count = 0.0;
+  for (int i = 0; i < model_.nOwned(); i += 1 + model_.nOwned() / sampleSize)
+    for (int k = 0; k < network_.nNeighbors(i); ++k) {
+      if (!(network_.alive(i, k) > 0.0F)) continue;
+      const int j = network_.neighbors(i)[k];
+      sum += std::sqrt(squaredDistance(displacement + 3 * i, displacement + 3 * j) /
+                       squaredDistance(x + 3 * i, x + 3 * j));
+      count += 1.0;
+    }
+  sum = model_.comm().sum(sum);
+  count = model_.comm().sum(count);
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 double SpringTangent::normOfDiagonal() const {
   const PointVector<double>& diagonal = levels_.diagonal();
   double sum = 0.0;

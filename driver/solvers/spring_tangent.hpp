@@ -42,6 +42,9 @@ class SpringTangent {
   LinearSolveReport solve(const double* b, double* x, double tolerance, int maximumIterations,
                           const Product& product = {});
 
+  /// |u_j - u_i|/|xi| of the unbroken bonds of some hundred points, in the mean, for displacements [3 nPoints]: how far
+  /// bonds have stretched and turned. Collective.
+  double meanBondMotion(const double* displacement) const;
   /// Norm of the diagonal at free degrees of freedom, N/m. Collective.
   double normOfDiagonal() const;
 
