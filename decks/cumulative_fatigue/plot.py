@@ -83,6 +83,10 @@ def draw_growth(law, ratio):
         ratio.semilogx(intensity, rate / exact, "o-", color=color)
         for row in zip(intensity, rate, exact, rate / exact):
             print(measure, "dK %g MPa m^0.5: %.3g, by the elements %.3g m/cycle, ratio %.3f" % row)
+    for file in sorted(folder.glob("fine_Amplitude_*.csv")):
+        intensity = float(file.stem.split("_")[2])
+        found, exact = rate_of(file.name), growth(intensity * 1e6)
+        print(f"half the horizon, dK {intensity:g} MPa m^0.5: {found:.3g} m/cycle, ratio {found / exact:.3f}")
     law.set_xlabel("range of K (MPa m$^{0.5}$)")
     law.set_ylabel("growth (m/cycle)")
     law.legend()

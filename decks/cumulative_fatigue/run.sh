@@ -19,4 +19,13 @@ for range in 5 8 10 15 20 30 50; do
       --set "Damage Models/Fatigue/Strain Measure=$measure" --set "Solver/Fatigue/Stress Intensity/Range=$range.0e6"
   done
 done
+# Half the horizon.
+"$here/../compact_tension/specimen.py" 0.375 "$here/fine.txt"
+for range in 5 30; do
+  "$pdrun" "$here/growth.yaml" --quiet --set "Output/Output Filename=fine_Amplitude_$range" \
+    --set "Discretization/Input Mesh File=fine.txt" --set "Blocks/Body/Horizon=1.125 mm" \
+    --set "Damage Models/Fatigue/Horizon=1.125 mm" --set "Damage Models/Fatigue/Spacing=0.375 mm" \
+    --set "Compute Class Parameters/J/Inner Radius=2.25 mm" --set "Compute Class Parameters/J/Outer Radius=3.5 mm" \
+    --set "Solver/Fatigue/Stress Intensity/Range=$range.0e6" --set "Solver/Fatigue/Stop When/Reaches=0.0165"
+done
 "$here/plot.py" "$results"

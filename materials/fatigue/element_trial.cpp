@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -24,6 +23,12 @@ double wantedLoss(const ElementTrialCase& wanted, double range) {
   return std::pow(std::max(elementStrain - wanted.limit, 0.0), wanted.trial.exponent);
 }
 
+/// d ln g / d ln x, from below.
+double slope(const ElementTrialCase& wanted, double range) {
+  const double elementStrain = range * std::max(1.0, range);
+  return (range > 1.0 ? 2.0 : 1.0) * wanted.trial.exponent * elementStrain / (elementStrain - wanted.limit);
+}
+
 /// Growth at a range over what is wanted there.
 double growthRatio(const ElementTrialCase& wanted, const ElementTrialResult& law, double range, TrialBody body) {
   const auto lossRate = [&](double strain) {
@@ -33,7 +38,8 @@ double growthRatio(const ElementTrialCase& wanted, const ElementTrialResult& law
   return trialGrowth(wanted.trial, lossRate, body) / wantedLoss(wanted, range);
 }
 
-/// Corrects each factor as if the others were right. Returns the largest deviation before, a logarithm.
+/// Corrects each factor as if the others were right, and so that bonds lose more at larger ranges. Returns the largest
+/// deviation before, a logarithm.
 double improve(const ElementTrialCase& wanted, ElementTrialResult& law, TrialBody body) {
   std::vector<double> change;
   double largest = 0.0;
@@ -43,7 +49,12 @@ double improve(const ElementTrialCase& wanted, ElementTrialResult& law, TrialBod
     largest = std::max(largest, std::abs(deviation));
     change.push_back(std::exp(-correctedPart * std::min(deviation, most)));
   }
-  std::transform(change.begin(), change.end(), law.factors.begin(), law.factors.begin(), std::multiplies<>());
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    law.factors[k] *= change[k];
+    if (k > 0)
+      law.factors[k] =
+          std::max(law.factors[k], law.factors[k - 1] * std::pow(rangeStep, -slope(wanted, law.ranges[k])));
+  }
   return largest;
 }
 

@@ -28,7 +28,13 @@ FatigueElement::FatigueElement(const Teuchos::ParameterList& params, const kerne
   elasticStrain_ = 1.0 / (params.get<double>("Young's Modulus") * std::sqrt(2.0 * pi * length_));
   if (life.limitOfRange() >= 2.0 * yieldStrain_)
     throw std::invalid_argument(owner + ": the material yields below its Strain Limit; look at both");
-  bonds_ = elementTrial({lattice_.trial(life.power()), life.limitOfRange() / (2.0 * yieldStrain_)});
+  const GrowthTrialCase trial = lattice_.trial(life.power());
+  constexpr double mostSpacings = 4.5;  // the hundred trials of more take an hour
+  if (trial.horizon > mostSpacings)
+    throw std::invalid_argument(owner + ": Horizon over Spacing is " + std::to_string(trial.horizon) +
+                                "; the trials that find how a crack grows by elements take 2 to 4.5. Choose others, or "
+                                "leave out Element Length, for bodies in which no crack grows");
+  bonds_ = elementTrial({trial, life.limitOfRange() / (2.0 * yieldStrain_)});
 }
 
 double FatigueElement::lossRate(double bondStrainRange, const kernels::StrainLife& life) const {

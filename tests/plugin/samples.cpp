@@ -203,6 +203,7 @@ std::vector<Sample> damageSamples() {
   Sample growing{"CumulativeFatigue", "Cumulative Fatigue", 2, cumulative};
   growing.isUniform = true;
   growing.parameters = plate(growing.parameters, "Plane Stress");
+  growing.parameters.set("Cycles Per Step", 6.0);
   growing.parameters.set("Element Length", 0.2);
   growing.parameters.set("Yield Stress", 0.05);
   growing.parameters.set("Young's Modulus", 1.0);

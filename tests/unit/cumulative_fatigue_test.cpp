@@ -71,7 +71,7 @@ TEST(FatigueElement, GrowthIsThatOfTheDerivedTable) {
                                                 {4.0e-9, 1.25e-8, 2.1e-8, 5.6e-8, 1.1e-7, 2.8e-7, 9.2e-7}};
   for (const StrainMeasure measure : {StrainMeasure::Amplitude, StrainMeasure::Range}) {
     const StrainLife life = titanium(measure);
-    const FatigueElement element(plateOf(3e-3, 1e-3), life, "test");
+    const FatigueElement element(plateOf(2e-3, 1e-3), life, "test");
     const std::vector<double>& table = tables[measure == StrainMeasure::Amplitude ? 0 : 1];
     for (std::size_t k = 0; k < ranges.size(); ++k)
       EXPECT_NEAR(element.growth(1e6 * ranges[k], life) / table[k], 1.0, 0.03) << ranges[k];  // two digits
@@ -81,11 +81,11 @@ TEST(FatigueElement, GrowthIsThatOfTheDerivedTable) {
 TEST(FatigueElement, ACrackOnALatticeGrowsAsTheElementFails) {
   const StrainLife life = titanium();
   const FatigueElement element(plateOf(3e-3, 1e-3), life, "test");
-  for (const double range : {5e6, 8e6, 1e7, 1.5e7, 2e7, 3e7, 5e7, 1e8})
+  for (const double range : {8e6, 1e7, 1.5e7, 2e7, 3e7, 5e7, 1e8})
     EXPECT_NEAR(element.trialGrowth(range, life) / element.growth(range, life), 1.0, 0.1) << range;
-  for (const double range : {1.5e6, 2e6, 3e6, 4e6})  // the element is elastic, its limit near
+  for (const double range : {1.5e6, 2e6, 3e6, 4e6, 5e6})  // it yields at 5.2, and has its limit at 1.33
     EXPECT_NEAR(element.trialGrowth(range, life) / element.growth(range, life), 1.0, 0.3) << range;
-  EXPECT_EQ(element.trialGrowth(1.3e6, life), 0.0);  // the threshold is 1.33
+  EXPECT_EQ(element.trialGrowth(1.3e6, life), 0.0);
 }
 
 TEST(BondNormals, AreThePublishedGenerator) {

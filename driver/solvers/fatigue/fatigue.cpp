@@ -92,8 +92,9 @@ void Fatigue::initialize(Simulation& simulation) {
     someoneTires = someoneTires || std::find(ids.begin(), ids.end(), fields_.lossRate.id()) != ids.end();
   }
   if (!model.comm().any(someoneTires))
-    throw RunError("Fatigue: no block has a damage model in which cycles take life; give one \"Remaining Life\" or "
-                   "\"Cumulative Fatigue\"");
+    throw RunError(
+        "Fatigue: no block has a damage model in which cycles take life; give one \"Remaining Life\" or "
+        "\"Cumulative Fatigue\"");
   for (const char* label : {"Displacement", "Damage"}) model.fieldAtN(label);  // kept from now on
   control_.initialize(model);
   *model.field(fields_.cycles) = *model.field(fields_.range) = *model.field(fields_.peak) = 0.0;
