@@ -188,6 +188,20 @@ class SteadyFlow(SceneTest):
         at_once = self.solve(self.cavity(16)[1])
         np.testing.assert_allclose(stepped.field("Velocity"), at_once.field("Velocity"), atol=1e-6)
 
+    def test_a_run_goes_on_from_a_checkpoint(self):
+        _, deck = self.cavity(16, solver={"Load Steps": 2})
+        deck["Boundary Conditions"]["Lid"]["Velocity"] = ["t", 0.0]
+        deck["Output"]["Checkpoint Frequency"] = 1
+        whole = self.solve(deck)
+        velocity = whole.field("Velocity", 2)
+        deck["Output"]["Output Filename"] = "half"
+        deck["Solver"]["Final Time"], deck["Solver"]["Steady Flow"]["Load Steps"] = 0.5, 1
+        self.solve(deck)
+        deck["Output"]["Output Filename"] = "rest"
+        deck["Solver"]["Final Time"], deck["Solver"]["Steady Flow"]["Load Steps"] = 1.0, 2
+        rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
+        np.testing.assert_allclose(rest.field("Velocity", 2), velocity, atol=1e-7)
+
     def test_a_flow_that_is_not_found_ends_the_run(self):
         _, deck = self.cavity(12, solver={"Maximum Solver Iterations": 6})
         deck["Materials"]["Fluid"]["Viscosity"] = 1e-6
