@@ -21,6 +21,7 @@ std::array<double, 9> monomialsOf(int dimension, int degree, const double* xi) {
 }
 
 void solveNormalEquations(int n, double* matrix, double* rightSide) {
+  if (n == 0) return;
   // Conditions differ in size by powers of the lengths of bonds: each is scaled by its own diagonal entry.
   std::array<double, 9> scale{}, size{}, scaled{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
