@@ -36,7 +36,7 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
               "(Transverse), which on lattices is not the same in all directions.")
         .oneOf({"Laplacian", "Transverse"})
         .defaultTo("Laplacian")
-        .from("Transverse: Zhao, Larios & Bobaru, CMAME 399 (2022) 115251");
+        .from("Transverse: Zhao, Larios & Bobaru, CMAME 2022, doi 10.1016/j.cma.2022.114815");
     declare
         .real("Gradient Horizon", "m",
               "Reach of gradients, divergence and convection, at most half of the horizon, which is the default. "
