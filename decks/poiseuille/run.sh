@@ -16,7 +16,8 @@ for points in 10 20 40; do
   lattice turned $((points * 2)) $((points / 2 + 4)) "$(times "$points*1.2")" --turn 20
   for mesh in along off turned; do
     run() { "$pdrun" "$here/channel.yaml" --quiet --set "Output/Output Filename=$1_$points" \
-      --set "Discretization/Input Mesh File=${mesh}_$points.txt" --set "Blocks/Water/Horizon=$(times "3.015*$spacing")" \
+      --set "Discretization/Input Mesh File=${mesh}_$points.txt" \
+      --set "Blocks/Water/Horizon=$(times "3.015*$spacing")" \
       --set "Compute Class Parameters/In/Width=$(times "2*$spacing")" \
       --set "Compute Class Parameters/Out/Width=$(times "2*$spacing")" "${@:2}"; }
     run "$mesh"

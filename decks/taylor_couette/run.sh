@@ -7,7 +7,8 @@ cd "$results"
 for points in 10 20 40; do
   edge=$(python3 -c "print(2 + 9/$points)")
   "$pdmesh" grid box --quiet --spacing "$(python3 -c "print(1/$points)")" --size "$edge" "$edge" \
-    --origin "$(python3 -c "print(-1 - 4.63/$points)")" "$(python3 -c "print(-1 - 4.19/$points)")" -o "$here/disc_$points.txt"
+    --origin "$(python3 -c "print(-1 - 4.63/$points)")" "$(python3 -c "print(-1 - 4.19/$points)")" \
+    -o "$here/disc_$points.txt"
   "$pdrun" "$here/annulus.yaml" --quiet --set "Output/Output Filename=annulus_$points" \
     --set "Discretization/Input Mesh File=disc_$points.txt" \
     --set "Blocks/Fluid/Horizon=$(python3 -c "print(3.015/$points)")"

@@ -1,4 +1,6 @@
 // An incompressible Newtonian fluid on points that stay where they are.
+#include <numeric>
+
 #include "Peridigm_Material.hpp"
 #include "flow_fields.hpp"
 #include "flow_law.hpp"
@@ -10,8 +12,9 @@ using PeridigmNS::DataManager;
 
 /// Gives the rate of the velocity at points that stay where they are,
 ///   dv/dt = -(v.grad) v + (mu lap v - grad p)/rho,
-/// with the operators of flow_weights.hpp over bonds that reach from point to point: a wall is points that have its
-/// velocity. Solvers that know where walls are between the points ask for the flowLaw() and do better.
+/// over bonds that reach from point to point: a wall is points that have its velocity. V_H of the viscous operator is
+/// the volume of the neighbours that there are, gradients are exact for linear fields. Solvers that know where walls
+/// are between the points ask for the flowLaw() and do better.
 class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowMaterial {
  public:
   struct Fields : FieldTable {
@@ -33,7 +36,7 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
               "(Transverse), which on lattices is not the same in all directions.")
         .oneOf({"Laplacian", "Transverse"})
         .defaultTo("Laplacian")
-        .from("Transverse: Zhao, Larios & Bobaru, CMAME 399 (2022) 115251");
+        .from("Transverse: Zhao, Larios & Bobaru, CMAME 2022, doi 10.1016/j.cma.2022.114815");
     declare
         .real("Gradient Horizon", "m",
               "Reach of gradients, divergence and convection, at most half of the horizon, which is the default. "
@@ -118,12 +121,15 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
     const auto difference = [&](int end, std::size_t a) { return velocity[3 * end + a] - velocity[3 * point + a]; };
     std::vector<int> ends;
     const kernels::BondEnds viscous = bondsWithin(law_.family.horizon, point, count, neighbors, x, volume, ends);
-    const std::vector<double> weights = kernels::viscousWeights(viscous, law_.horizonVolume(), law_.viscousKernel);
-    for (std::size_t k = 0; k < weights.size(); ++k) {
+    const double whole = std::accumulate(viscous.volume.begin(), viscous.volume.end(), 0.0);
+    const double alpha = kernels::viscousConstant(static_cast<int>(dimension), law_.viscousKernel);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const double length = ReferenceBond(x, point, ends[k]).length;
+      const double weight = alpha / whole * viscous.volume[k] / (length * length);
       const std::array<double, 9> share = viscous.viscousShare(k, law_.viscousKernel);
       for (std::size_t a = 0; a < dimension; ++a)
         for (std::size_t b = 0; b < dimension; ++b)
-          rate[a] += law_.viscosity / law_.density * weights[k] * share[3 * a + b] * difference(ends[k], b);
+          rate[a] += law_.viscosity / law_.density * weight * share[3 * a + b] * difference(ends[k], b);
     }
     const kernels::BondEnds compact = bondsWithin(law_.gradientHorizon, point, count, neighbors, x, volume, ends);
     const std::vector<double> gradient = kernels::linearGradientWeights(compact);

@@ -1,5 +1,6 @@
 #include "exact_weights.hpp"
 
+#include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -20,33 +21,30 @@ std::array<double, 9> monomialsOf(int dimension, int degree, const double* xi) {
 }
 
 void solveNormalEquations(int n, double* matrix, double* rightSide) {
-  const auto entry = [&](int row, int column) -> double& { return matrix[row * n + column]; };
+  if (n == 0) return;
   // Conditions differ in size by powers of the lengths of bonds: each is scaled by its own diagonal entry.
-  std::array<double, 9> scale{};
-  for (int i = 0; i < n; ++i)
-    scale[static_cast<std::size_t>(i)] = entry(i, i) > 0.0 ? 1.0 / std::sqrt(entry(i, i)) : 0.0;
-  for (int i = 0; i < n; ++i) {
-    rightSide[i] *= scale[static_cast<std::size_t>(i)];
-    for (int j = 0; j < n; ++j) entry(i, j) *= scale[static_cast<std::size_t>(i)] * scale[static_cast<std::size_t>(j)];
+  std::array<double, 9> scale{}, size{}, scaled{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    const double own = matrix[i * static_cast<std::size_t>(n + 1)];
+    scale[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
+    scaled[i] = scale[i] * rightSide[i];
   }
-  // A shift far below what counts and above rounding keeps the factor of a singular matrix finite.
-  constexpr double shift = 1e-13;
-  for (int j = 0; j < n; ++j) {
-    double pivot = entry(j, j) + shift;
-    for (int k = 0; k < j; ++k) pivot -= entry(j, k) * entry(j, k);
-    entry(j, j) = std::sqrt(std::max(pivot, 0.5 * shift));
-    for (int i = j + 1; i < n; ++i) {
-      for (int k = 0; k < j; ++k) entry(i, j) -= entry(i, k) * entry(j, k);
-      entry(i, j) /= entry(j, j);
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) rightSide[i] -= entry(i, k) * rightSide[k];
-    rightSide[i] /= entry(i, i);
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    for (int k = i + 1; k < n; ++k) rightSide[i] -= entry(k, i) * rightSide[k];
-    rightSide[i] /= entry(i, i);
+  for (int i = 0; i < n * n; ++i)
+    matrix[i] *= scale[static_cast<std::size_t>(i / n)] * scale[static_cast<std::size_t>(i % n)];
+  std::array<double, 64> work{};
+  int info = 0;
+  const Teuchos::LAPACK<int, double> lapack;
+  lapack.SYEV('V', 'U', n, matrix, n, size.data(), work.data(), static_cast<int>(work.size()), &info);
+  std::fill(rightSide, rightSide + n, 0.0);
+  if (info != 0) return;
+  constexpr double nothing = 1e-11;  // of the largest eigenvalue, the last one
+  for (int k = 0; k < n; ++k) {
+    const double* direction = matrix + k * n;
+    if (size[static_cast<std::size_t>(k)] <= nothing * size[static_cast<std::size_t>(n - 1)]) continue;
+    double along = 0.0;
+    for (int i = 0; i < n; ++i) along += direction[i] * scaled[static_cast<std::size_t>(i)];
+    along /= size[static_cast<std::size_t>(k)];
+    for (int i = 0; i < n; ++i) rightSide[i] += along * direction[i];
   }
   for (int i = 0; i < n; ++i) rightSide[i] *= scale[static_cast<std::size_t>(i)];
 }

@@ -17,8 +17,8 @@ enum class ViscousKernel { Laplacian, Transverse };
 ///   Laplacian   alpha/(2 d) lap v                                  alpha = 2 d: 4 in the plane, 6 in space
 ///   Transverse  alpha/(2 d) [(1 - 1/(d+2)) lap v - 2/(d+2) grad div v]
 ///                                                                  alpha = 2 d (d+2)/(d+1): 16/3 and 15/2
-/// The second is that of Zhao, Larios & Bobaru, CMAME 399 (2022) 115251, for flows without divergence; 10 in space, as
-/// is also found, is a third too much.
+/// The second is that of Zhao, Larios & Bobaru, CMAME 2022, doi 10.1016/j.cma.2022.114815, for flows without
+/// divergence; 10 in space, as is also found, is a third too much.
 double viscousConstant(int dimension, ViscousKernel kernel);
 
 /// Ends of the bonds of one point. A bond that meets a wall ends there.

@@ -127,8 +127,9 @@ std::vector<Sample> materialSamples() {
   water.set("Density", 2.0);
   water.set("Viscosity", 0.3);
   for (const int dimension : {2, 3}) {
-    samples.push_back({dimension == 2 ? "FlowInThePlane" : "FlowInSpace", "Navier Stokes", dimension,
-                       dimension == 2 ? withText(plate(water, "Plane Strain"), "Viscous Kernel", "Transverse") : water});
+    samples.push_back(
+        {dimension == 2 ? "FlowInThePlane" : "FlowInSpace", "Navier Stokes", dimension,
+         dimension == 2 ? withText(plate(water, "Plane Strain"), "Viscous Kernel", "Transverse") : water});
     samples.back().conserves = false;  // nor need walls
   }
   const auto material = [](const std::vector<PartSample>& parts) {

@@ -102,6 +102,25 @@ class SteadyFlow(SceneTest):
         self.assertLess(error, 1e-7)
         self.assertLess(abs(slope), 1e-7)
 
+    def test_square_duct_between_two_pressures(self):
+        # Flow rate of a unit square under dp/dx = -1: 0.035144/viscosity (White, Viscous Fluid Flow).
+        n = 8
+        s = (np.arange(n + 6) - 2.5) / n
+        points = np.stack(np.meshgrid(s, s, s, indexing="ij"), axis=-1).reshape(-1, 3)
+        self.write_mesh(points, 1 / n**3)
+        conditions = {
+            "Walls Node Set": {"Expression": "y < 0 || y > 1 || z < 0 || z > 1"},
+            "In Node Set": {"Expression": "x < 0"}, "Out Node Set": {"Expression": "x > 1"},
+            "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set",
+                      "Surface": "min(min(y, 1 - y), min(z, 1 - z))"},
+            "In": {"Type": "Outflow", "Node Set": "In Node Set", "Surface": "x", "Pressure": 1.0},
+            "Out": {"Type": "Outflow", "Node Set": "Out Node Set", "Surface": "1 - x"}}
+        flow = {"Compute Class": "Mass_Flow", "Point X": 0.5, "Normal X": 1.0, "Width": 2 / n, "Output Label": "Flow"}
+        deck = self.deck(1 / n, conditions, viscosity=0.1, variables=["Flow"],
+                         Compute_Class_Parameters={"Flow": flow})
+        deck["Materials"]["Fluid"].pop("Plane Strain")
+        self.assertLess(abs(self.solve(deck).history()["Flow"][-1] / 0.35144 - 1), 0.025)
+
     def test_flow_between_cylinders_one_of_which_turns(self):
         errors = []
         for n in (10, 20):
@@ -187,6 +206,20 @@ class SteadyFlow(SceneTest):
         stepped = self.solve(deck)
         at_once = self.solve(self.cavity(16)[1])
         np.testing.assert_allclose(stepped.field("Velocity"), at_once.field("Velocity"), atol=1e-6)
+
+    def test_a_run_goes_on_from_a_checkpoint(self):
+        _, deck = self.cavity(16, solver={"Load Steps": 2})
+        deck["Boundary Conditions"]["Lid"]["Velocity"] = ["t", 0.0]
+        deck["Output"]["Checkpoint Frequency"] = 1
+        whole = self.solve(deck)
+        velocity = whole.field("Velocity", 2)
+        deck["Output"]["Output Filename"] = "half"
+        deck["Solver"]["Final Time"], deck["Solver"]["Steady Flow"]["Load Steps"] = 0.5, 1
+        self.solve(deck)
+        deck["Output"]["Output Filename"] = "rest"
+        deck["Solver"]["Final Time"], deck["Solver"]["Steady Flow"]["Load Steps"] = 1.0, 2
+        rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
+        np.testing.assert_allclose(rest.field("Velocity", 2), velocity, atol=1e-7)
 
     def test_a_flow_that_is_not_found_ends_the_run(self):
         _, deck = self.cavity(12, solver={"Maximum Solver Iterations": 6})

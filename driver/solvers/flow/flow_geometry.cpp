@@ -162,7 +162,7 @@ void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End&
     (cell < 0 ? low : high) = fraction;
   }
   if (cell < 0 || low >= end.fraction) return;
-  for (int halving = 0; halving < 20; ++halving) {
+  for (int halving = 0; halving < 40; ++halving) {
     const double middle = 0.5 * (low + high);
     const int there = nearestCell(middle);
     if (there >= 0) cell = there;
