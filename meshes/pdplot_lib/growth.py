@@ -12,6 +12,8 @@ PIECES = 12  # of the growth of a run: a crack goes row by row of points, and ra
 def growth_rates(cycles, lengths, ranges, pieces=PIECES):
     """(mean range, growth in a cycle) over equal pieces of the growth. Arrays of one number a step; the range of a step
     holds until the next."""
+    loaded = np.argmax(ranges > 0.0)  # a history begins before any equilibrium
+    cycles, lengths, ranges = cycles[loaded:], lengths[loaded:], ranges[loaded:]
     grown, first = np.unique(np.maximum.accumulate(lengths), return_index=True)
     if len(grown) < 3:
         raise PlotError("the crack has not grown: there is no rate to draw")
