@@ -11,6 +11,7 @@
 // the rectangle through its side behind the tip, and be free of traction.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "plugins.hpp"
@@ -92,7 +93,18 @@ NonlocalJIntegral::NonlocalJIntegral(ComputeParameters params, ComputeComm comm,
 
 void NonlocalJIntegral::initialize(Blocks blocks) {
   place_.requireTip(blocks->front(), fields_.tip);
-  for (PeridigmNS::Block& block : *blocks) SpringState::require(block, nonlocalJName);
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (PeridigmNS::Block& block : *blocks) {
+    SpringState::require(block, nonlocalJName);
+    const double* x = view(block, fields_.modelCoordinates);
+    const auto points = block.getNeighborhoodData();
+    for (int p = 0; p < points->NumOwnedPoints(); ++p) {
+      lowest = std::min(lowest, x[3 * points->OwnedIDs()[p] + 2]);
+      highest = std::max(highest, x[3 * points->OwnedIDs()[p] + 2]);
+    }
+  }
+  if (maxOverRanks(*epetraComm, highest) > minOverRanks(*epetraComm, lowest))
+    throw std::invalid_argument(std::string(nonlocalJName) + ": the body is no plane one; use J_Integral");
 }
 
 NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double volume, const TipPlace::Tip& tip) const {

@@ -13,7 +13,7 @@ from measured import LIVES, PATHS  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from specimen import HOLES  # noqa: E402
 
-YOUNG, RATIO, PARIS, EXPONENT = 211e9, 0.1, 1.615e-11, 2.08  # of the deck; Pa, 1, m/cycle at 1 MPa sqrt(m), 1
+MODULUS, RATIO, PARIS, EXPONENT = 205.9e9, 0.1, 1.615e-11, 2.08  # of the deck; Pa, 1, m/cycle at 1 MPa sqrt(m), 1
 RUNS = [("1", "0.5"), ("2", "0.5"), ("2", "0.25"), ("3", "0.5"), ("4", "0.5")]
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
@@ -33,7 +33,7 @@ class Run:
             for key in ("time", "Crack_Length", "Crack_TipX", "Crack_TipY", "J", "Peak_Load"))
         self.length *= 1e3
         self.tips = np.stack([x, y], axis=1) * 1e3
-        self.largest = np.sqrt(np.maximum(energy, 0) * YOUNG) * peak * 1e-6  # MPa sqrt(m)
+        self.largest = np.sqrt(np.maximum(energy, 0) * MODULUS) * peak * 1e-6  # MPa sqrt(m)
         name = f"specimen {specimen}, " + ("no holes, " if specimen == "1" else "") + f"horizon {3 * self.spacing:g} mm"
         self.name = name
 

@@ -45,9 +45,10 @@ def settings(specimen, spacing, file):
     yield "Damage Models/Fatigue/Spacing", spacing * 1e-3
     for key in ("Damage Models/Fatigue/Horizon", "Blocks/Body/Horizon"):
         yield key, horizon
-    for ring in ("J", "K"):
-        yield f"Compute Class Parameters/{ring}/Inner Radius", horizon
-        yield f"Compute Class Parameters/{ring}/Outer Radius", 2.5 * horizon
+    for side, part in (("Ahead", 1.5), ("Behind", 1.5), ("Above", 2.0)):
+        yield f"Compute Class Parameters/J/{side}", part * horizon
+    yield "Compute Class Parameters/K/Inner Radius", horizon
+    yield "Compute Class Parameters/K/Outer Radius", 2.5 * horizon
     if holes:
         rims = " || ".join(f"(x - {x:g}e-3)^2 + (y - {y:g}e-3)^2 < {radius + spacing:g}e-3^2" for x, y, radius in holes)
         yield "Boundary Conditions/Rims Node Set/Expression", rims

@@ -113,10 +113,16 @@ def _draw_growth(options):
 def _histories(options):
     """[(label, {column: values})] of the runs, and the units of the first."""
     names = options.results or [None]
-    histories = [(Path(str(name or ".")).stem or "run", read_history(name or ".")) for name in names]
+    histories = [(_label(name), read_history(name or ".")) for name in names]
     if len({label for label, _ in histories}) < len(histories):
         histories = [(str(name), history) for name, (_, history) in zip(names, histories)]
     return histories, history_units(names[0] or ".", histories[0][1])
+
+
+def _label(name):
+    """Of results by the name that a user gave, in which points may stand."""
+    path = Path(str(name or "."))
+    return (path.stem if path.suffix in (".h5", ".csv", ".xdmf") else path.name) or "run"
 
 
 def _write(figure, options, default):

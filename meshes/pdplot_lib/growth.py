@@ -12,6 +12,8 @@ PIECES = 12  # of the growth of a run: a crack goes row by row of points, and ra
 def growth_rates(cycles, lengths, ranges, pieces=PIECES):
     """(mean range, growth in a cycle) over equal pieces of the growth. Arrays of one number a step; the range of a step
     holds until the next."""
+    loaded = np.argmax(ranges > 0.0)  # a history begins before any equilibrium
+    cycles, lengths, ranges = cycles[loaded:], lengths[loaded:], ranges[loaded:]
     grown, first = np.unique(np.maximum.accumulate(lengths), return_index=True)
     if len(grown) < 3:
         raise PlotError("the crack has not grown: there is no rate to draw")
@@ -38,7 +40,8 @@ def growth_panel(runs, length, against, units):
     for label, history in runs:
         length_column, range_column = found_columns(history, length)[0], found_columns(history, against)[0]
         ranges, rates = growth_rates(history["time"], history[length_column], history[range_column])
-        factor, unit = (1e-6, "MPa m^0.5") if units.get(range_column) == "Pa m^0.5" else (1.0, units.get(range_column, ""))
+        unit = units.get(range_column, "")
+        factor, unit = (1e-6, "MPa m^0.5") if unit == "Pa m^0.5" else (1.0, unit)
         exponent = exponent_of(ranges, rates)
         axis.loglog(ranges * factor, rates, "o", fillstyle="none",
                     label=label if exponent is None else f"{label}: exponent {exponent:.2f}")

@@ -103,7 +103,10 @@ TEST_F(NonlocalJ, IsTheEnergyReleaseRateOverAnyRectangle) {
   }
 }
 
-TEST_F(NonlocalJ, NeedsSprings) {
+TEST_F(NonlocalJ, NeedsSpringsInAPlane) {
+  SmallBody solid(lattice(4, 4, 2, 1.0), BodyOptions());
+  solid.block().setMaterialModel(Teuchos::rcp(new Springs(solid, horizon)));
+  EXPECT_THROW(makeCompute(solid, "Nonlocal_J_Integral", parameters), std::invalid_argument);
   body.block().setMaterialModel(Teuchos::rcp(new Springs(body, 0.0)));
   EXPECT_THROW(value(), std::invalid_argument);
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Fatigue cracks in awkward places: tips and cuts on points, other lattices, holes, steep laws, loads at a point. Separation,
-two cracks that meet, load ratios and blocks that are too long: fatigue_test.py; ranks and restarts: mpi/fatigue_test.py."""
+"""Fatigue cracks in awkward places: tips and cuts on points, other lattices, holes, steep laws, loads at a point.
+Separation, two cracks that meet, load ratios and blocks that are too long: fatigue_test.py; ranks and restarts:
+mpi/fatigue_test.py."""
 import sys
 import unittest
 
@@ -31,7 +32,8 @@ class FatigueCracks(SceneTest):
 
     def assert_mirrored(self, points, values):
         """As above, so below y = 0."""
-        order, mirrored = (np.lexsort((np.round(sign * points[:, 1], 9), np.round(points[:, 0], 9))) for sign in (1, -1))
+        order, mirrored = (np.lexsort((np.round(sign * points[:, 1], 9), np.round(points[:, 0], 9)))
+                           for sign in (1, -1))
         np.testing.assert_allclose(values[order], values[mirrored], rtol=1e-5)
 
     def test_tips_before_on_and_past_a_column_of_points(self):
@@ -48,7 +50,7 @@ class FatigueCracks(SceneTest):
         self.assertGreater(lives["on"], 0.9 * lives["between"])  # half a spacing of six is 8 %
 
     def test_cuts_through_points(self):
-        # The row on the cut keeps the bonds along itself alone: a fibre in compression, which nothing holds from the side.
+        # The row on the cut keeps the bonds along itself alone: a fibre in compression, which nothing holds sideways.
         straight = lattice([WIDTH, HEIGHT + SPACING], SPACING, origin=[0.0, -(HEIGHT + SPACING) / 2])
         i, j = (n.ravel() * np.sqrt(0.5) * SPACING for n in np.meshgrid(np.arange(60), np.arange(-30, 30)))
         turned = np.column_stack([i + j + 1e-6, i - j - 30 * np.sqrt(0.5) * SPACING, 0 * i])
@@ -90,7 +92,8 @@ class FatigueCracks(SceneTest):
         self.assertEqual(np.argmin(behind), 0)            # at the hole's rim
         np.testing.assert_array_equal(np.sort(behind[1:-1]), behind[1:-1])  # and on through the ligament
         # Phase I alone: without it the crack ends in the hole
-        del deck["Damage Models"]["Breakage"]["Initiation Coefficient"], deck["Damage Models"]["Breakage"]["Initiation Exponent"]
+        for key in initiation:
+            del deck["Damage Models"]["Breakage"][key]
         deck["Solver"]["Final Time"] = behind.min() * 2
         alone = self.solve(deck).field("Damage")
         self.assertEqual(alone[points[:, 0] > 19e-3].max(), 0.0)

@@ -205,6 +205,40 @@ class CrackedPlate(SceneTest):
         self.assertIn("influence function is negative", result.text)
 
 
+class CompactTension(SceneTest):
+    """decks/compact_tension, with twice its horizon."""
+
+    def test_paris_law_and_the_k_of_the_standard_come_out(self):
+        scene, horizon = os.path.join(DECKS, "compact_tension"), 2.25
+        mesh = self.path("specimen.txt")
+        subprocess.run([os.path.join(scene, "specimen.py"), str(horizon / 3), mesh], check=True)
+        settings = {"Discretization/Input Mesh File": mesh, "Blocks/Body/Horizon": f"{horizon} mm",
+                    "Damage Models/Fatigue/Horizon": f"{horizon} mm", "Damage Models/Fatigue/Spacing": f"{horizon / 3} mm",
+                    "Compute Class Parameters/J/Inner Radius": f"{2 * horizon} mm",
+                    "Compute Class Parameters/J/Outer Radius": f"{3.1 * horizon} mm",
+                    "Solver/Fatigue/Stress Intensity/Range": "15.0e6", "Solver/Fatigue/Stop When/Reaches": "0.019"}
+        for integral, behind, above in (("J Of Bonds", 2, 2), ("J Of Bonds Further Out", 3, 4.5)):
+            for side, part in (("Ahead", 2), ("Behind", behind), ("Above", above)):
+                settings[f"Compute Class Parameters/{integral}/{side}"] = f"{part * horizon} mm"
+        command = [pdrun_path(), os.path.join(scene, "compact_tension.yaml"), "--quiet"]
+        for key, value in settings.items():
+            command += ["--set", f"{key}={value}"]
+        result = Result(self.folder, "compact_tension",
+                        subprocess.run(command, cwd=self.folder, capture_output=True, text=True))
+        self.assertEqual(result.code, 0, result.text)
+        history = result.history()
+        grown = history["Crack_Length"] > 0.0135
+        length, cycles = history["Crack_Length"][grown], history["time"][grown]
+        # da/dN = C dK^M of the deck; slow by the share of the horizon in the ligament, 5 % with half of it
+        self.assertAlmostEqual(np.polyfit(cycles, length, 1)[0] / (1.615e-11 * 15.0**3), 1.0, delta=0.08)
+        x = length / 0.04
+        standard = (1750.0 / (0.0032 * 0.04**0.5) * (2 + x) / (1 - x)**1.5
+                    * (0.886 + 4.64 * x - 13.32 * x**2 + 14.72 * x**3 - 5.6 * x**4))
+        for label in ("J_Of_Bonds", "J_Further_Out"):
+            ratio = np.sqrt(history[label][grown] * 205.9e9) / standard
+            self.assertAlmostEqual(ratio.mean(), 1.0, delta=0.02, msg=label)
+
+
 class InclinedCrack(SceneTest):
     """decks/mixed_mode_fatigue: a crack at 60 degrees to the load turns by 43.2 degrees (maximum tangential stress)."""
 
