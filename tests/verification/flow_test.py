@@ -64,14 +64,22 @@ class SteadyFlow(SceneTest):
         return error, fit[0] / (-8 * viscosity) - 1
 
     def test_channel_along_off_and_across_the_lattice(self):
-        # The parabola is in the space of the operators: rounding alone is left where the outflow meets a row of points.
-        for shift, angle, most in (((0.5, 0.5), 0.0, 1e-7), ((0.37, 0.81), 0.0, 1e-4), ((0.3, 0.1), 20.0, 1e-3)):
+        # Operators are exact for parabolas, those of the pressure for lines, wherever bonds end: rounding alone is left.
+        for shift, angle in (((0.5, 0.5), 0.0), ((0.37, 0.81), 0.0), ((0.3, 0.1), 20.0)):
             points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.1, shift, angle)
             self.write_mesh(points, 0.1**2)
             result = self.solve(self.channel(0.1))
             error, slope = self.channel_errors(points, result)
-            self.assertLess(error, most, (shift, angle))
-            self.assertLess(abs(slope), 1e-2, (shift, angle))
+            self.assertLess(error, 1e-7, (shift, angle))
+            self.assertLess(abs(slope), 1e-7, (shift, angle))
+
+    def test_channel_of_jittered_points(self):
+        points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.1, (0.5, 0.5))
+        points[:, :2] += 0.02 * np.random.default_rng(3).uniform(-1, 1, (len(points), 2))
+        self.write_mesh(points, 0.1**2)
+        error, slope = self.channel_errors(points, self.solve(self.channel(0.1)))
+        self.assertLess(error, 1e-7)
+        self.assertLess(abs(slope), 1e-7)
 
     def assert_ranks_agree(self, deck):
         one = self.solve(deck)
