@@ -31,7 +31,7 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
         .defaultTo("None");
     declare
         .text(
-            "Flux Between Blocks",
+            "Interface Flux",
             "What a bond between blocks of different Coefficient carries: what the resistances along it in series let "
             "through, to both ends (Series); or to each end what the constants of its own block say, as in Peridigm, "
             "which ignores the jump: what leaves one block is not what enters the other one (Own Constants).")
@@ -88,7 +88,7 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     list.set<std::string>("Diffusing Field", "Temperature");
     list = shared.complete(list, owner);
     return NonlocalDiffusion(list, BondFamily(list, owner), owner,
-                             params.get<std::string>("Flux Between Blocks") == "Series"
+                             params.get<std::string>("Interface Flux") == "Series"
                                  ? NonlocalDiffusion::Interface::Series
                                  : NonlocalDiffusion::Interface::OwnConstants,
                              params.get<bool>("Use Improved Quadrature") ? NonlocalDiffusion::Quadrature::Fitted

@@ -201,7 +201,7 @@ class Translation {
         if (model != nullptr && model->scalar == theirs)
           setDefault(*materials, name, "Volume Correction", "Every Neighbor");
       if (model != nullptr && model->scalar == "Diffusion")
-        setDefault(*materials, name, "Flux Between Blocks", "Own Constants");
+        setDefault(*materials, name, "Interface Flux", "Own Constants");
     }
   }
 

@@ -69,7 +69,9 @@ class StripTest(SceneTest):
         """Advance of the crack, in horizons, and its angle to the first one, after each load (shares of G_c). Points beside a
         crack have lost 0.4 to 0.5 of their bonds."""
         critical = self.critical_load(**{key: value for key, value in options.items() if key != "coverage"})
-        plane = {} if self.is_solid else {"Plane Stress": True, "Thickness": THICKNESS}
+        plane = {} if self.is_solid else {"Plane Stress": True}
+        if not self.is_solid and "Nodal" in damage["Damage Model"]:
+            plane["Thickness"] = THICKNESS
         result = self.run_strip({"Fracture Energy": FRACTURE_ENERGY, **plane, "Horizon": HORIZON, **damage},
                                 loads=[critical * np.sqrt(share) for share in shares], **options)
         advance, angles = [], []
