@@ -106,21 +106,24 @@ void checkSize(const Deck& deck, const MeshPoints& points, const std::vector<Sur
                   perPoint, bondsOnARank, nRanks, nearest / n));
 }
 
-/// What half of the points have fewer of: with it a plane or a body has the stiffness of a few directions, whatever its
-/// material is. Squares have 4 neighbours within 1.4 spacings and 8 beyond, cubes 6 and 18.
-void checkReach(const Deck& deck, int dimension, std::vector<Surroundings> sampled) {
-  constexpr long long fewest[] = {0, 5, 10};  // by dimension
+/// With a horizon of hardly more than a spacing a plane or a body has the stiffness of a few directions, whatever its
+/// material is. Along a line there are no others.
+void checkReach(const Deck& deck, int dimension, const NeighborRule& rule, std::vector<Surroundings> sampled) {
+  constexpr double leastReach = 1.45;  // of spacings; Gmsh's points are nearer to each other than they are apart
+  const auto spacings = [&](const Surroundings& s) {
+    return rule.reach[static_cast<std::size_t>(s.point)] / s.nearest;
+  };
   const auto middle = sampled.begin() + static_cast<std::ptrdiff_t>(sampled.size() / 2);
   std::nth_element(sampled.begin(), middle, sampled.end(),
-                   [](const Surroundings& a, const Surroundings& b) { return a.nNeighbors < b.nNeighbors; });
-  const Surroundings median = *middle;
-  if (median.nNeighbors >= fewest[dimension - 1]) return;
+                   [&](const Surroundings& a, const Surroundings& b) { return spacings(a) < spacings(b); });
+  if (dimension == 1 || rule.isBox || spacings(*middle) >= leastReach) return;
   deck.warnings().add(
       deck["Blocks"].place(),
-      fmt::format("half of the points have no more than {} neighbours within their Horizon; so few do not make the "
-                  "stiffness, conductivity or Poisson's ratio of the material. Points are {:.3g} m apart: choose a "
-                  "Horizon of 3 to 6 times that",
-                  median.nNeighbors, median.nearest));
+      fmt::format(
+          "the Horizon is {:.2g} times the distance of the next point ({:.3g} m) or less at half of the points; "
+          "so few neighbours do not make the stiffness, conductivity or Poisson's ratio of the material. Choose "
+          "one of 3 to 6 times that",
+          spacings(*middle), middle->nearest));
 }
 
 }  // namespace
@@ -130,7 +133,7 @@ void checkResolution(const Deck& deck, const MeshPoints& points, const std::vect
   if (points.size() < 2) return;  // a single point is reported as one without neighbours
   const std::vector<Surroundings> sampled = sample(points, rule);
   if (!spacing.empty()) checkSpacing(deck, points, spacing, dimension, rule, sampled);
-  checkReach(deck, dimension, sampled);
+  checkReach(deck, dimension, rule, sampled);
   checkSize(deck, points, sampled, nRanks, nCopies);
 }
 

@@ -13,7 +13,7 @@ namespace pd {
 /// Looks at a sample of the points. Adds a mistake where volumes do not belong to the distances between points (the
 /// wrong thickness, millimetres mixed with metres), and where the neighbourhoods would hold more bonds than lists on
 /// `nRanks` ranks can, of one of the `nCopies` copies that `points` are of. `spacing`: from the volumes, empty where
-/// nothing depends on it. Warns where neighbourhoods are too small for the material.
+/// nothing depends on it. Warns where horizons are hardly larger than spacings.
 void checkResolution(const Deck& deck, const MeshPoints& points, const std::vector<double>& spacing, int dimension,
                      const NeighborRule& rule, int nRanks, int nCopies);
 

@@ -11,10 +11,10 @@ namespace pd {
 namespace {
 
 // Of the ranges at which growth is compared: their ratio, how far above the threshold and above yield they reach.
-constexpr double rangeStep = 1.3, aboveThreshold = 1.1, aboveYield = 6.0;
+constexpr double rangeStep = 1.3, aboveThreshold = 1.1, aboveYield = 20.0;
 // Part of a deviation that is made up for at a time, since neighbouring ranges see it, too; when there is enough of it.
 constexpr double correctedPart = 0.5, closeEnough = 0.03;
-constexpr int mostPassesInAStrip = 8, passesInALargeBody = 4;
+constexpr int mostPassesInAStrip = 8, passesInALargeBody = 6;
 constexpr double firstFactor = 2.5;  ///< what B and its fall with M come to for 3 spacings a horizon
 
 /// g.
