@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "discontinuity_reader.hpp"
 #include "mesh_geometry.hpp"
@@ -195,8 +196,14 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
                        fmt::format("{} of the {} points of {} lie in Voids and are left out; the others are numbered "
                                    "without them",
                                    points.size() - nLeft, points.size(), points.fileName));
+  const std::set<int> blocks(points.blockId.begin(), points.blockId.end());
   keepPoints(isKept, points, nodeSets);
   checkNodeSets(deck_, nodeSets);
+  for (const int block : blocks)
+    if (std::find(points.blockId.begin(), points.blockId.end(), block) == points.blockId.end())
+      deck_.mistakes().add(deck_["Discretization"]["Voids"].keyPlace(),
+                           "Voids leave nothing of block_" + std::to_string(block) +
+                               "; take its points out of the mesh, and its entry out of Blocks");
   keep(isKept, 1, spacing);
   keep(isKept, 1, solid_);
 }
