@@ -57,6 +57,8 @@ class FlowForce : public TabledCompute {
       for (int i = 0; i < points->NumOwnedPoints(); ++i) addPoint(block, points->OwnedIDs()[i], density, sums);
     }
     sums = sumOverRanks(*epetraComm, sums);
+    if (sums[3] + sums[4] == 0.0)
+      throw std::invalid_argument("Flow_Force: no point lies between \"Inner Radius\" and \"Outer Radius\"");
     // Before the first flow nothing is known to be fluid.
     if (sums[3] > 0.0 && sums[4] > 0.0)
       throw std::invalid_argument("Flow_Force: " + std::to_string(static_cast<long long>(sums[4])) +

@@ -1,5 +1,6 @@
 // Mass_Flow: what flows through a plane, kg/s.
 #include <cmath>
+#include <stdexcept>
 
 #include "flow_fields.hpp"
 #include "plugins.hpp"
@@ -40,15 +41,20 @@ class MassFlow : public TabledCompute {
         fields_(parameters_) {}
 
   const Fields& fields() const override { return fields_; }
-  void initialize(Blocks blocks) override { points_.initialize(blocks); }
+  void initialize(Blocks blocks) override {
+    points_.initialize(blocks);
+    double nPoints = 0.0;
+    points_.forEach(blocks, [&](std::size_t b, int id) { nPoints += shareOf((*blocks)[b], id) > 0.0 ? 1.0 : 0.0; });
+    if (sumOverRanks(*epetraComm, nPoints) == 0.0)
+      throw std::invalid_argument("Mass_Flow: no point lies within \"Width\" of the plane; move it, or widen it");
+  }
 
   int compute(Blocks blocks) const override {
     double flow = 0.0;
     points_.forEach(blocks, [&](std::size_t b, int id) {
       PeridigmNS::Block& block = (*blocks)[b];
       const auto point = static_cast<std::size_t>(id);
-      const double distance = dot(normal_, view(block, fields_.x) + 3 * point) - dot(normal_, point_.data());
-      const double share = (1.0 - std::abs(distance) / width_) / width_;
+      const double share = shareOf(block, id);
       if (share <= 0.0 || view(block, fields_.fluid)[point] == 0.0) return;
       flow += block.getMaterialModel()->Density() * dot(normal_, view(block, fields_.velocity) + 3 * point) * share *
               view(block, fields_.volume)[point];
@@ -58,6 +64,13 @@ class MassFlow : public TabledCompute {
   }
 
  private:
+  /// w(d) of a point, 1/m; not above 0 where it is too far from the plane.
+  double shareOf(PeridigmNS::Block& block, int id) const {
+    const double* x = view(block, fields_.x) + 3 * static_cast<std::size_t>(id);
+    const double distance = dot(normal_, x) - dot(normal_, point_.data());
+    return (1.0 - std::abs(distance) / width_) / width_;
+  }
+
   PointSelection points_;
   Vector3 point_, normal_;
   double width_;

@@ -93,16 +93,26 @@ NonlocalJIntegral::NonlocalJIntegral(ComputeParameters params, ComputeComm comm,
 
 void NonlocalJIntegral::initialize(Blocks blocks) {
   place_.requireTip(blocks->front(), fields_.tip);
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, longest = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
     SpringState::require(block, nonlocalJName);
     const double* x = view(block, fields_.modelCoordinates);
     const auto points = block.getNeighborhoodData();
+    const int* list = points->NeighborhoodList();
     for (int p = 0; p < points->NumOwnedPoints(); ++p) {
-      lowest = std::min(lowest, x[3 * points->OwnedIDs()[p] + 2]);
-      highest = std::max(highest, x[3 * points->OwnedIDs()[p] + 2]);
+      const double* own = x + 3 * points->OwnedIDs()[p];
+      lowest = std::min(lowest, own[2]);
+      highest = std::max(highest, own[2]);
+      for (int n = *list++; n > 0; --n, ++list)
+        longest = std::max(longest, std::hypot(x[3 * *list] - own[0], x[3 * *list + 1] - own[1]));
     }
   }
+  longest = maxOverRanks(*epetraComm, longest);
+  if (std::min({ahead_, behind_, above_, below_}) < longest)
+    throw std::invalid_argument(
+        std::string(nonlocalJName) +
+        ": \"Ahead\", \"Behind\", \"Above\" and \"Below\" must be no less than the longest bond, " +
+        std::to_string(longest) + " m: bonds around the tip must end within the rectangle");
   if (maxOverRanks(*epetraComm, highest) > minOverRanks(*epetraComm, lowest))
     throw std::invalid_argument(std::string(nonlocalJName) + ": the body is no plane one; use J_Integral");
 }

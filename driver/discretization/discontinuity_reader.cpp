@@ -1,5 +1,8 @@
 #include "discontinuity_reader.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "../deck/vector3.hpp"
@@ -98,9 +101,40 @@ Ellipsoid cylinderOf(const DeckNode& entry) {
           {halfAxis(entry["Radius"], across, radius), halfAxis(entry["Radius"], cross(axis, across), radius)}};
 }
 
+/// Whether two segments in the plane have a place in common.
+bool doMeet(const Place& a, const Place& b, const Place& c, const Place& d) {
+  const auto side = [](const Place& from, const Place& to, const Place& place) {
+    return cross(decomposition::minus(to, from), decomposition::minus(place, from))[2];
+  };
+  const auto isWithin = [](const Place& from, const Place& to, const Place& place) {
+    return std::min(from[0], to[0]) <= place[0] && place[0] <= std::max(from[0], to[0]) &&
+           std::min(from[1], to[1]) <= place[1] && place[1] <= std::max(from[1], to[1]);
+  };
+  const double ofC = side(a, b, c), ofD = side(a, b, d), ofA = side(c, d, a), ofB = side(c, d, b);
+  if (ofC * ofD < 0.0 && ofA * ofB < 0.0) return true;
+  return (ofC == 0.0 && isWithin(a, b, c)) || (ofD == 0.0 && isWithin(a, b, d)) || (ofA == 0.0 && isWithin(c, d, a)) ||
+         (ofB == 0.0 && isWithin(c, d, b));
+}
+
+/// The outline of a hole: it has an inside, and its sides meet at the corners between them alone.
+void requireOutline(const DeckNode& node, const std::vector<Place>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Place &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
+    const Place first = decomposition::minus(b, a), second = decomposition::minus(c, b);
+    if (cross(first, second)[2] == 0.0 && dot(first, second) < 0.0)
+      refuseForm(node, fmt::format("goes back on itself at its corner {}", (i + 1) % n + 1));
+    for (std::size_t j = i + 2; j < n; ++j)
+      if ((j + 1) % n != i && doMeet(a, b, corners[j], corners[(j + 1) % n]))
+        refuseForm(node, fmt::format("crosses or touches itself: its sides {} and {}; cut it into several entries",
+                                     i + 1, j + 1));
+  }
+}
+
 DiscontinuityForm polygonalHole(const DeckNode& entry) {
   const std::vector<Place> corners = placesOf(entry, "Corners", 2, 3);
   if (corners.front() == corners.back()) refuseForm(entry["Corners"], "closes by itself: leave the last corner out");
+  requireOutline(entry["Corners"], corners);
   DiscontinuityForm form;
   for (std::size_t k = 0; k < corners.size(); ++k)
     form.screens.push_back(decomposition::segmentScreen(corners[k], corners[(k + 1) % corners.size()]));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "discontinuity_reader.hpp"
 #include "mesh_geometry.hpp"
@@ -69,6 +70,20 @@ void keepPoints(const std::vector<char>& isKept, MeshPoints& points, NodeSets& n
     }
 }
 
+/// Sets of which Voids have left nothing. Those of the mesh may be there for something else than the deck's conditions.
+void checkNodeSets(const Deck& deck, const NodeSets& nodeSets) {
+  for (const auto& [name, ids] : nodeSets) {
+    if (!ids.empty()) continue;
+    if (const DeckNode node = deck["Boundary Conditions"][name])
+      deck.mistakes().add(node.keyPlace(), "all points of node set \"" + name +
+                                               "\" lie in Voids and are left out, so that nothing acts on it; move the "
+                                               "void, or the set");
+    else
+      deck.warnings().add(deck["Discretization"]["Voids"].keyPlace(),
+                          "all points of the mesh's node set \"" + name + "\" lie in Voids and are left out");
+  }
+}
+
 }  // namespace
 
 UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(deck), dimension_(dimension) {
@@ -77,6 +92,10 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(
   read(section["Voids"], false);
   const DeckNode rule = section["Bond Decomposition"];
   rule_ = ruleOf(rule);
+  for (const auto& [key, of] : {std::pair("Tolerance", "Adaptive"), std::pair("Partitions", "Uniform")})
+    if (rule[key] && rule.text("Rule", "Adaptive") != of)
+      deck.mistakes().add(rule[key].keyPlace(),
+                          rule[key].path() + " is of the rule " + of + "; remove it, or give \"Rule: " + of + "\"");
   countsCracks_ = rule.flag("Cracks Count In Damage", true);
   if (empty()) {
     if (rule)
@@ -177,7 +196,14 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
                        fmt::format("{} of the {} points of {} lie in Voids and are left out; the others are numbered "
                                    "without them",
                                    points.size() - nLeft, points.size(), points.fileName));
+  const std::set<int> blocks(points.blockId.begin(), points.blockId.end());
   keepPoints(isKept, points, nodeSets);
+  checkNodeSets(deck_, nodeSets);
+  for (const int block : blocks)
+    if (std::find(points.blockId.begin(), points.blockId.end(), block) == points.blockId.end())
+      deck_.mistakes().add(deck_["Discretization"]["Voids"].keyPlace(),
+                           "Voids leave nothing of block_" + std::to_string(block) +
+                               "; take its points out of the mesh, and its entry out of Blocks");
   keep(isKept, 1, spacing);
   keep(isKept, 1, solid_);
 }

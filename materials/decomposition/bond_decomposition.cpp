@@ -7,7 +7,8 @@ namespace pd::decomposition {
 
 namespace {
 
-constexpr double negligible = 1e-6;  ///< what is less counts as nothing
+constexpr double negligible = 1e-6;       ///< what is less counts as nothing
+constexpr double errorOfIntegral = 1e-4;  ///< of the share beside a straight crack; what is less is no bond
 
 /// center + sum of s_k edge_k
 Place placeIn(const Cell& cell, const std::array<double, 3>& s) {
@@ -226,7 +227,7 @@ double adaptiveShare(const Cell& a, const Cell& b, const NearDiscontinuities& ne
                      long long* nLines) {
   if (near.screens.size() == 1 && near.voids.empty() && !isCut(a, near.screens) && !isCut(b, near.screens))
     if (const std::optional<double> hidden = near.screens.front()->hiddenShare(a, b))
-      return 1.0 - *hidden < negligible ? 0.0 : std::min(1.0, 1.0 - *hidden);
+      return 1.0 - *hidden < errorOfIntegral ? 0.0 : std::min(1.0, 1.0 - *hidden);
   const int most = a.dimension == 3 ? 8 : 32;
   double coarse = sharePast(a, b, near, 4, false, nLines);
   for (int n = 8;; n *= 2) {

@@ -66,6 +66,9 @@ void keepPositive(const Place& normal, const Place& apex, const Lines& lines, do
 
 // ---- cracks ----
 
+/// Of the length of a side: what is so near to a rim is on it.
+constexpr double rimTolerance = 1e-9;
+
 /// A flat crack: hidden is what lies behind it, within the cone over its outline.
 class FlatScreen : public Screen {
  public:
@@ -101,7 +104,7 @@ class FlatScreen : public Screen {
 
  protected:
   double heightOf(const Place& place) const { return dot(minus(place, origin_), normal_); }
-  /// Whether a place in its plane is on the crack.
+  /// Whether a place in its plane is on the crack, or on its rim: cracks begin at the faces of bodies.
   virtual bool covers(const Place& place) const = 0;
   /// Keeps what lies in the cone from `apex`, at this height over the crack, over the outline.
   virtual void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const = 0;
@@ -144,7 +147,8 @@ class SegmentScreen : public FlatScreen {
   bool covers(const Place& place) const override {
     const Place along = minus(b_, a_);
     const double foot = dot(minus(place, a_), along);
-    return foot > 0.0 && foot < dot(along, along);
+    const double length2 = dot(along, along);
+    return foot >= -rimTolerance * length2 && foot <= (1.0 + rimTolerance) * length2;
   }
   void keepCone(const Place& apex, double height, const Lines& lines, double* from, double* to) const override {
     // The turn from the ray to a to the ray to b has the sign of the height.
@@ -172,7 +176,8 @@ class PolygonScreen : public FlatScreen {
   bool covers(const Place& place) const override {
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       const Place& next = corners_[(k + 1) % corners_.size()];
-      if (dot(crossed(minus(next, corners_[k]), minus(place, corners_[k])), normal_) <= 0.0) return false;
+      const Place side = minus(next, corners_[k]);
+      if (dot(crossed(side, minus(place, corners_[k])), normal_) < -rimTolerance * dot(side, side)) return false;
     }
     return true;
   }

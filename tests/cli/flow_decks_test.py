@@ -91,6 +91,30 @@ class FlowDecks(SceneTest):
         if result.code == 2:
             self.assertIn("the gap is too narrow", result.text)
 
+    def test_a_plane_flow_has_no_velocity_along_z(self):
+        def slant(deck):
+            deck["Boundary Conditions"]["Lid"]["Velocity"] = [1e-6, 0.0, 1e-6]
+        self.assert_refused(slant, 'condition "Lid"', "has a component along z")
+
+    def test_computes_without_a_point(self):
+        def go_past(deck):
+            deck["Compute Class Parameters"] = {"Past": {"Compute Class": "Mass_Flow", "Point X": 2.0, "Normal X": 1.0,
+                                                         "Width": 0.2}}
+        self.assert_refused(go_past, "no point lies within \"Width\" of the plane")
+
+        def go_round_nothing(deck):
+            deck["Compute Class Parameters"] = {"Drag": {"Compute Class": "Flow_Force", "Center X": 5.0,
+                                                         "Inner Radius": 0.1, "Outer Radius": 0.4}}
+            deck["Output"]["Output Variables"] = ["Velocity", "Flow_Force"]
+        self.assert_refused(go_round_nothing, "no point lies between \"Inner Radius\" and \"Outer Radius\"")
+
+    def test_what_flows_into_a_closed_part_must_leave_it(self):
+        deck = copy.deepcopy(DECK)
+        deck["Boundary Conditions"]["Lid"]["Velocity"] = [0.0, "-6e-6*x*(1 - x)"]
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("Give it an Outflow", result.text)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -67,6 +67,21 @@ TEST(BondDecomposition, TwoNeighboursAsInTheSource) {
   EXPECT_EQ(besideCrack(-0.01, uniform(20)), 1.0);
 }
 
+/// No fibre is left at the mouth of a crack that begins at the face of the body, wherever rounding puts that.
+TEST(BondDecomposition, ACrackMayBeginWhereCellsDo) {
+  for (const double face : {0.0, 0.1, -0.3, 0.7}) {
+    const double edge = 1e-3, x = face + 0.5 * edge, y = 0.02;
+    const auto crack = segmentScreen({face, y, 0.0}, {face + 10.3 * edge, y, 0.0});
+    for (int row = 0; row < 3; ++row)
+      EXPECT_EQ(interactionShare(square(x, y - 0.5 * edge, edge), square(x + row * edge, y + 0.5 * edge, edge),
+                                 {{crack.get()}, {}}, adaptive(1e-3)),
+                0.0)
+          << face << " " << row;
+  }
+  const auto flat = polygonScreen({{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 0.0, 1.0}, {0.0, 0.0, 1.0}});
+  EXPECT_EQ(interactionShare(cube(0.5, -0.5, 0.5), cube(1.5, 0.5, 0.5), {{flat.get()}, {}}, adaptive(1e-3)), 0.0);
+}
+
 TEST(BondDecomposition, ASegmentAloneNeedsNoPairs) {
   for (double a = 0.0125; a < 1.0; a += 0.025) {
     long long nLines = 0;

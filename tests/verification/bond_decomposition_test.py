@@ -261,6 +261,13 @@ class Refusals(SceneTest):
             ({"Voids": {"Ball": {"Type": "Sphere", "Center": [0.01, 0.01, 0.0], "Radius": 1e-3}}}, {}, "a form in space"),
             ({"Cracks": {"One": {"Type": "Polyline", "Points": [0.01, 0.01]}}}, {}, "2 numbers for each of 2 places"),
             ({"Bond Decomposition": {"Rule": "Uniform"}}, {}, "has neither"),
+            ({**good, "Bond Decomposition": {"Partitions": 10}}, {}, "Partitions is of the rule Uniform"),
+            ({"Voids": {"Bow": {"Type": "Polygon", "Corners": [0.01, 0.01, 0.02, 0.02, 0.02, 0.01, 0.01, 0.02]}}}, {},
+             "crosses or touches itself: its sides 1 and 3"),
+            ({"Voids": {"Flat": {"Type": "Polygon", "Corners": [0.01, 0.01, 0.02, 0.01, 0.025, 0.01]}}}, {},
+             "goes back on itself at its corner 3"),
+            ({"Voids": {"Grip": {"Type": "Polygon", "Corners": [-1.0, 0.025, 1.0, 0.025, 1.0, 1.0, -1.0, 1.0]}}}, {},
+             "all points of node set \"Grip Node Set\" lie in Voids"),
             ({**good, "Symmetry": {"Plane": {"Point": [0, 0, 0], "Normal": [1, 0, 0]}}}, {}, "do not go with planes of symmetry"),
             (good, {"Material Model": "Corrosion Dissolution", **diffusing, "damage": {"Damage Model": "Dissolution"}},
              "Interaction_Share"),
@@ -272,7 +279,7 @@ class Refusals(SceneTest):
             damage = change.pop("damage", None)
             corrodes = "Material Model" in change
             deck = plate_deck(3.2e-3, THICKNESS, {} if corrodes else material, damage=damage,
-                              solver={"QuasiStatic": {"Load Steps": 1}}, output={"Output Variables": ["Volume"]})
+                              conditions={"Grip Node Set": {"Expression": "y > 0.026"}}, solver={"QuasiStatic": {"Load Steps": 1}}, output={"Output Variables": ["Volume"]})
             deck["Materials"]["Steel"].update(change)
             if corrodes:
                 deck["Solver"] = {"Final Time": 1.0, "Corrosion": {"Load Steps": 1}}

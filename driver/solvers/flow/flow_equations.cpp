@@ -207,6 +207,17 @@ double FlowEquations::largestCellReynolds() const {
   return model_.comm().max(largest);
 }
 
+double FlowEquations::largestNetFlow() const {
+  const double velocity = std::max(largestSpeed(), rows_.largestVelocity);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < lambda_.size(); ++k)
+    if (lambda_[k] != 0.0 && velocity > 0.0)
+      largest = std::max(largest,
+                         std::abs(lambda_[k]) / velocity *
+                             std::pow(static_cast<double>(pockets_.pockets[k].nPoints), 1.0 / static_cast<double>(n_)));
+  return largest;
+}
+
 double FlowEquations::leakage() const {
   double largest = 0.0;
   for (const double value : lambda_) largest = std::max(largest, std::abs(value) / unit_);

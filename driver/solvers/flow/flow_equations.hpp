@@ -42,8 +42,10 @@ class FlowEquations {
   const FlowPockets& pockets() const { return pockets_; }
   double largestSpeed() const;         ///< of fluid points, all ranks, m/s
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
-  double leakage() const;              ///< largest |lambda|, 1/s
-  double largestDivergence() const;    ///< |div v|, all ranks, 1/s
+  /// Largest net flow into a closed pocket, over its largest velocity times its width. All ranks.
+  double largestNetFlow() const;
+  double leakage() const;            ///< largest |lambda|, 1/s
+  double largestDivergence() const;  ///< |div v|, all ranks, 1/s
 
  private:
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }

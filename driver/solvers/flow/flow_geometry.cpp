@@ -52,6 +52,12 @@ void FlowGeometry::checkSides() const {
   };
   Mistakes mistakes;
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+    for (const int point : beyond_[b])
+      if (dimension() == 2 &&
+          boundaries_[b]->velocityAt(placeOf(point), simulation_.conditions.runTime(0.0))[2] != 0.0) {
+        mistakes.add("", titles_[b] + ": its Velocity has a component along z, but the flow is one in the x-y plane");
+        break;
+      }
     if (!boundaries_[b]->hasSurface()) continue;
     for (const int point : beyond_[b])
       if (!(boundaries_[b]->surfaceAt(placeOf(point)) < 0.0)) {

@@ -18,6 +18,10 @@ constexpr int mostGmresIterations = 25;
 /// A change above this part of the largest velocity is a new flow, for which the old factor is not tried.
 constexpr double newFlowChange = 0.3;
 
+/// Net flow into a closed part of the fluid above which its velocities contradict each other; what corners of lids let
+/// through is below 1e-3, walls without a surface not much more.
+constexpr double mostNetFlow = 0.02;
+
 double flowNorm(const Communicator& comm, const std::vector<double>& values) {
   double square = 0.0;
   for (const double value : values) square += value * value;
@@ -79,7 +83,10 @@ SteadyFlow::SteadyFlow(const Teuchos::ParameterList& given)
 void SteadyFlow::initialize(Simulation& simulation) {
   Model& model = simulation.model;
   const FlowBlocks blocks = findFlowBlocks(model);
-  if (blocks.law == nullptr) throw RunError("Steady Flow: no block has a material for flows, as Navier Stokes is one");
+  if (blocks.law == nullptr)
+    throw RunError(
+        "Steady Flow: no block has a material for flows alone, as Navier Stokes is one; it does not go into a list of "
+        "materials");
   if (!model.discretization().symmetry.isAlongAxes())
     throw RunError("Steady Flow: planes of symmetry must be perpendicular to x, y or z");
   nComponents_ = static_cast<std::size_t>(model.discretization().dimension);
@@ -191,6 +198,13 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     if (isDone) break;
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
   }
+  if (const double netFlow = equations_->largestNetFlow(); netFlow > mostNetFlow)
+    throw RunError(fmt::format(
+        "Steady Flow: load step {} (t = {:.6g} s): walls and inlets let {:.2g} of the largest velocity, over the width "
+        "of "
+        "the fluid, into a part of it that has no Outflow, or out of it, and the fluid is incompressible. Give it an "
+        "Outflow, or velocities that let out what they let in",
+        nLoadSteps_, t + dt, netFlow));
   equations_->settle(t + dt);
   cellReynolds_ = equations_->largestCellReynolds();
   leakage_ = equations_->leakage();
