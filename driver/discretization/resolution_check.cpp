@@ -15,6 +15,7 @@ struct Surroundings {
   int point = 0;
   double nearest = std::numeric_limits<double>::infinity();  ///< distance to the next point, m
   long long nNeighbors = 0;
+  long long nWithin = 0;  ///< of them, those no further than the horizon
 };
 
 Surroundings surroundingsOf(int point, const MeshPoints& points, const NeighborRule& rule) {
@@ -30,6 +31,8 @@ Surroundings surroundingsOf(int point, const MeshPoints& points, const NeighborR
     if (j == point) continue;
     nearestSquared = std::min(nearestSquared, distanceSquared);
     result.nNeighbors += distanceSquared < limit * limit ? 1 : 0;
+    const double horizon = rule.reach[point] * (1.0 + 1e-9);
+    result.nWithin += distanceSquared <= horizon * horizon ? 1 : 0;
   }
   result.nearest = std::sqrt(nearestSquared);
   return result;
@@ -112,15 +115,15 @@ void checkReach(const Deck& deck, int dimension, std::vector<Surroundings> sampl
   constexpr long long fewest[] = {0, 5, 10};  // by dimension
   const auto middle = sampled.begin() + static_cast<std::ptrdiff_t>(sampled.size() / 2);
   std::nth_element(sampled.begin(), middle, sampled.end(),
-                   [](const Surroundings& a, const Surroundings& b) { return a.nNeighbors < b.nNeighbors; });
+                   [](const Surroundings& a, const Surroundings& b) { return a.nWithin < b.nWithin; });
   const Surroundings median = *middle;
-  if (median.nNeighbors >= fewest[dimension - 1]) return;
+  if (median.nWithin >= fewest[dimension - 1]) return;
   deck.warnings().add(
       deck["Blocks"].place(),
       fmt::format("half of the points have no more than {} neighbours within their Horizon; so few do not make the "
                   "stiffness, conductivity or Poisson's ratio of the material. Points are {:.3g} m apart: choose a "
                   "Horizon of 3 to 6 times that",
-                  median.nNeighbors, median.nearest));
+                  median.nWithin, median.nearest));
 }
 
 }  // namespace
