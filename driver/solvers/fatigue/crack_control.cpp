@@ -11,8 +11,10 @@ namespace pd {
 
 void CrackControl::declareParameters(ParameterDeclarations& declare) {
   ParameterDeclarations& intensity =
-      declare.sublist("Stress Intensity", "Of a crack, from a compute: for histories, loads that follow it, and K_c.");
-  intensity.text("Energy Release Rate", "Output Label of a J_Integral.").required();
+      declare.sublist("Stress Intensity",
+                      "Of a crack, from a compute: for histories (its range in the cycles is Stress_Intensity_Range, "
+                      "for Output Variables), loads that follow it, and K_c.");
+  intensity.text("Energy Release Rate", "Output Label of a J_Integral or Nonlocal_J_Integral.").required();
   intensity.real("Effective Modulus", "Pa", "E' of K = (J E')^0.5: E in plane stress, E/(1 - nu^2) in plane strain.")
       .required()
       .positive();
