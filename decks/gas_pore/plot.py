@@ -104,7 +104,7 @@ def draw_places(of_life, of_strength, radius, whole):
     at_surface, deep = ~np.array(starts), depths > 2.0
     print(f"  all places: strength over that without a pore {least[0]:.3f} to {largest[0]:.3f} at 0.26 mm, "
           f"{least[deep].min():.3f} to {largest[deep].max():.3f} deeper than 2 mm, least {least.min():.3f}")
-    print(f"  first bond at the surface: {np.mean(at_surface[:, deep]):.0%} of the places deeper than 2 mm; from a depth of",
+    print(f"  surface first: {np.mean(at_surface[:, deep]):.0%} of the places deeper than 2 mm; from a depth of",
           depths[np.any(at_surface, axis=0)][:1], "mm on")
 
 
