@@ -80,8 +80,9 @@ Ellipsoid ellipsoidOf(const DeckNode& entry) {
   if (half.size() != 3) refuseForm(entry["Half Axes"], "must be three numbers, [a, b, c]");
   const Place first = entry["First Axis"] ? axisOf(entry, "First Axis") : Place{1.0, 0.0, 0.0};
   Place second = entry["Second Axis"] ? axisOf(entry, "Second Axis") : Place{0.0, 1.0, 0.0};
+  const double given = length(second);
   second = decomposition::plus(second, first, -dot(first, second) / dot(first, first));
-  if (!(length(second) > 1e-6)) refuseForm(entry["Second Axis"], "is along First Axis");
+  if (!(length(second) > 1e-6 * given)) refuseForm(entry["Second Axis"], "is along First Axis");
   const DeckNode lengths = entry["Half Axes"];
   return {placeIn(entry, "Center", 3),
           {halfAxis(lengths, first, half[0]), halfAxis(lengths, second, half[1]),
@@ -150,13 +151,18 @@ void requireFlatAndConvex(const DeckNode& node, const std::vector<Place>& corner
         normal, cross(decomposition::minus(corners[k], corners[0]), decomposition::minus(corners[k + 1], corners[0])));
   const double size = std::sqrt(length(normal));
   if (!(size > 0.0)) refuseForm(node, "has no area");
+  if (corners.front() == corners.back()) refuseForm(node, "closes by itself: leave the last corner out");
+  double turned = 0.0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Place &a = corners[k], &b = corners[(k + 1) % corners.size()], &c = corners[(k + 2) % corners.size()];
     if (std::abs(dot(decomposition::minus(a, corners[0]), normal)) > 1e-6 * size * size * size)
       refuseForm(node, "is not flat");
-    if (dot(cross(decomposition::minus(b, a), decomposition::minus(c, b)), normal) < 0.0)
+    const Place first = decomposition::minus(b, a), second = decomposition::minus(c, b);
+    turned += std::atan2(length(cross(first, second)), dot(first, second));
+    if (dot(cross(first, second), normal) < 0.0)
       refuseForm(node, "is not convex; cut it into convex parts, each an entry");
   }
+  if (turned > 7.0) refuseForm(node, "goes round more than once");  // 2 pi, once
 }
 
 void requireFormOf(const DeckNode& entry, int wanted, int dimension) {

@@ -57,5 +57,6 @@ def found_columns(history, wanted):
     parts = [name for name in history if name[:-1].lower() == lower and name[-1] in "XYZ"]
     found = alike or [name for name in parts if np.any(history[name])] or parts
     if not found:
-        raise PlotError(f"no column {wanted} in the history (there are: {', '.join(history)}); name it under Output Variables")
+        raise PlotError(f"no column {wanted} in the history (there are: {', '.join(history)}); "
+                        "name it under Output Variables")
     return found
