@@ -365,6 +365,7 @@ class EllipsoidScreen : public Screen {
     const Place nearest = plus(start, step, s);
     const double distance = lengthOf(nearest);
     if (distance > radius) return false;
+    if (distance < 1.0) return true;  // the bond itself meets the ball
     // A plane between both: across the shortest way from the ball to the bond.
     const std::vector<Place> corners = cornersOf(a, b);
     return std::any_of(corners.begin(), corners.end(),

@@ -253,6 +253,19 @@ TEST(BondDecomposition, RulesForTips) {
   EXPECT_EQ(share(1.0, Kind::Either), 0.0);
 }
 
+TEST(BondDecomposition, APoreOnTheMiddleOfABond) {
+  // Where it is exactly there, and where it is not quite.
+  const Cell a = square(-0.5, 0.0), b = square(0.5, 0.0);
+  const auto share = [&](double y) {
+    const Ellipsoid circle{{0.0, y, 0.0}, {{0.2, 0.0, 0.0}, {0.0, 0.2, 0.0}}};
+    const auto screen = ellipsoidScreen(circle);
+    const auto hole = ellipsoidVoid(circle);
+    return interactionShare(a, b, {{screen.get()}, {hole.get()}}, adaptive(1e-3));
+  };
+  EXPECT_NEAR(share(0.0), share(1e-9), 1e-6);
+  EXPECT_LT(share(0.0), 0.9);
+}
+
 TEST(BondDecomposition, PoresTakeTheirVolume) {
   const auto disc = [](double x, double y, double radius) {
     return ellipsoidVoid({{x, y, 0.0}, {{radius, 0.0, 0.0}, {0.0, radius, 0.0}}});
