@@ -76,4 +76,5 @@ int ExternalWork::compute(Blocks blocks) const {
 }  // namespace pd
 
 using pd::ExternalWork;
-PD_REGISTER_COMPUTE(ExternalWork, "External_Work", "Work of loads, and of prescribed displacements of node sets, since the start.")
+PD_REGISTER_COMPUTE(ExternalWork, "External_Work",
+                    "Work of loads, and of prescribed displacements of node sets, since the start.")

@@ -32,7 +32,8 @@ void BondFamily::declareSection(ParameterDeclarations& declare) {
 }
 
 void BondFamily::declareGeometry(ParameterDeclarations& declare) {
-  declare.real("Horizon", "m", "Radius of the neighbourhood: that of the block, which materials get from it.").positive();
+  declare.real("Horizon", "m", "Radius of the neighbourhood: that of the block, which materials get from it.")
+      .positive();
   declareSection(declare);
   declare
       .text("Volume Correction",

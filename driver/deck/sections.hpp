@@ -10,17 +10,17 @@
 namespace pd {
 
 std::vector<std::string> discretizationTypes();
-/// "Discretization" with this Type, without its bond filters, cracks, voids and planes of symmetry; throws for an unknown
-/// type.
+/// "Discretization" with this Type, without its bond filters, cracks, voids and planes of symmetry; throws for an
+/// unknown type.
 const ParameterDeclarations& discretizationDeclarations(const std::string& type);
 const ParameterDeclarations& bondFilterDeclarations(const std::string& type);  ///< throws for an unknown type
-std::vector<std::string> crackTypes();  ///< of Discretization/Cracks
-std::vector<std::string> voidTypes();   ///< of Discretization/Voids
-const ParameterDeclarations& crackDeclarations(const std::string& type);  ///< throws for an unknown type
-const ParameterDeclarations& voidDeclarations(const std::string& type);   ///< throws for an unknown type
+std::vector<std::string> crackTypes();                                         ///< of Discretization/Cracks
+std::vector<std::string> voidTypes();                                          ///< of Discretization/Voids
+const ParameterDeclarations& crackDeclarations(const std::string& type);       ///< throws for an unknown type
+const ParameterDeclarations& voidDeclarations(const std::string& type);        ///< throws for an unknown type
 void declareBondDecomposition(ParameterDeclarations& declare);
-const ParameterDeclarations& symmetryPlaneDeclarations();                      ///< an entry of Symmetry
-const ParameterDeclarations& nodeSetDeclarations();                            ///< node sets by geometry
+const ParameterDeclarations& symmetryPlaneDeclarations();  ///< an entry of Symmetry
+const ParameterDeclarations& nodeSetDeclarations();        ///< node sets by geometry
 const ParameterDeclarations& blockDeclarations();
 std::vector<std::string> bondFilterTypes();
 const ParameterDeclarations& outputDeclarations();

@@ -37,8 +37,8 @@ struct Discretization {
   /// [bonds] 1 where a bond filter that counts in Damage cuts the bond (others have removed it). Empty where none.
   std::vector<char> bondIsCut;
 
-  // What Cracks and Voids of the deck leave (materials/decomposition/); all empty where there are none. `volume` is then
-  // that of the material.
+  // What Cracks and Voids of the deck leave (materials/decomposition/); all empty where there are none. `volume` is
+  // then that of the material.
   std::vector<double> interactionShare;  ///< [bonds] share of the bond's connections that is left
   std::vector<double> countedBonds;      ///< [nOwned] of which Damage is the lost share
   std::vector<double> cellVolume;        ///< [nPoints] m3, voids included

@@ -29,8 +29,8 @@ class CoarseSpace {
   /// Pieces of at most `mostPoints`. Collective.
   CoarseSpace(const Communicator& comm, const SpringOperator& stiffness, int mostPoints);
 
-  int nUnknowns() const { return nUnknowns_; }        ///< of all ranks
-  int nOwnUnknowns() const { return base_.back(); }   ///< of this one
+  int nUnknowns() const { return nUnknowns_; }       ///< of all ranks
+  int nOwnUnknowns() const { return base_.back(); }  ///< of this one
   int nPieces() const { return static_cast<int>(base_.size()) - 1; }
   /// Of an owned point, or of a ghost or an image after exchange().
   PointModes modesAt(int point) const;
