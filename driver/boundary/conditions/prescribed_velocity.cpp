@@ -13,6 +13,11 @@ Parameter& declareSurface(ParameterDeclarations& declare, const std::string& mor
                               more);
 }
 
+/// Empty where there is one.
+std::string missingFlowSolver(const RunContents& run) {
+  return run.solverFields.count("Pressure") != 0 ? "" : "no solver of this deck is one of flow, as Steady Flow is";
+}
+
 /// Points beyond a wall or an inlet. Bonds of the fluid to them end at the boundary, with its velocity there.
 class PrescribedVelocity : public Condition, public FlowBoundary {
  public:
@@ -31,9 +36,7 @@ class PrescribedVelocity : public Condition, public FlowBoundary {
       throw DeckError(given.place() + ": " + given.path() + " must have the components x, y and z, or x and y");
   }
 
-  std::string obstacle(const RunContents& run) const override {
-    return run.solverFields.count("Pressure") != 0 ? "" : "no solver of this deck is one of flow, as Steady Flow is";
-  }
+  std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
   bool dependsOnTime() const override {
     for (const Function& component : velocity_)
       if (component.dependsOnTime()) return true;
@@ -79,9 +82,7 @@ class Outflow : public Condition, public FlowBoundary {
     if (const DeckNode given = section.node["Pressure"]) pressure_ = Function::fromDeck(given);
   }
 
-  std::string obstacle(const RunContents& run) const override {
-    return run.solverFields.count("Pressure") != 0 ? "" : "no solver of this deck is one of flow, as Steady Flow is";
-  }
+  std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
   bool dependsOnTime() const override { return pressure_.dependsOnTime(); }
   bool isPrescription() const override { return true; }
   void markPrescribed(std::vector<char>& isPrescribed) const override {
