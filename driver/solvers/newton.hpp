@@ -90,7 +90,9 @@ class Newton {
   long long nSpringSolves = 0, nDifferenceSolves = 0;  ///< linear solves without a matrix: by springs, by differences
   const SpringTangent* springs() const { return springs_.get(); }
   bool couplesFamilies() const { return couplesFamilies_; }
-  /// For the end of a run: of what makes its results doubtful.
+  /// For an equilibrium: in small strain, keeps how far bonds have stretched and turned. Collective.
+  void watchBondMotion(Model& model);
+  /// For the end of a run: of what makes the results of such equilibria doubtful.
   std::vector<std::string> warnings() const;
 
  private:
@@ -136,7 +138,7 @@ class Newton {
   std::unique_ptr<SpringTangent> springs_;
   Tangent tangent_ = Tangent::Springs;
   bool hasChosen_ = false, usesSprings_ = false, derivesFields_ = false;
-  double largestBondMotion_ = 0.0;       ///< SpringTangent::meanBondMotion(), of equilibria in small strain
+  double largestBondMotion_ = 0.0;       ///< SpringTangent::meanBondMotion()
   double nonlinearity_ = 1e-3;           ///< what a step leaves of the residual that solves the linear problem exactly
   std::vector<char> isHeld_;             ///< [3 nOwned]
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m

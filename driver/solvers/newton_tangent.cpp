@@ -238,6 +238,10 @@ void Newton::completeSmallStrain(Model& model, double dt) {
     springForce(model);
   }
   springs_->copyForceToBlocks();
+}
+
+void Newton::watchBondMotion(Model& model) {
+  if (!settings_.hasSmallStrain) return;
   largestBondMotion_ = std::max(largestBondMotion_, springs_->meanBondMotion(model.field(fields_.displacement)));
 }
 

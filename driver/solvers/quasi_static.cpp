@@ -137,8 +137,10 @@ void QuasiStatic::extrapolate(Simulation& simulation, double dt) {
 
 bool QuasiStatic::reachEquilibrium(Simulation& simulation, double dt) {
   outcome_ = newton_.solve(simulation, dt, externalForce_, largestScale_);
-  if (outcome_.hasConverged) largestScale_ = std::max(largestScale_, outcome_.scale);
-  return outcome_.hasConverged;
+  if (!outcome_.hasConverged) return false;
+  largestScale_ = std::max(largestScale_, outcome_.scale);
+  newton_.watchBondMotion(simulation.model);
+  return true;
 }
 
 void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {

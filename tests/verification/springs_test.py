@@ -61,6 +61,13 @@ class CrackedPlate(SceneTest):
         # Strains of the latter are some 1e-7, and so is what is not linear in them; the tolerance is 1e-8.
         self.assertLess(np.max(np.abs(a - b)), 1e-6 * np.max(np.abs(b)))
 
+    def test_small_strain_of_large_displacements_is_warned_of(self):
+        # The plate is 24 mm high: a twentieth of that, and a hundredth of a percent.
+        for pull, is_warned in ((1.2e-3, True), (2.4e-6, False)):
+            self.solve(plate({"Kinematics": "Small Strain"}, False, pull))
+            with open(self.path("result.log")) as log:
+                self.assertEqual("too much for Kinematics: Small Strain" in log.read(), is_warned)
+
 
 class PlateThatComesApart(SceneTest):
     def test_halves_that_nothing_holds_along_x_carry_their_loads(self):
