@@ -12,28 +12,26 @@ namespace {
 constexpr double negligible = 1e-6;       ///< what is less counts as nothing
 constexpr double errorOfIntegral = 1e-4;  ///< of the share beside a straight crack; what is less is no bond
 
-/// The middles of equal parts of a cell that count, as many at a time as a vector has lanes: calls visit(places, n)
-/// with the first n < lanes or all of them.
-template <class Visit>
-void forEachPart(const LineGrid& grid, const Taken& taken, const LineMeasure& measure, Visit visit) {
-  Places places;
-  int n = 0;
+/// The middles of equal parts of a cell that count, [3][parts], and after them the last one again, for a vector's sake.
+void findParts(const LineGrid& grid, const Taken& taken, const LineMeasure& measure,
+               std::array<std::vector<double>, 3>& parts) {
+  const std::size_t room = static_cast<std::size_t>(grid.size()) * static_cast<std::size_t>(grid.n);
+  for (auto& ofAxis : parts) ofAxis.resize(room + static_cast<std::size_t>(kernels::lanes));
+  std::size_t n = 0;
   for (int line = 0; line < grid.size(); ++line) {
     const Place start = grid.start(line);
+    const bool isWhole = taken.number(line) == 0;
     for (int part = 0; part < grid.n; ++part) {
       const double s = (part + 0.5) / grid.n;
-      if (taken.most > 0 && taken.covers(line, s * measure.whole())) continue;
-      for (std::size_t d = 0; d < 3; ++d) places[d][static_cast<std::size_t>(n)] = start[d] + s * grid.step[d];
-      if (++n < kernels::lanes) continue;
-      visit(places, n);
-      n = 0;
+      for (std::size_t d = 0; d < 3; ++d) parts[d][n] = start[d] + s * grid.step[d];
+      if (isWhole || !taken.covers(line, s * measure.whole())) ++n;
     }
   }
-  if (n == 0) return;
-  for (int lane = n; lane < kernels::lanes; ++lane)
-    for (std::size_t d = 0; d < 3; ++d)
-      places[d][static_cast<std::size_t>(lane)] = static_cast<double>(places[d][static_cast<std::size_t>(n - 1)]);
-  visit(places, n);
+  for (auto& ofAxis : parts) {
+    const double last = n == 0 ? 0.0 : ofAxis[n - 1];
+    std::fill(ofAxis.begin() + static_cast<std::ptrdiff_t>(n), ofAxis.end(), last);
+    ofAxis.resize(n + static_cast<std::size_t>(kernels::lanes));
+  }
 }
 
 /// Is each place of `b` hidden from each of `a` by one screen? What a place does not see is convex, and so are the
@@ -97,13 +95,15 @@ double InteractionShares::byLines(const NamedCell& a, const NamedCell& b, const 
   const Place way = minus(b.cell.center, a.cell.center);
   const std::size_t along = axisAlong(a.cell, way), across = axisAcross(b.cell, way);
   const Taken& ofA = cells_.taken(a.id, a.cell, along, n, measure, near);
-  Sight sight(b.cell, across, n, measure, cells_.taken(b.id, b.cell, across, n, measure, near), between_.screens);
-  double seen = 0.0, all = 0.0;
-  forEachPart(LineGrid(a.cell, along, n), ofA, measure, [&](const Places& places, int nPlaces) {
-    all += nPlaces * sight.counted();
-    seen += sight.seen(places, nPlaces);
-    nLines_ += nPlaces * sight.nLines();
-  });
+  findParts(LineGrid(a.cell, along, n), ofA, measure, parts_);
+  sight_.turnTo(b.cell, across, n, measure, cells_.taken(b.id, b.cell, across, n, measure, near), between_.screens);
+  const int nParts = static_cast<int>(parts_[0].size()) - kernels::lanes;
+  const double all = nParts * sight_.counted();
+  double seen = 0.0;
+  for (int first = 0; first < nParts; first += kernels::lanes)
+    seen += sight_.seen({kernels::load(&parts_[0][first]), kernels::load(&parts_[1][first]), kernels::load(&parts_[2][first])},
+                        std::min(kernels::lanes, nParts - first));
+  nLines_ += static_cast<long long>(nParts) * sight_.nLines();
   if (all == 0.0) return -1.0;
   const double share = seen / all;
   return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share;

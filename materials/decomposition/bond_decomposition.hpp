@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "lined_cells.hpp"
+#include "sight.hpp"
 
 namespace pd::decomposition {
 
@@ -67,6 +67,8 @@ class InteractionShares {
   const DecompositionRule rule_;
   LinedCells cells_;
   NearDiscontinuities between_;  ///< the two cells
+  std::array<std::vector<double>, 3> parts_;
+  Sight sight_;
   long long nLines_ = 0;
 };
 

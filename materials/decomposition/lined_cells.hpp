@@ -31,13 +31,14 @@ struct LineMeasure {
 /// n^(D-1) lines along an edge of a cell, through the middles of n equal parts of the others: line m nOther + l begins
 /// at first + m strides[0] + l strides[1].
 struct LineGrid {
+  LineGrid() = default;
   LineGrid(const Cell& cell, std::size_t axis, int n);
   int size() const { return n * nOther; }
   Place start(int line) const { return plus(plus(first, strides[0], line / nOther), strides[1], line % nOther); }
 
-  Place first, step;
-  std::array<Place, 2> strides;
-  int n, nOther;
+  Place first{}, step{};
+  std::array<Place, 2> strides{};
+  int n = 0, nOther = 1;
 };
 Lines linesOf(const LineGrid& grid);
 

@@ -6,34 +6,38 @@
 
 namespace pd::decomposition {
 
-/// The lines of a cell, as seen from elsewhere. Screens whose shadows are half-spaces cost some ns a line and place.
+/// The lines of a cell, as seen from elsewhere. Screens whose shadows are half-spaces cost about a ns a line and place.
 class Sight {
  public:
-  Sight(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const Taken& taken,
-        const std::vector<const Screen*>& screens);
+  /// Turns to the lines of a cell behind these screens. What is given stays there until it turns elsewhere.
+  void turnTo(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const Taken& taken,
+              const std::vector<const Screen*>& screens);
 
   int nLines() const { return grid_.size(); }
   /// Of what counts, over all lines.
-  double counted() const { return counted_; }
+  double counted() const { return measure_.whole() * grid_.size() - taken_->sum; }
   /// The part of it that is seen, summed over the first `nPlaces` of `places`.
   double seen(const Places& places, int nPlaces);
 
  private:
   enum class Cover { Nothing, Something, All };
-  Cover coverOf(const std::vector<HalfSpace>& shadow) const;
+  Cover coverOfShadow() const;
   void castShadow();
   void castHidden(const Screen& screen, const Places& places);
-  double takenBySorting(int nPlaces);
+  /// By inclusion and exclusion over n ranges a line.
+  template <int n>
+  kernels::Vector takenOf() const;
+  double takenBySorting(int nPlaces) const;
 
-  const Cell& cell_;
-  const LineGrid grid_;
-  const LineMeasure measure_;
-  const Taken& taken_;
-  const std::vector<const Screen*>& screens_;
-  double counted_;
-  std::vector<HalfSpace> shadow_;
-  Lines lines_;  ///< of screens that need them
-  /// What each screen hides of each line from each place: [screens that hide something][lines]
+  const Cell* cell_ = nullptr;
+  LineGrid grid_;
+  LineMeasure measure_{0};
+  const Taken* taken_ = nullptr;
+  const std::vector<const Screen*>* screens_ = nullptr;
+  std::vector<HalfSpace> shadow_;  ///< of one screen
+  Lines lines_;                    ///< where a screen needs them
+  /// What is hidden of each line from each place, in the measure but for counts not rounded up yet: [screens that hide
+  /// something][lines]
   std::vector<std::vector<kernels::Vector>> low_, high_;
   std::size_t nCasts_ = 0;
 };

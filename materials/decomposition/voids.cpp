@@ -17,9 +17,15 @@ constexpr double everywhere = std::numeric_limits<double>::infinity();
 /// An ellipsoid in the coordinates in which it is the unit ball.
 class UnitBall {
  public:
-  explicit UnitBall(const Ellipsoid& shape) : shape_(shape) {
+  explicit UnitBall(const Ellipsoid& shape) : shape_(shape), box_{shape.center, shape.center} {
     for (std::size_t k = 0; k < shape.halfAxes.size(); ++k)
       rows_[k] = plus({}, shape.halfAxes[k], 1.0 / dot(shape.halfAxes[k], shape.halfAxes[k]));
+    for (std::size_t d = 0; d < 3; ++d) {
+      Place axis{};
+      axis[d] = 1.0;
+      box_.low[d] -= reach(axis);
+      box_.high[d] += reach(axis);
+    }
   }
   Place mapped(const Place& difference) const {
     return {dot(difference, rows_[0]), dot(difference, rows_[1]), dot(difference, rows_[2])};
@@ -35,16 +41,7 @@ class UnitBall {
     }
     return seen < (1.0 - 1e-9) * dot(axis, axis) ? everywhere : std::sqrt(sum);
   }
-  Box box() const {
-    Box box{shape_.center, shape_.center};
-    for (std::size_t d = 0; d < 3; ++d) {
-      Place axis{};
-      axis[d] = 1.0;
-      box.low[d] -= reach(axis);
-      box.high[d] += reach(axis);
-    }
-    return box;
-  }
+  const Box& box() const { return box_; }
   const Place& center() const { return shape_.center; }
   /// Whether it is a circle or an ellipse in the plane across an axis of infinite length, or of the plane itself.
   bool isPlane() const { return shape_.halfAxes.size() == 2; }
@@ -53,6 +50,7 @@ class UnitBall {
  private:
   Ellipsoid shape_;
   std::array<Place, 3> rows_{};
+  Box box_;
 };
 
 Range withinBall(const Place& start, const Place& step) {
@@ -125,21 +123,25 @@ class EllipsoidScreen : public Screen {
     return true;
   }
 
+  /// Steps towards the place of least norm of the corners' hull (Frank & Wolfe, with the best length of each step), until
+  /// that is within the unit ball, or the plane across the way to it has all corners beyond the ball.
   bool isBetween(const Cell& a, const Cell& b) const override {
-    const Place start = ball_.mappedPlace(a.center), step = ball_.mapped(minus(b.center, a.center));
-    const double step2 = dot(step, step);
-    const double s = step2 == 0.0 ? 0.0 : std::clamp(-dot(start, step) / step2, 0.0, 1.0);
-    double radius = 1.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      radius += 0.5 * std::max(lengthOf(ball_.mapped(a.edges[k])), lengthOf(ball_.mapped(b.edges[k])));
-    const Place nearest = plus(start, step, s);
-    const double distance = lengthOf(nearest);
-    if (distance > radius) return false;
-    if (distance < 1.0) return true;  // the bond itself meets the ball
-    // A plane between both: across the shortest way from the ball to the bond.
-    const Corners corners = cornersOf(a, b);
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](const Place& corner) { return dot(ball_.mappedPlace(corner), nearest) < distance; });
+    Corners corners = cornersOf(a, b);
+    for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = ball_.mappedPlace(corners[c]);
+    Place nearest = corners[0];
+    constexpr int mostSteps = 12;
+    for (int step = 0; step < mostSteps; ++step) {
+      const double square = dot(nearest, nearest);
+      if (square < 1.0) return true;
+      const Place& lowest = *std::min_element(corners.begin(), corners.end(), [&](const Place& p, const Place& q) {
+        return dot(p, nearest) < dot(q, nearest);
+      });
+      const double height = dot(lowest, nearest);
+      if (height > 0.0 && height * height >= square) return false;
+      const Place way = minus(lowest, nearest);
+      nearest = plus(nearest, way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+    }
+    return true;
   }
   Box box() const override { return ball_.box(); }
 
