@@ -155,8 +155,7 @@ void Sight::castShadow() {
     }
     if (isUpper != 0)
       narrow(choose(bound, beyondAll, isUpper), choose(change, 0.0, isUpper), choose(otherChange, 0.0, isUpper),
-             grid_.n, grid_.nOther, high,
-             [](const Vector& a, const Vector& b) PD_INLINED { return stdx::min(a, b); });
+             grid_.n, grid_.nOther, high, [](const Vector& a, const Vector& b) PD_INLINED { return stdx::min(a, b); });
   }
 }
 
@@ -210,7 +209,8 @@ double Sight::takenBySorting(int nPlaces) const {
       ranges.clear();
       if (taken_->most > 0) ranges.assign(taken_->of(r), taken_->of(r) + taken_->number(r));
       for (std::size_t k = 0; k < nCasts_; ++k) {
-        const double low = low_[k][static_cast<std::size_t>(r)][lane], high = high_[k][static_cast<std::size_t>(r)][lane];
+        const double low = low_[k][static_cast<std::size_t>(r)][lane],
+                     high = high_[k][static_cast<std::size_t>(r)][lane];
         const Range range{counts ? std::ceil(low) : low, counts ? std::ceil(high) : high};
         if (range.low < range.high) ranges.push_back(range);
       }

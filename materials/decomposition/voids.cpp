@@ -123,8 +123,8 @@ class EllipsoidScreen : public Screen {
     return true;
   }
 
-  /// Steps towards the place of least norm of the corners' hull (Frank & Wolfe, with the best length of each step), until
-  /// that is within the unit ball, or the plane across the way to it has all corners beyond the ball.
+  /// Steps towards the place of least norm of the corners' hull (Frank & Wolfe, with the best length of each step),
+  /// until that is within the unit ball, or the plane across the way to it has all corners beyond the ball.
   bool isBetween(const Cell& a, const Cell& b) const override {
     Corners corners = cornersOf(a, b);
     for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = ball_.mappedPlace(corners[c]);
