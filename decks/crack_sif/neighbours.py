@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Pairs of cells for neighbours.yaml, and the exact share of a bond that a crack along their common edge leaves.
-  neighbours.py mesh FILE       80 rows of four points 1 mm apart, 5 mm from row to row
-  neighbours.py cracks [PARTS]  their cracks, which leave (k + 1/2)/80 of each edge (in turn), as an entry of a deck; in PARTS
+  neighbours.py mesh FILE       80 times two rows of four points 1 mm apart, 5 mm from pair to pair
+  neighbours.py cracks [PARTS]  their cracks, along (k + 1/2)/80 of the edge of pair k, as an entry of a deck; in PARTS
                                 straight parts each
 """
+import itertools
 import sys
 
 import numpy as np
@@ -31,12 +32,12 @@ if __name__ == "__main__":
     if sys.argv[1] == "mesh":
         with open(sys.argv[2], "w") as file:
             for k in range(N):
-                for x in (-1.5, -0.5, 0.5, 1.5):
-                    file.write(f"{x * EDGE:.17g} {k * DISTANCE:.17g} 0.0 1 {EDGE**3:.17g}\n")
+                for row, x in itertools.product((-1, 0), (-1.5, -0.5, 0.5, 1.5)):
+                    file.write(f"{x * EDGE:.17g} {k * DISTANCE + row * EDGE:.17g} 0.0 1 {EDGE**3:.17g}\n")
     else:
         entries = []
         for k, a in enumerate(lengths()):
-            ends = np.concatenate([[-0.5], np.arange(1, int(sys.argv[2]) if len(sys.argv) > 2 else 1) * a / 2, [a]])
+            ends = np.concatenate([[-1.5], np.arange(1, int(sys.argv[2]) if len(sys.argv) > 2 else 1) * a / 2, [a]])
             points = ", ".join(f"0.0, {k * DISTANCE + (end - 0.5) * EDGE:.12g}" for end in ends)
             entries.append(f"Crack {k}: {{Type: Polyline, Points: [{points}]}}")
         print("{" + ", ".join(entries) + "}")

@@ -32,11 +32,12 @@ def save(figure, name, axes):
 
 
 def shares(name):
-    """[lengths] from the damage of the second point of each row, half of what the crack takes."""
+    """[lengths] from the damage of the second point of each upper row, a third of what the crack takes."""
     results = Results(folder / f"pairs_{name}.h5")
-    second = np.abs(results.x[:, 0] + 0.5e-3) < 1e-6
-    damage = results.field("Damage", results.steps[-1])[second][np.argsort(results.x[second, 1])]
-    return 1.0 - 2.0 * damage
+    x, y = results.x[:, 0], results.x[:, 1]
+    second = (np.abs(x + 0.5e-3) < 1e-6) & (np.abs(y / 5e-3 - np.round(y / 5e-3)) < 1e-3)
+    damage = results.field("Damage", results.steps[-1])[second][np.argsort(y[second])]
+    return 1.0 - 3.0 * damage
 
 
 def lines_of_a_bond():

@@ -141,6 +141,7 @@ of_time.set_xticks((0.1, 0.3, 1, 3, 10), ("0.1", "0.3", "1", "3", "10"))
 for axis, ticks in ((of_spacing, (0.5, 1, 2, 5, 10, 20)), (of_time, (2, 3, 5, 10))):
     axis.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
     axis.minorticks_off()
+of_spacing.set_ylim(0.1)
 of_spacing.set_xlabel("distance of points (mm), radius 5 mm")
 of_time.set_xlabel("processor time of a run (s)")
 of_spacing.set_ylabel("error of the strain at the rim (%)")

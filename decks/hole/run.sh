@@ -1,5 +1,5 @@
 #!/bin/bash
-# The meshes, all runs and the pictures of this scene, into results/hole: four minutes of one core.
+# The meshes, all runs and the pictures of this scene, into results/hole: two minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
