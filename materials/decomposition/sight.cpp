@@ -163,18 +163,24 @@ void Sight::castHidden(const Screen& screen, const Places& places) {
   if (lines_.size() == 0) lines_ = linesOf(grid_);
   const std::size_t nLines = lines_.size();
   auto &low = low_[nCasts_], &high = high_[nCasts_];
-  static thread_local std::vector<double> from, to;
-  from.resize(nLines);
-  to.resize(nLines);
+  if (!screen.hideFromEach(places, lines_, low.data(), high.data())) {
+    static thread_local std::vector<double> from, to;
+    from.resize(nLines);
+    to.resize(nLines);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
+      screen.hide({places[0][lane], places[1][lane], places[2][lane]}, lines_, from.data(), to.data());
+      for (std::size_t r = 0; r < nLines; ++r) {
+        low[r][lane] = from[r];
+        high[r][lane] = to[r];
+      }
+    }
+  }
   const double whole = measure_.whole(), shift = measure_.counts() ? 0.5 : 0.0;
   bool hasAny = false;
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
-    screen.hide({places[0][lane], places[1][lane], places[2][lane]}, lines_, from.data(), to.data());
-    for (std::size_t r = 0; r < nLines; ++r) {
-      hasAny = hasAny || from[r] < to[r];
-      low[r][lane] = whole * from[r] - shift;
-      high[r][lane] = whole * (from[r] < to[r] ? to[r] : from[r]) - shift;
-    }
+  for (std::size_t r = 0; r < nLines; ++r) {
+    hasAny = hasAny || greaterBits(high[r], low[r]) != 0;
+    low[r] = whole * low[r] - shift;
+    high[r] = whole * high[r] - shift;
   }
   if (hasAny) ++nCasts_;
 }
