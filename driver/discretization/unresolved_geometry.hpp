@@ -49,6 +49,17 @@ class UnresolvedGeometry {
   /// What may be near the cell or the bonds of a point at this place.
   const decomposition::NearDiscontinuities& near(const double* place) const;
   decomposition::Cell cellOf(const double* place, double spacing) const;
+  decomposition::NearDiscontinuities withoutCracks(const decomposition::NearDiscontinuities& near) const;
+  /// Of bonds as they are in the neighbourhoods.
+  struct Shares {
+    std::vector<double> left;     ///< [bonds]
+    std::vector<double> counted;  ///< [bonds] of which Damage is the lost share; empty where that is `left`
+    long long nNear = 0;          ///< bonds that may meet something
+    long long nPairs = 0;         ///< such pairs of points that were looked at
+    long long nLines = 0;         ///< of cells, times places that looked at them
+  };
+  /// Each pair of points of this rank once.
+  Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);
   void markMet(const decomposition::NearDiscontinuities& near, const decomposition::Cell& a,
                const decomposition::Cell& b);
 
