@@ -12,4 +12,21 @@ for rule in Adaptive Uniform Intersection Both Either; do
       --set "Discretization/Bond Decomposition/Rule=$rule" --set "Output/Output Filename=${rule}_$k"
   done
 done
+# In space.
+penny() { # name, radius and height of the middle in mm, tilt in degrees, rule
+  local rim sine cosine
+  mapfile -t rim < <("$here/penny.py" "$2" "$3" "$4")
+  read -r sine cosine < <(awk "BEGIN {t = $4 * atan2(0, -1) / 180; print sin(t), cos(t)}")
+  "$pdrun" "$here/penny.yaml" --quiet --set "Output/Output Filename=$1" \
+    --set "Discretization/Cracks/Penny={Type: Disk, Center: [0.0, 0.0, $3e-3], Normal: [$sine, 0.0, $cosine], Radius: $2e-3}" \
+    --set "Discretization/Bond Decomposition={Rule: $5}" --set "Boundary Conditions/Rim X/Value=\"${rim[0]}\"" \
+    --set "Boundary Conditions/Rim Y/Value=\"${rim[1]}\"" --set "Boundary Conditions/Rim Z/Value=\"${rim[2]}\""
+}
+for radius in 9.0 9.2 9.4 9.6 9.8 10.0; do
+  for rule in Adaptive Intersection; do penny "penny_${radius}_0_0_$rule" "$radius" 0 0 "$rule"; done
+done
+for height in 0.25 0.5; do penny "penny_10.0_${height}_0_Adaptive" 10.0 "$height" 0 Adaptive; done
+for tilt in 10 20 30 45; do
+  for rule in Adaptive Intersection; do penny "penny_10.0_0_${tilt}_$rule" 10.0 0 "$tilt" "$rule"; done
+done
 "$here/plot.py" "$results"
