@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -13,6 +14,7 @@
 namespace pd {
 
 using decomposition::Cell;
+using decomposition::InteractionShares;
 using decomposition::NearDiscontinuities;
 
 namespace {
@@ -225,56 +227,87 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
 }
 
 void UnresolvedGeometry::markMet(const NearDiscontinuities& near, const Cell& a, const Cell& b) {
-  for (const decomposition::Screen* screen : nearBox(near, boxAround(a, b)).screens)
-    if (screen->isBetween(a, b)) entries_[entryOf_.at(screen)].isMet = true;
+  for (const decomposition::Screen* screen : near.screens) {
+    Entry& entry = entries_[entryOf_.at(screen)];
+    if (!entry.isMet && screen->box().meets(boxAround(a, b)) && screen->isBetween(a, b)) entry.isMet = true;
+  }
+}
+
+NearDiscontinuities UnresolvedGeometry::withoutCracks(const NearDiscontinuities& near) const {
+  NearDiscontinuities rest = near;
+  const auto isCrack = [&](const auto* screen) { return entries_[entryOf_.at(screen)].isCrack; };
+  rest.screens.erase(std::remove_if(rest.screens.begin(), rest.screens.end(), isCrack), rest.screens.end());
+  return rest;
+}
+
+UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points, const std::vector<double>& spacing,
+                                                        const Discretization& d) {
+  constexpr double unknown = -1.0;
+  const auto nBonds = static_cast<std::size_t>(d.nBonds());
+  const bool countsCracks =
+      countsCracks_ && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.isCrack; });
+  Shares found;
+  found.left.assign(nBonds, unknown);
+  if (countsCracks) found.counted.assign(nBonds, unknown);
+  InteractionShares shares(rule_), sharesWithoutCracks(rule_);
+  const auto firstBond = [&](int point) { return static_cast<std::size_t>(d.neighborhoodStart[point] - point); };
+  for (int i = 0; i < d.nOwned; ++i) {
+    const int* neighbors = &d.neighborhoodList[d.neighborhoodStart[i]] + 1;
+    const int n = neighbors[-1], id = d.globalIds[i];
+    const NearDiscontinuities& around = near(points.at(id));
+    const NearDiscontinuities rest = countsCracks ? withoutCracks(around) : NearDiscontinuities();
+    const bool hasCracks = rest.screens.size() < around.screens.size();
+    for (int k = 0; k < n; ++k) {
+      const std::size_t bond = firstBond(i) + static_cast<std::size_t>(k);
+      if (found.left[bond] != unknown) continue;  // its other end has been here
+      const int j = neighbors[k], other = d.globalIds[j];
+      double left = 1.0, counted = 1.0;
+      if (!around.empty()) {
+        const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
+        const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
+        left = counted = shares.of({first, a}, {second, b}, around);
+        if (left < 1.0) markMet(around, a, b);
+        if (left < 1.0 && countsCracks && hasCracks) counted = sharesWithoutCracks.of({first, a}, {second, b}, rest);
+      }
+      const auto set = [&](std::size_t at) {
+        found.left[at] = left;
+        if (countsCracks) found.counted[at] = counted;
+      };
+      set(bond);
+      if (j < i || j >= d.nOwned) continue;
+      const int* ofOther = &d.neighborhoodList[d.neighborhoodStart[j]] + 1;
+      const int* back = std::lower_bound(ofOther, ofOther + ofOther[-1], i);
+      if (back != ofOther + ofOther[-1] && *back == i) set(firstBond(j) + static_cast<std::size_t>(back - ofOther));
+    }
+  }
+  return found;
 }
 
 void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<double>& spacing,
                                    const Communicator& comm, Discretization& d) {
-  std::vector<const decomposition::Screen*> cracks;
-  for (const Entry& entry : entries_)
-    for (const auto& screen : entry.screens)
-      if (entry.isCrack) cracks.push_back(screen.get());
-  std::sort(cracks.begin(), cracks.end());
-  const auto isCrack = [&](const auto* screen) { return std::binary_search(cracks.begin(), cracks.end(), screen); };
-
   d.isDecomposed = true;
+  Shares found = sharesOf(points, spacing, d);
+  const std::vector<double>& counted = found.counted.empty() ? found.left : found.counted;
   std::size_t out = 0, bond = 0, outBond = 0;
   for (int i = 0; i < d.nOwned; ++i) {
-    const int id = d.globalIds[i];
     const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
     const int n = *entry;
-    const NearDiscontinuities& around = near(points.at(id));
-    NearDiscontinuities withoutCracks = around;
-    auto& kept = withoutCracks.screens;
-    kept.erase(std::remove_if(kept.begin(), kept.end(), isCrack), kept.end());
-    const bool hasCracks = kept.size() < around.screens.size();
     const std::size_t start = out++;
-    double counted = 0.0;
+    d.countedBonds.push_back(std::accumulate(&counted[bond], &counted[bond] + n, 0.0));
     for (int k = 0; k < n; ++k, ++bond) {
-      const int j = entry[k + 1], other = d.globalIds[j];
-      double share = 1.0, before = 1.0;
-      if (!around.empty()) {
-        const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
-        const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
-        share = before = interactionShare(a, b, around, rule_);
-        if (share < 1.0) markMet(around, a, b);
-        if (share < 1.0 && hasCracks && countsCracks_) before = interactionShare(a, b, withoutCracks, rule_);
-      }
-      counted += before;
-      if (share == 0.0) continue;
-      d.neighborhoodList[out++] = j;
+      if (found.left[bond] == 0.0) continue;
+      d.neighborhoodList[out++] = entry[k + 1];
       if (!d.bondIsCut.empty()) d.bondIsCut[outBond] = d.bondIsCut[bond];
-      ++outBond;
-      d.interactionShare.push_back(share);
+      found.left[outBond++] = found.left[bond];
     }
-    d.countedBonds.push_back(counted);
     d.neighborhoodList[start] = static_cast<int>(out - start - 1);
     d.neighborhoodStart[i] = static_cast<long long>(start);
   }
   d.neighborhoodList.resize(out);
   d.neighborhoodStart.back() = static_cast<long long>(out);
   if (!d.bondIsCut.empty()) d.bondIsCut.resize(outBond);
+  found.left.resize(outBond);
+  d.interactionShare = std::move(found.left);
   d.cellVolume = d.volume;
   for (int i = 0; i < d.nPoints; ++i) d.volume[i] *= solid_[d.globalIds[i]];
   checkMet(points, comm);

@@ -54,6 +54,14 @@ class UnresolvedGeometry {
   decomposition::Cell cellOf(const double* place, double spacing) const;
   /// Entries of the deck that meet nothing are mistakes, some of many in a file are warned of. Collective.
   void checkMet(const MeshPoints& points, const Communicator& comm);
+  decomposition::NearDiscontinuities withoutCracks(const decomposition::NearDiscontinuities& near) const;
+  /// Of bonds as they are in the neighbourhoods.
+  struct Shares {
+    std::vector<double> left;     ///< [bonds]
+    std::vector<double> counted;  ///< [bonds] of which Damage is the lost share; empty where that is `left`
+  };
+  /// Each pair of points of this rank once.
+  Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);
   void markMet(const decomposition::NearDiscontinuities& near, const decomposition::Cell& a,
                const decomposition::Cell& b);
 

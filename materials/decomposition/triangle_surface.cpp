@@ -2,18 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
-#include "half_spaces.hpp"
+#include "convex_geometry.hpp"
 
 namespace pd::decomposition {
 
+using kernels::Vector;
+using kernels::wherePositive;
+
 namespace {
 
-using Corners = std::array<std::size_t, 3>;
+using Triangle = std::array<std::size_t, 3>;
+
+constexpr double farthest = std::numeric_limits<double>::infinity();
 
 /// Twice the area long, outwards.
-Place normalOf(const TriangleSurface& surface, const Corners& triangle) {
+Place normalOf(const TriangleSurface& surface, const Triangle& triangle) {
   const Place& origin = surface.vertices[triangle[0]];
   return crossed(minus(surface.vertices[triangle[1]], origin), minus(surface.vertices[triangle[2]], origin));
 }
@@ -41,7 +47,7 @@ bool areParted(const std::vector<Place>& body, const Ball& ball, const Cell& a, 
   for (const Cell* cell : {&a, &b})
     reach = std::max(reach, 0.5 * (lengthOf(cell->edges[0]) + lengthOf(cell->edges[1]) + lengthOf(cell->edges[2])));
   if (lengthOf(way) > ball.radius + reach) return true;
-  double ofBody = -everywhere, ofCells = everywhere;
+  double ofBody = -farthest, ofCells = farthest;
   for (const Place& place : body) ofBody = std::max(ofBody, dot(place, way));
   for (const Place& corner : cornersOf(a, b)) ofCells = std::min(ofCells, dot(corner, way));
   return ofBody < ofCells;
@@ -67,14 +73,28 @@ class TriangleScreen : public Screen {
         tolerance_(1e-12 * ball_.radius) {}
 
   void hide(const Place& place, const Lines& lines, double* from, double* to) const override {
-    double height = dot(minus(place, corners_[0]), normal_);
-    if (height < -tolerance_ || isBeside(place, lines)) return hideNothing(lines, from, to);
     hideEverything(lines, from, to);
-    Place apex = place;
-    if (height <= tolerance_) apex = plus(place, normal_, 2.0 * tolerance_ - height);
-    keepPositive(plus({}, normal_, -1.0), corners_[0], lines, from, to);
-    for (std::size_t k = 0; k < 3; ++k)  // against the clock as seen from the place
-      keepPositive(crossed(minus(corners_[(k + 1) % 3], apex), minus(corners_[k], apex)), apex, lines, from, to);
+    std::vector<HalfSpace> shadow;
+    addShadow(inAllLanes(place), place, shadow);
+    for (const HalfSpace& half : shadow)
+      keepBelow({half.normal[0][0], half.normal[1][0], half.normal[2][0]}, place, half.offset[0], lines, from, to);
+  }
+
+  bool addShadow(const Places& places, const Place& origin, std::vector<HalfSpace>& shadow) const override {
+    const Vector height = dot(normal_, minus(places, corners_[0])), isInFront = height + tolerance_;
+    // Places on the triangle are in front of it.
+    const Vector lift = wherePositive(tolerance_ - height, 2.0 * tolerance_ - height, 0.0);
+    const Vector faced = wherePositive(isInFront, 1.0, 0.0);  // nothing has 0 . x <= -1
+    const Vector depth = dot(normal_, minus(corners_[0], origin));
+    shadow.push_back({times(faced, inAllLanes(normal_)), wherePositive(isInFront, depth, -1.0)});
+    Places apices;
+    for (std::size_t d = 0; d < 3; ++d) apices[d] = places[d] + lift * normal_[d];
+    const Places from = minus(apices, origin);
+    for (std::size_t k = 0; k < 3; ++k) {  // against the clock as seen from the places
+      const Places normal = crossed(minus(corners_[k], apices), minus(corners_[(k + 1) % 3], apices));
+      shadow.push_back({normal, dot(normal, from)});
+    }
+    return true;
   }
 
   bool isBetween(const Cell& a, const Cell& b) const override {
@@ -83,23 +103,6 @@ class TriangleScreen : public Screen {
   Box box() const override { return boxOf(corners_); }
 
  private:
-  /// Whether all lines are outside of the cone from the place around the ball around the triangle.
-  bool isBeside(const Place& place, const Lines& lines) const {
-    const Place axis = minus(ball_.center, place);
-    const double distance = lengthOf(axis);
-    if (distance < 1.1 * ball_.radius) return false;
-    const std::size_t last = lines.size() - 1;
-    const Place first{lines.start[0][0], lines.start[1][0], lines.start[2][0]};
-    const Place across = minus({lines.start[0][last], lines.start[1][last], lines.start[2][last]}, first);
-    const Place middle = plus(plus(first, across, 0.5), lines.step, 0.5);
-    // In a box, whose lines begin in a rectangle: all corners are as far from its middle.
-    const double reach = 0.5 * (lengthOf(across) + lengthOf(lines.step));
-    const Place to = minus(middle, place);
-    const double sine = ball_.radius / distance, cosine = std::sqrt(1.0 - sine * sine),
-                 along = dot(to, axis) / distance;
-    return std::sqrt(std::max(0.0, dot(to, to) - along * along)) * cosine - along * sine > reach;
-  }
-
   std::vector<Place> corners_;
   Ball ball_;
   Place normal_;
@@ -126,7 +129,7 @@ std::vector<Edge> edgesOf(const TriangleSurface& surface) {
 bool isConvex(const TriangleSurface& surface, const std::vector<Edge>& edges) {
   const double tolerance = 1e-6 * Ball(surface.vertices).radius;
   return std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
-    const Corners& other = surface.triangles[edge.right];
+    const Triangle& other = surface.triangles[edge.right];
     const Place normal = normalized(normalOf(surface, surface.triangles[edge.left]));
     return std::all_of(other.begin(), other.end(), [&](std::size_t vertex) {
       return dot(minus(surface.vertices[vertex], surface.vertices[edge.from]), normal) <= tolerance;
@@ -138,7 +141,7 @@ class ConvexScreen : public Screen {
  public:
   ConvexScreen(const TriangleSurface& surface, std::vector<Edge> edges)
       : vertices_(surface.vertices), edges_(std::move(edges)), ball_(vertices_), tolerance_(1e-12 * ball_.radius) {
-    for (const Corners& triangle : surface.triangles)
+    for (const Triangle& triangle : surface.triangles)
       faces_.push_back({vertices_[triangle[0]], normalized(normalOf(surface, triangle))});
   }
 
@@ -156,17 +159,17 @@ class ConvexScreen : public Screen {
     }
     hideEverything(lines, from, to);
     for (std::size_t f = 0; f < faces_.size(); ++f)
-      if (isSeen[f] != 0) keepPositive(plus({}, faces_[f].normal, -1.0), faces_[f].origin, lines, from, to);
+      if (isSeen[f] != 0) keepBelow(faces_[f].normal, faces_[f].origin, 0.0, lines, from, to);
     for (const Edge& edge : edges_) {
       if (isSeen[edge.left] == isSeen[edge.right]) continue;
       const Place toFrom = minus(vertices_[edge.from], apex), toTo = minus(vertices_[edge.to], apex);
-      keepPositive(isSeen[edge.left] != 0 ? crossed(toTo, toFrom) : crossed(toFrom, toTo), apex, lines, from, to);
+      keepBelow(isSeen[edge.left] != 0 ? crossed(toFrom, toTo) : crossed(toTo, toFrom), apex, 0.0, lines, from, to);
     }
   }
 
   bool isBetween(const Cell& a, const Cell& b) const override {
     if (areParted(vertices_, ball_, a, b)) return false;
-    const std::vector<Place> corners = cornersOf(a, b);
+    const Corners corners = cornersOf(a, b);
     return std::none_of(faces_.begin(), faces_.end(), [&](const Face& face) {
       return std::all_of(corners.begin(), corners.end(),
                          [&](const Place& corner) { return face.height(corner) > 0.0; });
@@ -182,7 +185,7 @@ class ConvexScreen : public Screen {
   /// Which faces a place sees, and the one that it is highest above.
   std::size_t look(const Place& place, std::vector<char>& isSeen) const {
     std::size_t highest = 0;
-    double most = -everywhere;
+    double most = -farthest;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const double height = faces_[f].height(place);
       isSeen[f] = height > tolerance_ ? 1 : 0;
@@ -212,7 +215,7 @@ class TriangleBins {
     }
     bins_.resize(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_));
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Corners& c = surface.triangles[t];
+      const Triangle& c = surface.triangles[t];
       const Box around = boxOf({surface.vertices[c[0]], surface.vertices[c[1]], surface.vertices[c[2]]});
       for (int k = bin(around.low, e_); k <= bin(around.high, e_); ++k)
         for (int l = bin(around.low, f_); l <= bin(around.high, f_); ++l) bins_[index(k, l)].push_back(t);
@@ -238,7 +241,7 @@ class SurfaceVoid : public Void {
  public:
   explicit SurfaceVoid(const TriangleSurface& surface) : surface_(surface), box_(boxOf(surface.vertices)) {
     for (std::size_t axis = 0; axis < 3; ++axis) bins_.emplace_back(surface, axis);
-    for (const Corners& triangle : surface.triangles) normals_.push_back(normalOf(surface, triangle));
+    for (const Triangle& triangle : surface.triangles) normals_.push_back(normalOf(surface, triangle));
     all_.resize(surface.triangles.size());
     for (std::size_t t = 0; t < all_.size(); ++t) all_[t] = t;
   }
@@ -264,7 +267,7 @@ class SurfaceVoid : public Void {
   Box box() const override { return box_; }
   /// Where it begins and ends: corners are too many to integrate from one to the next.
   std::vector<double> heights(const Place& axis) const override {
-    double low = everywhere, high = -everywhere;
+    double low = farthest, high = -farthest;
     for (const Place& vertex : surface_.vertices) {
       low = std::min(low, dot(vertex, axis));
       high = std::max(high, dot(vertex, axis));
@@ -296,7 +299,7 @@ class SurfaceVoid : public Void {
   }
 
   /// Whether a triangle in a plane is around (0, 0). Which side of an edge that is, both of its triangles see alike.
-  static bool isAround(const std::array<std::array<double, 2>, 3>& seen, const Corners& triangle) {
+  static bool isAround(const std::array<std::array<double, 2>, 3>& seen, const Triangle& triangle) {
     const double area =
         (seen[1][0] - seen[0][0]) * (seen[2][1] - seen[0][1]) - (seen[1][1] - seen[0][1]) * (seen[2][0] - seen[0][0]);
     if (area == 0.0) return false;
@@ -326,7 +329,7 @@ std::vector<std::unique_ptr<Screen>> surfaceScreens(const TriangleSurface& surfa
     screens.push_back(std::make_unique<ConvexScreen>(surface, std::move(edges)));
     return screens;
   }
-  for (const Corners& triangle : surface.triangles)
+  for (const Triangle& triangle : surface.triangles)
     screens.push_back(std::make_unique<TriangleScreen>(surface.vertices[triangle[0]], surface.vertices[triangle[1]],
                                                        surface.vertices[triangle[2]]));
   return screens;
