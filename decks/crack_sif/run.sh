@@ -22,11 +22,11 @@ penny() { # name, radius and height of the middle in mm, tilt in degrees, rule
     --set "Discretization/Bond Decomposition={Rule: $5}" --set "Boundary Conditions/Rim X/Value=\"${rim[0]}\"" \
     --set "Boundary Conditions/Rim Y/Value=\"${rim[1]}\"" --set "Boundary Conditions/Rim Z/Value=\"${rim[2]}\""
 }
-for radius in 9.0 9.2 9.4 9.6 9.8 10.0; do
+for radius in 9.0 9.25 9.5 9.75 10.0; do
   for rule in Adaptive Intersection; do penny "penny_${radius}_0_0_$rule" "$radius" 0 0 "$rule"; done
 done
-for height in 0.25 0.5; do penny "penny_10.0_${height}_0_Adaptive" 10.0 "$height" 0 Adaptive; done
-for tilt in 10 20 30 45; do
+penny penny_10.0_0.5_0_Adaptive 10.0 0.5 0 Adaptive # through points
+for tilt in 20 45; do
   for rule in Adaptive Intersection; do penny "penny_10.0_0_${tilt}_$rule" 10.0 0 "$tilt" "$rule"; done
 done
 "$here/plot.py" "$results"

@@ -24,7 +24,7 @@ Place normalOf(const TriangleSurface& surface, const Triangle& triangle) {
   return crossed(minus(surface.vertices[triangle[1]], origin), minus(surface.vertices[triangle[2]], origin));
 }
 
-Place normalized(const Place& direction) { return plus({}, direction, 1.0 / lengthOf(direction)); }
+Place normalized(const Place& direction) { return plus({}, direction, 1.0 / decomposition::lengthOf(direction)); }
 
 /// A ball around places.
 struct Ball {
@@ -32,7 +32,7 @@ struct Ball {
   double radius = 0.0;
   explicit Ball(const std::vector<Place>& places) {
     for (const Place& place : places) center = plus(center, place, 1.0 / static_cast<double>(places.size()));
-    for (const Place& place : places) radius = std::max(radius, lengthOf(minus(place, center)));
+    for (const Place& place : places) radius = std::max(radius, decomposition::lengthOf(minus(place, center)));
   }
 };
 
@@ -45,8 +45,9 @@ bool areParted(const std::vector<Place>& body, const Ball& ball, const Cell& a, 
   const Place way = minus(plus(a.center, bond, s), ball.center);
   double reach = 0.0;
   for (const Cell* cell : {&a, &b})
-    reach = std::max(reach, 0.5 * (lengthOf(cell->edges[0]) + lengthOf(cell->edges[1]) + lengthOf(cell->edges[2])));
-  if (lengthOf(way) > ball.radius + reach) return true;
+    reach = std::max(reach, 0.5 * (decomposition::lengthOf(cell->edges[0]) + decomposition::lengthOf(cell->edges[1]) +
+                                   decomposition::lengthOf(cell->edges[2])));
+  if (decomposition::lengthOf(way) > ball.radius + reach) return true;
   double ofBody = -farthest, ofCells = farthest;
   for (const Place& place : body) ofBody = std::max(ofBody, dot(place, way));
   for (const Place& corner : cornersOf(a, b)) ofCells = std::min(ofCells, dot(corner, way));

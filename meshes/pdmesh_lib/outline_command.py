@@ -25,8 +25,8 @@ def add_outline(commands):
                          help="grey value between void and material; default half-way between darkest and brightest")
     command.add_argument("--smooth", type=float, default=1.0, metavar="PIXELS",
                          help="Gaussian by which the steps of pixels are smoothed first; default 1, 0 for none")
-    command.add_argument("--tolerance", type=float, default=0.25, metavar="PIXELS",
-                         help="corners that move an outline by less are left out; default 0.25, 0 keeps all")
+    command.add_argument("--tolerance", type=float, default=0.1, metavar="PIXELS",
+                         help="corners that move an outline by less are left out; default 0.1, 0 keeps all")
     command.add_argument("--smallest", type=float, default=0.0, metavar="PIXELS",
                          help="voids with less area are left out; default 0")
     command.add_argument("--frame", type=int, default=1, metavar="N", help="of a file with several images; default 1")

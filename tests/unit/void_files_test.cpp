@@ -29,7 +29,7 @@ Reading readWith(const std::string& entry, const std::string& text, bool isPlane
   const SceneFiles files("void_files");
   files.write("mesh.txt", latticeMesh(6, 6, isPlane ? 1 : 6));
   files.write("pores", text);
-  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText("3.0", voids(entry + ", File Name: pores"))));
+  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText("1.6", voids(entry + ", File Name: pores"))));
   Reading result;
   try {
     const pd::Discretization d = pd::readDiscretization(deck, pd::Communicator(MPI_COMM_SELF));
@@ -84,7 +84,7 @@ constexpr const char* surface = "Type: Surface";
 TEST(VoidFiles, SpheresTakeTheirVolume) {
   const Reading read = readWith("Type: Sphere List", "# x y z radius\n1.2 2.1 3 0.3\n4 4 2.6 0.01 # small\n");
   EXPECT_EQ(read.complaints, "");
-  EXPECT_NEAR(216.0 - read.volume, 4.0 / 3.0 * 3.14159265358979 * (0.027 + 1e-6), 1e-4);
+  EXPECT_NEAR(216.0 - read.volume, 4.0 / 3.0 * 3.14159265358979 * (0.027 + 1e-6), 5e-4);
 }
 
 TEST(VoidFiles, MistakesInListsOfSpheres) {
@@ -162,7 +162,7 @@ TEST(VoidFiles, SurfacesMustNotPassThroughThemselves) {
 
 TEST(VoidFiles, WhatIsNoStl) {
   EXPECT_THAT(readWith(surface, "x y z\n").complaints, HasSubstr("is no STL file: it begins with no \"solid\""));
-  EXPECT_THAT(readWith(surface, std::string(90, '\1')).complaints, HasSubstr("has 842150484 bytes, not 90"));
+  EXPECT_THAT(readWith(surface, std::string(90, '\1')).complaints, HasSubstr("has 842150534 bytes, not 90"));
   EXPECT_THAT(readWith(surface, "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0\n").complaints,
               HasSubstr("pores:4: a vertex has three finite numbers"));
   EXPECT_THAT(readWith(surface, "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 1\n").complaints,
