@@ -1,10 +1,12 @@
 #!/usr/bin/python3
-"""Pores of a specimen, drawn at random: pores.py SEED FILE writes a line `x y z radius` each.
+"""Pores of specimens, drawn at random: pores.py FIRST LAST FOLDER writes pores_SEED.txt for these seeds, a line
+`x y z radius` each pore.
 
-The number of pores is fixed; middles are even over the volume, so that some are cut by a side, as of a specimen that was
-machined; radii are lognormal.
+The number of pores is fixed; middles are even over the volume, so that some are cut by a side, as of a specimen that
+was machined; radii are lognormal.
 """
 import sys
+from pathlib import Path
 
 import numpy as np
 
@@ -20,5 +22,7 @@ def pores(seed):
 
 
 if __name__ == "__main__":
-    places, radii = pores(int(sys.argv[1]))
-    np.savetxt(sys.argv[2], np.column_stack([places, radii]) * 1e-3, fmt="%.9e", header="x y z radius (m)")
+    for seed in range(int(sys.argv[1]), int(sys.argv[2]) + 1):
+        places, radii = pores(seed)
+        np.savetxt(Path(sys.argv[3]) / f"pores_{seed}.txt", np.column_stack([places, radii]) * 1e-3, fmt="%.9e",
+                   header="x y z radius (m)")

