@@ -1,5 +1,5 @@
 #!/bin/bash
-# Images, outlines, all runs and the picture of this scene, into results/rough_surface: QQ minutes of one core.
+# Images, outlines, all runs and the picture of this scene, into results/rough_surface: a minute and a half of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
