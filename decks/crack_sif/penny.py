@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """A round crack in an infinite body under tension across it, and its displacements as functions for a deck.
-  penny.py RADIUS HEIGHT TILT     three functions of x, y and z: radius and height of the middle over the origin in mm, angle
-                                  from z to the normal, in the plane of x and z, in degrees
+  penny.py RADIUS HEIGHT TILT     three functions of x, y and z: radius and height of the middle over the origin in mm,
+                                  angle from z to the normal, in the plane of x and z, in degrees
 
 Fabrikant, Applications of Potential Theory in Mechanics (1989), section 3.5, for pressure on the crack, and the even
 strain: l1 and l2 are the half axes of the spheroids around the crack, rho the distance from its axis.

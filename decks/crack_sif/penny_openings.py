@@ -33,8 +33,8 @@ def opening(folder, name, height, tilt, spacing=SPACING):
 
 
 def ratios_of(folder, name, a, height=0.0, tilt=0.0, spacing=SPACING):
-    """K over the exact one: what the opening is of the exact one, as linear in the distance from the rim, at the rim; and
-    by the ellipse that the opening is nearest to, v^2 = c^2 (b^2 - rho^2), as c b^0.5."""
+    """K over the exact one: what the opening is of the exact one, as linear in the distance from the rim, at the rim;
+    and by the ellipse that the opening is nearest to, v^2 = c^2 (b^2 - rho^2), as c b^0.5."""
     rho, v = opening(folder, name, height, tilt, spacing)
     r = a - rho
     used = (r > 0.25 * a) & (r < 0.9 * a)
@@ -59,8 +59,8 @@ def draw(folder):
         print("  by the ellipse:", np.round(100 * (straight[:, 1] - 1), 2), "grows", grows[1], "; tilted",
               np.round(100 * (tilted[:, 1] - 1), 2))
         for column, style, how in ((0, "o-", "to the rim"), (1, "s--", "ellipse")):
-            of_radius.plot([float(a) for a in radii], 100 * (straight[:, column] - 1), style, color=color, fillstyle="none",
-                           label=f"{label}, {how}")
+            of_radius.plot([float(a) for a in radii], 100 * (straight[:, column] - 1), style, color=color,
+                           fillstyle="none", label=f"{label}, {how}")
             of_radius.plot([10.05, 10.1], 100 * (tilted[:, column] - 1), style[0], color=color, markersize=4)
         rho, v = opening(folder, f"penny_10.0_0_0_{rule}", 0.0, 0.0)
         of_opening.plot(rho * 1e3, v * 1e6, "o", color=color, fillstyle="none" if rule == "Adaptive" else "full",

@@ -35,7 +35,8 @@ def fate(name, height):
 
 
 heights = sorted({int(file.stem.split("_")[1]) for file in folder.glob("shares_*.csv")})
-figure, axes = figures.plt.subplots(1, len(heights), figsize=(2.9 * len(heights), 4), sharey=True, constrained_layout=True)
+figure, axes = figures.plt.subplots(1, len(heights), figsize=(2.9 * len(heights), 4), sharey=True,
+                                    constrained_layout=True)
 for axis, height in zip(axes, heights):
     axis.add_patch(figures.plt.Circle((HOLE_X, height), RADIUS, fill=False, color="0.4"))
     axis.plot([0, START], [0, 0], color="k", linewidth=2)
@@ -50,7 +51,8 @@ for axis, height in zip(axes, heights):
     end = min(paths[kind][-1, 0] for kind in paths)
     x = np.linspace(START + HORIZON, end, 100)
     apart = np.interp(x, *paths["shares"].T) - np.interp(x, *paths["cut"].T)
-    print(f"  paths apart by {np.max(np.abs(apart)):.2f} mm at most up to x = {end:.1f} mm, {np.max(np.abs(apart)) / HORIZON:.2f} horizons")
+    print(f"  paths apart by {np.max(np.abs(apart)):.2f} mm at most up to x = {end:.1f} mm, "
+          f"{np.max(np.abs(apart)) / HORIZON:.2f} horizons")
     axis.set_xlim(4, 40)
     axis.set_ylim(-6, 14)
     axis.set_aspect("equal")

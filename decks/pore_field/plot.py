@@ -46,8 +46,8 @@ def root_areas(middles, radii):
 
 
 def murakami(middles, radii):
-    """Fatigue limits of each pore by itself, MPa (Murakami's root-area model, R = -1), and whether it is at a side: cut by
-    it, or with less than a quarter of its radius of material before it, where he takes it to the side."""
+    """Fatigue limits of each pore by itself, MPa (Murakami's root-area model, R = -1), and whether it is at a side: cut
+    by it, or with less than a quarter of its radius of material before it, where he takes it to the side."""
     depth = 0.5 * WIDTH - np.max(np.abs(middles[:, :2]), axis=1)
     is_cut, is_near = depth < radii, depth < 1.25 * radii
     factor = np.where(is_cut, 1.43, np.where(is_near, 1.41, 1.56))
@@ -78,8 +78,8 @@ class Series:
     def __init__(self, number):
         rows = []
         for seed in SEEDS:
-            if not (folder / f"study.study/{number}_{seed}.csv").exists():
-                break
+            if not (folder / f"study.study/{number}_{seed}.h5").exists():
+                continue
             middles, radii = pores(seed)
             limits, is_near = murakami(middles, radii)
             name = f"study.study/{number}_{seed}"
@@ -92,18 +92,22 @@ class Series:
 
     def tell(self, label):
         n = len(self.lives)
-        print(f"{label}: lives {self.lives.min():.0f} to {self.lives.max():.0f}, median {np.median(self.lives):.0f}; "
-              f"strength {strength_of(self.lives.max()):.1f} ... no: {np.round(np.sort(strength_of(self.lives))[[0, n // 2, -1]], 1)} MPa")
+        strengths = np.sort(strength_of(self.lives))[[0, n // 2, -1]]
+        lowest = np.sort(self.lowest)[[0, n // 2, -1]]
+        print(f"{label}, {n} specimens: lives {self.lives.min():.0f} to {self.lives.max():.0f}, median "
+              f"{np.median(self.lives):.0f}; strengths (lowest, middle, highest) {np.round(strengths, 1)} MPa; "
+              f"lowest limits of their pores by Murakami over 1.6 HV {np.round(lowest / (1.6 * HARDNESS), 3)}")
         print("  gap between killing bond and its pore, spacings of 0.1 mm: largest", np.round(10 * self.gaps.max(), 2))
-        print(f"  killer is the largest: {np.mean(self.rank == 1):.0%}, of the three largest {np.mean(self.rank <= 3):.0%}, "
-              f"ten {np.mean(self.rank <= 10):.0%}; worst by Murakami {np.mean(self.rank_by_limit == 1):.0%}, of the three "
-              f"{np.mean(self.rank_by_limit <= 3):.0%}; at a side {np.mean(self.near):.0%} of the killers, "
-              f"{self.n_near.sum() / (n * NUMBER):.1%} of all pores")
+        print(f"  killer is the largest: {np.mean(self.rank == 1):.0%}, of the three largest "
+              f"{np.mean(self.rank <= 3):.0%}, ten {np.mean(self.rank <= 10):.0%}; worst by Murakami "
+              f"{np.mean(self.rank_by_limit == 1):.0%}, of the three {np.mean(self.rank_by_limit <= 3):.0%}; at a side "
+              f"{np.mean(self.near):.0%} of the killers, {self.n_near.sum() / (n * NUMBER):.1%} of all pores")
         m, scale = weibull(self.lives)
-        print(f"  Weibull: modulus of lives {m:.2f}, scale {scale:.0f}; of strengths {weibull(strength_of(self.lives))[0]:.1f}; "
-              f"rank correlation of life with root area of the killer {correlation(self.lives, self.areas):.2f}, of the "
-              f"largest {correlation(self.lives, self.largest):.2f}; of strength with Murakami's limit of the killer "
-              f"{correlation(self.lives, self.limits):.2f}, of the lowest {correlation(self.lives, self.lowest):.2f}")
+        print(f"  Weibull: modulus of lives {m:.2f}, scale {scale:.0f}; of strengths "
+              f"{weibull(strength_of(self.lives))[0]:.1f}; rank correlation of life with root area of the killer "
+              f"{correlation(self.lives, self.areas):.2f}, of the largest {correlation(self.lives, self.largest):.2f}; "
+              f"with Murakami's limit of the killer {correlation(self.lives, self.limits):.2f}, of the lowest "
+              f"{correlation(self.lives, self.lowest):.2f}")
 
 
 def correlation(a, b):
@@ -135,8 +139,8 @@ def main():
     n = len(other.lives)
     ratio = other.lives / base.lives[:n]
     print(f"21 over 20 points: lives {ratio.min():.2f} to {ratio.max():.2f}, mean {ratio.mean():.3f}, deviation "
-          f"{np.std(np.log(ratio)):.2f}; same killer {np.mean(base.pores[:n] == other.pores):.0%}; correlation of ranks "
-          f"{correlation(base.lives[:n], other.lives):.2f}")
+          f"{np.std(np.log(ratio)):.2f}; same killer {np.mean(base.pores[:n] == other.pores):.0%}; "
+          f"correlation of ranks {correlation(base.lives[:n], other.lives):.2f}")
     for seed in (1, 2):
         if (folder / f"fine_{seed}.csv").exists():
             middles, radii = pores(seed)

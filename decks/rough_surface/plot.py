@@ -47,7 +47,8 @@ for place, style in zip(PLACES, "osv^"):
     start, height = place
     found = np.array([strain_of(life(f"sine_{a}_{start}_{height}")) / STRAIN for a in AMPLITUDES])
     theory = 1 + 4 * np.pi * np.array(AMPLITUDES) / LENGTH
-    print(f"waves moved by {place} um: largest strain over the far one", np.round(found, 4), "theory", np.round(theory, 4),
+    print(f"waves moved by {place} um: largest strain over the far one", np.round(found, 4), "theory",
+          np.round(theory, 4),
           "lives over theory's", np.round(life_of(found * STRAIN) / life_of(theory * STRAIN), 3))
     of_waves.plot(AMPLITUDES, found, style, color="tab:blue", fillstyle="none", label=f"moved by {start}, {height} µm")
 a = np.array([0.0, 10.5])
