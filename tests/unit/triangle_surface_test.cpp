@@ -118,7 +118,8 @@ TEST(TriangleSurface, OfAnEllipsoidHasItsShares) {
       EXPECT_NEAR(interactionShare(cube(0.0, 0.0, 0.0), b, pore.near, {}), expected, 2e-3) << half[0];
     }
     EXPECT_NEAR(1.0 - solidShare(cube(0.5, 0.5, 0.5), pore.near.voids),
-                1.0 - solidShare(cube(0.5, 0.5, 0.5), {hole.get()}), 2e-3 * 4.0 / 3.0 * pi * half[0] * half[1] * half[2]);
+                1.0 - solidShare(cube(0.5, 0.5, 0.5), {hole.get()}),
+                2e-3 * 4.0 / 3.0 * pi * half[0] * half[1] * half[2]);
   }
 }
 
@@ -131,8 +132,8 @@ TEST(TriangleSurface, ContainsWhatIsInside) {
     const Place p{part(random), part(random), part(random)};
     const double x = (p[0] - 0.5) / 0.5, y = (p[1] - 0.5) / 0.3, z = (p[2] - 0.5) / 0.4;
     nDifferent += pore.hole->contains(p) != (x * x + y * y + z * z < 1.0) ? 1 : 0;
-    const bool isInCorner = std::min({p[0], p[1], p[2]}) > 0.0 && std::max({p[0], p[1], p[2]}) < 1.0 &&
-                            (p[0] < 0.4 || p[1] < 0.4);
+    const bool isInCorner =
+        std::min({p[0], p[1], p[2]}) > 0.0 && std::max({p[0], p[1], p[2]}) < 1.0 && (p[0] < 0.4 || p[1] < 0.4);
     EXPECT_EQ(ell.hole->contains(p), isInCorner);
   }
   EXPECT_LT(nDifferent, 60);  // between the triangles and the ellipsoid: 0.4 % of its volume
@@ -158,10 +159,9 @@ TEST(TriangleSurface, ThatIsNotConvexHidesByItsTriangles) {
     return plus(cell.center, Place{part(random), part(random), part(random)});
   };
   // Cells whose points are outside of the void see all of their own material; the surface is flush with their faces.
-  for (const auto& [a, b] : {std::pair(cube(-0.5, 0.5, 0.5), cube(1.5, 0.5, 0.5)),
-                             std::pair(cube(0.5, 1.5, 0.5), cube(1.5, 0.5, 0.5)),
-                             std::pair(cube(0.5, 0.5, -0.5), cube(1.5, 1.5, 0.5)),
-                             std::pair(cube(-0.5, 1.5, 0.5), cube(1.5, 1.5, 1.5))}) {
+  for (const auto& [a, b] :
+       {std::pair(cube(-0.5, 0.5, 0.5), cube(1.5, 0.5, 0.5)), std::pair(cube(0.5, 1.5, 0.5), cube(1.5, 0.5, 0.5)),
+        std::pair(cube(0.5, 0.5, -0.5), cube(1.5, 1.5, 0.5)), std::pair(cube(-0.5, 1.5, 0.5), cube(1.5, 1.5, 1.5))}) {
     int seen = 0;
     constexpr int n = 20000;
     for (int k = 0; k < n; ++k) {

@@ -102,11 +102,13 @@ TEST(VoidFiles, SomeOfManyMayLieOutside) {
   EXPECT_EQ(some.complaints, "");
   EXPECT_THAT(some.warnings, HasSubstr("2 of its 3 forms meet no cell and no bond of the body"));
   EXPECT_THAT(some.warnings, HasSubstr("pores:2"));
-  EXPECT_THAT(readWith("Type: Sphere List", "90 2 3 0.3\n").complaints, HasSubstr("meets no cell and no bond of the body"));
+  EXPECT_THAT(readWith("Type: Sphere List", "90 2 3 0.3\n").complaints,
+              HasSubstr("meets no cell and no bond of the body"));
 }
 
 TEST(VoidFiles, PolygonsTakeTheirArea) {
-  const Reading read = readWith("Type: Polygon List", "1 1.1 1.2\n1 1.9 1.2\n1 1.1 1.8\n7 3 3\n7 4 3\n7 4 4\n7 3 4\n", true);
+  const Reading read =
+      readWith("Type: Polygon List", "1 1.1 1.2\n1 1.9 1.2\n1 1.1 1.8\n7 3 3\n7 4 3\n7 4 4\n7 3 4\n", true);
   EXPECT_EQ(read.complaints, "");
   EXPECT_NEAR(36.0 - read.volume, 0.24 + 1.0, 1e-3);
 }
@@ -118,7 +120,8 @@ TEST(VoidFiles, MistakesInListsOfPolygons) {
                     HasSubstr("pores:5: polygon 2 has less than three corners")));
   EXPECT_THAT(readWith("Type: Polygon List", "1 1 1\n1 2 1\n1 2 2\n2 4 4\n2 5 4\n2 4 5\n1 1 2\n", true).complaints,
               HasSubstr("pores:7: polygon 1 goes on here, after another one"));
-  EXPECT_THAT(readWith("Type: Polygon List", "1 1 1\n1 2 1\n1 2 2\n1 1 1\n", true).complaints, HasSubstr("closes by itself"));
+  EXPECT_THAT(readWith("Type: Polygon List", "1 1 1\n1 2 1\n1 2 2\n1 1 1\n", true).complaints,
+              HasSubstr("closes by itself"));
   EXPECT_THAT(readWith("Type: Polygon List", "", true).complaints, HasSubstr("has no polygons"));
 }
 
@@ -138,9 +141,10 @@ TEST(VoidFiles, SurfacesInTextAndBinary) {
 TEST(VoidFiles, SurfacesMustBeClosedAndTheirOutsideOut) {
   Triangles open = tetrahedron({1, 1, 1});
   open.pop_back();
-  EXPECT_THAT(readWith(surface, asText(open)).complaints,
-              AllOf(HasSubstr("pores:2: the edge from (1, 2, 1) m to (2, 1, 1) m belongs to no other triangle in the opposite"),
-                    HasSubstr("pores:9:"), HasSubstr("pores:16:")));
+  EXPECT_THAT(
+      readWith(surface, asText(open)).complaints,
+      AllOf(HasSubstr("pores:2: the edge from (1, 2, 1) m to (2, 1, 1) m belongs to no other triangle in the opposite"),
+            HasSubstr("pores:9:"), HasSubstr("pores:16:")));
   EXPECT_THAT(readWith(surface, asBinary(open)).complaints, HasSubstr("pores: triangle 1: the edge from"));
   Triangles turned = tetrahedron({1, 1, 1});
   std::swap(turned[3][0], turned[3][1]);
