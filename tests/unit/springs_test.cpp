@@ -240,6 +240,18 @@ INSTANTIATE_TEST_SUITE_P(
              0.1,
              "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Strain: true, Thickness: 1.0, "
              "Volume Correction: None}"},
+        // k_t = k_n: springs that resist alike along and across, whose constants do not follow from one of them.
+        Body{"LargeTwoParametersAlike",
+             {40, 30, 1, 3.2},
+             0.0,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.0, Plane Stress: true, Thickness: 1.0, "
+             "Surface Correction: Volume Method}"},
+        Body{"LargeTwoParametersJittered",
+             {70, 40, 1, 4.01},
+             0.4,
+             0.05,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.29, Plane Stress: true, Thickness: 1.0}"},
         Body{"TwoParametersLinear",
              {24, 14, 1, 3.01},
              0.0,
