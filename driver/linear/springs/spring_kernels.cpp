@@ -60,7 +60,8 @@ class Loops {
     });
     addFamiliesOfList<true>(network_.pairs(), x, s);
     addFamiliesOfList<false>(network_.singles(), x, s);
-    addFamiliesOfList<false>(network_.corrections(), x, s);
+    addFamiliesOfList<true>(network_.corrections(), x, s);
+    addFamiliesOfList<false>(network_.singleCorrections(), x, s);
   }
   void forces(const PointVector<Real>& x, const PointVector<Real>& t, PointVector<Real>& y) const {
     y.zero();
@@ -72,7 +73,8 @@ class Loops {
     });
     addForcesOfList<true>(network_.pairs(), x, t, y);
     addForcesOfList<false>(network_.singles(), x, t, y);
-    addForcesOfList<false>(network_.corrections(), x, t, y);
+    addForcesOfList<true>(network_.corrections(), x, t, y);
+    addForcesOfList<false>(network_.singleCorrections(), x, t, y);
   }
 
  private:
@@ -240,8 +242,7 @@ class Loops {
       }
       const Real factor = isProportional ? Real(0.5) * ratio_ : Real(1);
       for (int w = 0; w < width; ++w)
-        for (int m = 0; m < M::width; ++m)
-          store(factor * sum[w][m], s[m] + first + w * lanes, count - w * lanes);
+        for (int m = 0; m < M::width; ++m) store(factor * sum[w][m], s[m] + first + w * lanes, count - w * lanes);
     }
   }
 

@@ -15,8 +15,8 @@ constexpr int shortestRun = 16;
 constexpr double patternTolerance = 1e-10;
 // Patterns that a new run is compared with.
 constexpr std::size_t nRemembered = 64;
-// Strips of so many points, of whose places so large a part holds springs, are faster than lists. They are larger: where
-// springs have several constants, that eats up what they gain, but beside runs.
+// Strips of so many points, of whose places so large a part holds springs, are faster than lists. They are larger:
+// where springs have several constants, that eats up what they gain, but beside runs.
 constexpr int longestStrip = 2 * SpringStrip::lanes, shortestStrip = 4;
 constexpr double leastFilled = 0.55;
 
@@ -402,24 +402,28 @@ void SpringNetwork::setAlive(SpringList& list, int row, int point) {
   }
 }
 
+void SpringNetwork::addCorrection(int i, int j, float left, const SpringConstants<double>& c) {
+  if (left == 1.0F || !c.acts()) return;
+  if (!isComplete(j))
+    add(singleCorrections_, i, j, left - 1.0F, c);
+  else if (j > i)
+    add(corrections_, i, j, left - 1.0F, c);
+}
+
 void SpringNetwork::makeCorrections() {
-  corrections_ = {};
+  corrections_ = singleCorrections_ = {};
   for (const SpringRun& run : runs_) {
     const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-    for (int i = run.first; i < run.first + run.count; ++i) {
-      if (aliveOfPoint_[static_cast<std::size_t>(i)].empty()) continue;
-      for (std::size_t k = 0; k < pattern.offsets.size(); ++k)
-        if (const float left = alive(i, static_cast<int>(k)); left != 1.0F && pattern.constants[k].acts())
-          add(corrections_, i, i + pattern.offsets[k], left - 1.0F, pattern.constants[k]);
-    }
+    for (int i = run.first; i < run.first + run.count; ++i)
+      for (std::size_t k = 0; k < pattern.offsets.size() && isDamaged(i); ++k)
+        addCorrection(i, i + pattern.offsets[k], alive(i, static_cast<int>(k)), pattern.constants[k]);
   }
   for (const SpringStrip& strip : strips_)
     forEachOf(
         strip, [&](int i) { return isDamaged(i); },
         [&](int i, int k, std::size_t at) {
           const int j = neighbors(i)[k];
-          if (const float left = alive(i, k); left != 1.0F)
-            add(corrections_, i, j, left - 1.0F, constantsOf(strip.in<double>(), at, difference(i, j), j));
+          addCorrection(i, j, alive(i, k), constantsOf(strip.in<double>(), at, difference(i, j), j));
         });
 }
 
@@ -433,7 +437,7 @@ std::vector<char> SpringNetwork::around(const std::vector<int>& points) const {
 }
 
 std::size_t SpringNetwork::bytes() const {
-  std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes();
+  std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes() + singleCorrections_.bytes();
   for (const SpringStrip& strip : strips_)
     sum += strip.offsets.size() * sizeof(int) + strip.in<double>().bytes() + strip.in<float>().bytes();
   for (const SpringPattern& pattern : patterns_)

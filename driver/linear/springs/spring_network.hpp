@@ -114,7 +114,8 @@ struct SpringStrip {
 /// Every bond between two owned points is here once: in the runs and strips, seen from a point that belongs to one, and
 /// else in `pairs`, which act on both ends. Between a point of neither and one of either a `single` acts on the former.
 /// A bond to a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs
-/// and strips, `corrections` take away: they act on their rows alone.
+/// and strips, `corrections` take away, from both ends, and where the other end is in neither, `singleCorrections` from
+/// their rows alone.
 ///
 /// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
 /// whatever it is made of.
@@ -141,9 +142,9 @@ class SpringNetwork {
   }
   bool hasAcross() const { return shape_.hasAcross; }
   double acrossPerRadial() const { return shape_.acrossPerRadial; }  ///< of SpringShape
-  bool hasNegative() const { return hasNegative_; }        ///< some spring pushes where it should pull
-  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m, the same on all ranks
-  double lengthUnit() const { return lengthUnit_; }        ///< m
+  bool hasNegative() const { return hasNegative_; }                  ///< some spring pushes where it should pull
+  double stiffnessUnit() const { return stiffnessUnit_; }            ///< N/m, the same on all ranks
+  double lengthUnit() const { return lengthUnit_; }                  ///< m
   const std::vector<double>& dilatational() const { return dilatational_; }
 
   const std::vector<SpringRun>& runs() const { return runs_; }
@@ -152,6 +153,7 @@ class SpringNetwork {
   const SpringList& pairs() const { return pairs_; }
   const SpringList& singles() const { return singles_; }
   const SpringList& corrections() const { return corrections_; }
+  const SpringList& singleCorrections() const { return singleCorrections_; }
   /// Whether a run or a strip has all springs of the point.
   bool isComplete(int point) const { return isComplete_[static_cast<std::size_t>(point)] != 0; }
   /// Of all local points, in units of length.
@@ -211,6 +213,7 @@ class SpringNetwork {
   }
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
+  void addCorrection(int i, int j, float left, const SpringConstants<double>& c);
   bool areJoined(int i, int j);
 
   const Discretization& points_;
@@ -224,7 +227,7 @@ class SpringNetwork {
   std::vector<SpringPattern> patterns_;
   std::vector<SpringStrip> strips_;
   std::vector<char> isComplete_;  ///< [nOwned]
-  SpringList pairs_, singles_, corrections_;
+  SpringList pairs_, singles_, corrections_, singleCorrections_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
   bool hasKeptTogether_ = true;
