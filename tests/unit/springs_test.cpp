@@ -85,6 +85,24 @@ class Springs : public ::testing::TestWithParam<Body> {
       }
   }
 
+  /// Two bonds of the point of this number.
+  void breakBondsOf(long long centre) {
+    const Discretization& points = model_.discretization();
+    PeridigmNS::Block& block = model_.blocks()->front();
+    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
+    double* damage = nullptr;
+    block.getData(id, PeridigmNS::PeridigmField::STEP_NP1)->ExtractView(&damage);
+    const int* list = points.neighborhoodList.data();
+    for (int i = 0; i < points.nOwned; ++i)
+      for (int count = *list++; count > 0; --count, ++list, ++damage) {
+        const auto a = points.globalIds[static_cast<std::size_t>(i)],
+                   b = points.globalIds[static_cast<std::size_t>(*list)];
+        if (std::min(a, b) != centre || std::max(a, b) > centre + 2 || *damage == 1.0) continue;
+        *damage = 1.0;
+        model_.field("Damage")[i] += 0.01;
+      }
+  }
+
   void healBonds() {
     PeridigmNS::Block& block = model_.blocks()->front();
     const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
@@ -175,6 +193,23 @@ TEST_P(Springs, ThatFollowBondsAreThoseOfAFreshStartToTheLastBit) {
   afresh.hold(isHeld);
   afresh.solve(right.data(), fresh.data(), 1e-4, 60);
   EXPECT_EQ(followed, fresh);
+}
+
+TEST_P(Springs, FindForcesAgainWhereBondsHaveBroken) {
+  const std::vector<double> u = someDisplacement(false);
+  std::vector<double> padded(3 * static_cast<std::size_t>(model_.nPoints()));
+  std::copy(u.begin(), u.end(), padded.begin());
+  std::vector<double> followed(padded.size()), fresh(padded.size());
+  SpringTangent following(model_);
+  following.force(padded.data(), followed.data());
+  breakBondsOf(model_.discretization().nGlobal / 2);
+  following.bondsHaveChanged();
+  following.force(padded.data(), followed.data());
+  SpringTangent afresh(model_);
+  afresh.force(padded.data(), fresh.data());
+  followed.resize(u.size());
+  fresh.resize(u.size());
+  EXPECT_LT(norm(difference(followed, fresh)), 1e-14 * norm(fresh));
 }
 
 INSTANTIATE_TEST_SUITE_P(
