@@ -59,16 +59,17 @@ class NonlocalJIntegral : public TabledCompute {
   using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
   /// The points of a block, and those of them that count.
   struct Sides {
-    std::vector<Inside> inside;      ///< [points]
-    std::vector<char> isBeside;      ///< [points] owned, with a bond whose ends are not equally far inside
-    std::vector<char> hasPart;       ///< [points] the same, and owned points where q falls along d
+    std::vector<Inside> inside;  ///< [points]
+    std::vector<char> isBeside;  ///< [points] owned, with a bond whose ends are not equally far inside
+    std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
   };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
   Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
   Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
-  double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides, const Slopes& slopes) const;
+  double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
+                 const Slopes& slopes) const;
 
   DeformationGradients gradients_;
   Fields fields_;

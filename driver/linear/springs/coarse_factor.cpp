@@ -264,7 +264,7 @@ class CoarseFactor::Elimination {
   const CoarseMatrix& matrix_;
   CoarseFactor& factor_;
   Blocks blocks_;
-  std::vector<int> unknownAt_;                     ///< [places]
+  std::vector<int> unknownAt_;                    ///< [places]
   std::vector<std::vector<DenseFront>> waiting_;  ///< [places]
 };
 
@@ -306,7 +306,8 @@ void CoarseFactor::solve(const double* b, double* x) const {
       own[c] = (sum - product(low, below, n)) * column[c];
     }
   }
-  for (std::size_t i = 0; i < place_.size(); ++i) x[i] = static_cast<double>(work_[static_cast<std::size_t>(place_[i])]);
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    x[i] = static_cast<double>(work_[static_cast<std::size_t>(place_[i])]);
 }
 
 }  // namespace pd

@@ -31,10 +31,10 @@ class CoarseFactor {
   };
   class Elimination;
 
-  std::vector<int> place_;      ///< [unknowns] in the order of elimination
-  std::vector<Front> fronts_;   ///< in that order
-  std::vector<int> rows_;       ///< below each front
-  std::vector<float> values_;   ///< of each front [width][width + nBelow], column by column; inverse on the diagonal
+  std::vector<int> place_;     ///< [unknowns] in the order of elimination
+  std::vector<Front> fronts_;  ///< in that order
+  std::vector<int> rows_;      ///< below each front
+  std::vector<float> values_;  ///< of each front [width][width + nBelow], column by column; inverse on the diagonal
   mutable std::vector<float> work_, below_;
 };
 
