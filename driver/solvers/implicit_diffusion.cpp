@@ -43,6 +43,10 @@ ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
 
 void ImplicitDiffusion::initialize(Simulation& simulation) {
   requireFluxDivergence(simulation.model, field_, "ImplicitDiffusion");
+  if (rateIsAsymmetric(simulation.model, field_) && linear_.method == "CG")
+    throw RunError("ImplicitDiffusion: a flow carries \"" + field_ +
+                   "\", which takes \"Linear Solver: GMRES\", \"Preconditioner: ILU\", or \"Linear Solver: "
+                   "Direct\"");
 }
 
 /// The points that a value at the prescribed ones can reach: where these are 1 and all others 0, what is reached has an
@@ -215,6 +219,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
     for (std::size_t i = 0; i < step_.size(); ++i)
       if (!isHeld_[i]) values[i] += step_[i];
     model.importGhosts(field_);
+    matrixIsNew = false;
   }
   model.requireFinite(field_, static_cast<int>(nLoadSteps_));
   model.acceptStep(t + dt, dt);

@@ -111,6 +111,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
     for (std::size_t i = 0; i < right.size(); ++i)
       if (!isHeld_[i]) values[i] += step_[i];
     model.importGhosts(rate.field());
+    matrixIsNew = false;
   }
 }
 
