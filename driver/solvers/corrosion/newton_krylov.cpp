@@ -105,9 +105,7 @@ int NewtonKrylov::solveAsymmetric(StageEquation& equation, double target) {
   largest = equation.model().comm().max(largest);
   // Residuals differ from point to point: that of all is to be smaller by some more.
   const double tolerance = largest > 0.0 ? std::clamp(0.1 * target / largest, 1e-13, 0.1) : 0.1;
-  const int taken = assembled_.solve(equation, slope_, tolerance, maximumLinearIterations_, step_);
-  if (taken >= 0) nLinearIterations_ += taken;
-  return taken;
+  return assembled_.solve(equation, slope_, tolerance, step_) ? 0 : -1;
 }
 
 /// The preconditioner is made where plain iterations are slow, and again where the iterations that an old one has cost
@@ -170,6 +168,9 @@ bool NewtonKrylov::solve(StageEquation& equation) {
 }
 
 std::string NewtonKrylov::work() const {
+  if (isAsymmetric_)
+    return fmt::format("{} Newton iterations, {} of GMRES with {} factors", nIterations_, assembled_.nIterations(),
+                       assembled_.nFactors());
   return fmt::format("{} Newton and {} linear iterations with {} preconditioners", nIterations_, nLinearIterations_,
                      nPreconditioners_);
 }

@@ -21,7 +21,10 @@ class NewtonKrylov : public StageSolver {
       : tolerance_(tolerance), maximumLinearIterations_(maximumLinearIterations) {}
 
   bool solve(StageEquation& equation) override;
-  void forget() override { preconditioner_.discard(); }
+  void forget() override {
+    preconditioner_.discard();
+    assembled_.forget();
+  }
   std::string work() const override;
 
  private:
