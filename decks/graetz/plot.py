@@ -95,7 +95,7 @@ def draw_concentration():
     fluid = results.field("Fluid", step) == 1
     x, c = results.x[fluid], results.field("Concentration", step)[fluid]
     figure, axis = figures.plt.subplots(figsize=(9, 2.6), constrained_layout=True)
-    shown = axis.scatter(x[:, 0] * 1e3, x[:, 1] * 1e3, c=c, s=5, marker="s", cmap="viridis", vmin=0, vmax=1)
+    shown = axis.scatter(x[:, 0] * 1e3, x[:, 1] * 1e3, c=c, s=12, marker="s", linewidths=0, cmap="viridis", vmin=0, vmax=1)
     figure.colorbar(shown, ax=axis, label="C")
     axis.set_aspect("equal")
     axis.set_xlabel("x (mm)")

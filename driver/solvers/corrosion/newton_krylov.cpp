@@ -142,7 +142,7 @@ bool NewtonKrylov::solve(StageEquation& equation) {
   step_.resize(equation.ids().size());
   slope_.resize(equation.ids().size());
   isAsymmetric_ = rateIsAsymmetric(equation.model(), equation.fields().label);
-  double before = 0.0;
+  double before = 0.0, part = 1.0;
   for (int iteration = 0; iteration < maximumIterations; ++iteration) {
     double largest = equation.evaluate();
     // What rounding leaves of terms that cancel.
@@ -159,9 +159,11 @@ bool NewtonKrylov::solve(StageEquation& equation) {
     if (!std::isfinite(largest)) return false;
     const double ratio = before > 0.0 ? largest / before : 1.0;
     const double share = std::clamp(std::min(0.9 * ratio * ratio, 0.1 * largest), tightest, loosest);
+    // What a flow carries has kinks, which may lead to and fro: then what lies between is better.
+    if (isAsymmetric_) part = ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part) : std::min(1.0, 2.0 * part);
     before = largest;
     if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
-    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += step_[k];
+    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += part * step_[k];
     ++nIterations_;
   }
   return false;
