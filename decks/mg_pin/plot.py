@@ -23,33 +23,36 @@ def exact_radius(t, speed=SPEED, film=FILM):
 
 
 def losses(name):
-    """Hours, volume loss in % of the pristine wire and of the first scan."""
+    """Hours, volume loss in % of the pristine wire and of the first scan, radius of a disc of its first area, um."""
     history = read_history(folder / f"{name}.csv")
     results = Results(str(folder / name))
-    solid = results.field("Damage", results.steps[0]) < 1
+    solid = results.field("Concentration", results.steps[0]) > 1000
     x = results.x[solid]
-    spacing = np.min(np.diff(np.unique(np.round(x[:, 0], 9))))
-    share = history["Volume_Loss"] / (np.count_nonzero(solid) * spacing**2)
+    area = np.count_nonzero(solid) * np.min(np.diff(np.unique(np.round(x[:, 0], 9))))**2
+    share = history["Volume_Loss"] / area
     t = history["time"] / 3600
     left = np.interp(FIRST_SCAN, t, 1 - share)
-    return t, 100 * share, 100 * (1 - (1 - share) / left)
+    whole = area if x[:, 1].min() < 0 else 2 * area
+    return t, 100 * share, 100 * (1 - (1 - share) / left), 1e6 * np.sqrt(whole / np.pi)
 
 
 def draw_loss():
     figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
     axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
-    for name, color, label in (("mg_pin", "C0", "5.73 A/m² under a film that breaks up in 1.2 h"),
-                               ("no_film", "C1", "5.0 A/m² from the start")):
+    constant = (1.304, 0.0)
+    for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", (SPEED, FILM)),
+                                    ("still", "C2--", "the same in fluid at rest", (SPEED, FILM)),
+                                    ("no_film", "C1-", "5.0 A/m² from the start", constant)):
         if not (folder / f"{name}.csv").exists():
             continue
-        t, pristine, first = losses(name)
+        t, pristine, first, radius = losses(name)
         shown = t >= FIRST_SCAN - 0.05
-        axis.plot(t[shown], first[shown], color=color, label=label)
+        axis.plot(t[shown], first[shown], style, label=label)
         off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
-        exact = 100 * (1 - (exact_radius(t, *((SPEED, FILM) if name == "mg_pin" else (1.304, 0.0))) / RADIUS)**2)
+        left = 1 - (RADIUS - exact_radius(t, *law)) / radius
+        error = np.max(np.abs(pristine - 100 * (1 - left**2)))
         print(f"{name}: {' '.join(f'{d:+.2f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
-              f"{pristine[-1]:.1f} % of the pristine wire; off a round wire's by at most "
-              f"{np.max(np.abs(pristine - exact)):.2f} points")
+              f"{pristine[-1]:.1f} % of the pristine wire; off a round wire's by at most {error:.2f} points")
     axis.set_xlabel("time (h)")
     axis.set_ylabel("volume loss (% of the first scan)")
     axis.set_xlim(0, 9.2)
@@ -58,29 +61,35 @@ def draw_loss():
     print(folder / "loss.png")
 
 
+def whole(results, step, label, sign=1.0):
+    """x, y in um and the field of both halves; `sign` of the mirror image."""
+    x, values = results.x[:, :2] * 1e6, results.field(label, step)
+    return np.vstack([x, x * [1, -1]]), np.concatenate([values, sign * values])
+
+
 def draw_flow():
     results = Results(str(folder / "mg_pin"))
     figure, axes = figures.plt.subplots(2, 2, figsize=(11, 7), constrained_layout=True)
+    grid = np.meshgrid(np.linspace(-150, 350, 251), np.linspace(-200, 200, 201))
     for row, step in zip(axes, (results.steps[1], results.steps[-1])):
-        fluid = results.field("Fluid", step) == 1
-        x, v = results.x[fluid, :2] * 1e6, results.field("Velocity", step)[fluid, :2]
-        c = results.field("Concentration", step)[fluid]
-        grid = np.meshgrid(np.linspace(-150, 350, 301), np.linspace(-200, 200, 241))
-        solid = results.x[results.field("Damage", step) < 1, :2] * 1e6
-        beyond = np.min(np.hypot(grid[0][..., None] - solid[::7, 0], grid[1][..., None] - solid[::7, 1]), axis=-1) < 6
-        u, w, values = (griddata(x, f, tuple(grid), "linear") for f in (v[:, 0], v[:, 1], c))
+        fluid = whole(results, step, "Fluid")[1] == 1
+        x, velocity = whole(results, step, "Velocity", np.array([1.0, -1.0, 1.0]))
+        concentration = whole(results, step, "Concentration")[1]
+        solid = x[(whole(results, step, "Damage")[1] < 1) & (np.abs(x[:, 1]) < 100)]
+        beyond = np.min(np.hypot(grid[0][..., None] - solid[:, 0], grid[1][..., None] - solid[:, 1]), axis=-1) < 3.6
+        u, w, c = (np.where(beyond, np.nan, griddata(x[fluid], values[fluid], tuple(grid), "linear"))
+                   for values in (velocity[:, 0], velocity[:, 1], concentration))
         for axis, field, label, scale in ((row[0], np.hypot(u, w), "speed (m/s)", "viridis"),
-                                          (row[1], values, "Mg²⁺ (mol/m³)", "magma")):
-            field = np.where(beyond, np.nan, field)
-            shown = axis.pcolormesh(*grid, field, cmap=scale,
-                                    **({"vmax": np.nanpercentile(field, 99.8)} if axis is row[1] else {}))
+                                          (row[1], c, "Mg²⁺ (mol/m³)", "magma")):
+            shown = axis.pcolormesh(*grid, field, cmap=scale, vmin=0, vmax=np.nanpercentile(field, 99.9))
             figure.colorbar(shown, ax=axis, label=label)
             axis.plot(solid[:, 0], solid[:, 1], "s", color="0.6", markersize=2)
             axis.set_aspect("equal")
-            axis.set_title(f"{results.time(step) / 3600:.2f} h" if hasattr(results, "time") else "", fontsize=9)
+            axis.set(xlim=(-150, 350), ylim=(-200, 200))
+            axis.set_title(f"{results.time(step) / 3600:.2f} h", fontsize=9)
             axis.set_xlabel("x (µm)")
-        row[0].streamplot(grid[0], grid[1], np.where(beyond, np.nan, u), np.where(beyond, np.nan, w), color="w",
-                          linewidth=0.5, density=1.2, arrowsize=0.6)
+        row[0].streamplot(grid[0], grid[1], u, w, color="w", linewidth=0.5, density=1.2, arrowsize=0.6)
+        print(f"{results.time(step) / 3600:.2f} h: largest Mg {concentration[fluid].max():.3f} mol/m3")
     figure.savefig(folder / "flow.png", dpi=110)
     print(folder / "flow.png")
 
@@ -88,11 +97,10 @@ def draw_flow():
 def draw_shape():
     results = Results(str(folder / "mg_pin"))
     figure, axis = figures.plt.subplots(figsize=(4.6, 4.2), constrained_layout=True)
-    near = np.hypot(*results.x[:, :2].T) < 60e-6
-    x = results.x[near, :2] * 1e6
-    step = results.steps[-1]
-    shown = axis.scatter(x[:, 0], x[:, 1], c=1 - results.field("Damage", step)[near], s=60, marker="s", cmap="Greys",
-                         vmin=0, vmax=1)
+    x, damage = whole(results, results.steps[-1], "Damage")
+    near = np.hypot(*x.T) < 60
+    shown = axis.scatter(x[near, 0], x[near, 1], c=1 - damage[near], s=50, marker="s", cmap="Greys", vmin=0, vmax=1,
+                         linewidths=0)
     figure.colorbar(shown, ax=axis, label="metal left after 9 h")
     angle = np.linspace(0, 2 * np.pi, 200)
     for radius, style in ((RADIUS, "C1--"), (exact_radius(9.0), "C0-")):
