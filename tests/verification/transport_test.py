@@ -143,5 +143,78 @@ class Transport(SceneTest):
             self.assertIn("a flow carries \"Concentration\"", result.text)
 
 
+class DissolvingPin(SceneTest):
+    """A wire of magnesium across a channel."""
+    SPACING, RADIUS, HALF = 10e-6, 40e-6, 100e-6
+
+    def deck(self, film="exp(-t/3600)"):
+        side = f"abs(y) > {self.HALF}"
+        fluid, wire = "x < 1", f"x^2 + y^2 < {self.RADIUS}^2"
+        steady = {"Steady Flow": {}, "When": {"Field": "Damage", "Has Changed By": 5e-10, "Measure": "Volume",
+                                              "At Start": True}}
+        plane = {"Plane Strain": True}
+        return {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+            "Materials": {
+                "Fluid": {"Material Model": "Navier Stokes", **plane, "Density": 1000.0, "Viscosity": 1e-3,
+                          "Flux Horizon": 1.2 * self.SPACING},
+                "Ions": {"Material Model": "Advection Diffusion", **plane, "Scheme": "Upwind Biased"},
+                "Wire": {"Material Model": "Corrosion Dissolution", **plane, "Diffusivity": 1e-9,
+                         "Solid Concentration": 71508.0, "Saturation Concentration": 20.0, "Charge Number": 2.0,
+                         "Current Density": "5.73"}},
+            "Damage Models": {"Phases": {"Damage Model": "Dissolution"}},
+            "Blocks": {"Channel": {"Block Names": "block_1", "Material": ["Fluid", "Ions", "Wire"],
+                                   "Damage Model": "Phases", "Horizon": RATIO * self.SPACING},
+                       "Sides": {"Block Names": "block_2", "Material": "Fluid", "Horizon": RATIO * self.SPACING}},
+            "Boundary Conditions": {
+                "All Node Set": {"Expression": fluid}, "Wire Node Set": {"Expression": wire},
+                "Side Node Set": {"Expression": side}, "In Node Set": {"Expression": f"x < -100e-6 && !({side})"},
+                "Out Node Set": {"Expression": "x > 160e-6"},
+                "End Node Set": {"Expression": f"x > 160e-6 && !({side})"},
+                "Metal": {"Type": "Initial Concentration", "Node Set": "Wire Node Set", "Value": 71508.0},
+                "Film": {"Type": "Film Coverage", "Node Set": "All Node Set", "Value": film},
+                "Sides": {"Type": "Prescribed Velocity", "Node Set": "Side Node Set",
+                          "Surface": f"{self.HALF} - abs(y)"},
+                "In": {"Type": "Prescribed Velocity", "Node Set": "In Node Set", "Surface": "x + 100e-6",
+                       "Velocity": [f"0.02*(1 - (y/{self.HALF})^2)", 0.0]},
+                "Out": {"Type": "Outflow", "Node Set": "Out Node Set", "Surface": "160e-6 - x"},
+                "Fresh": {"Type": "Prescribed Concentration", "Node Set": "In Node Set", "Value": 0.0},
+                "Drain": {"Type": "Prescribed Concentration", "Node Set": "End Node Set", "Value": 0.0}},
+            "Solver": {"Final Time": 28800.0, "Staggered": {"Load Steps": 4, "Solvers": {
+                "Flow": steady, "Dissolution": {"Corrosion": {"Maximum dt": 3600.0}}}}},
+            "Compute Class Parameters": {"Loss": {"Compute Class": "Volume_Loss", "Output Label": "Loss"}},
+            "Output": {"Output Filename": "result", "Output Frequency": 1,
+                       "Output Variables": ["Velocity", "Concentration", "Damage", "Fluid", "Loss"]}}
+
+    def test_metal_is_kept_and_the_film_slows_its_loss(self):
+        h = self.SPACING
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), h, (0.2, 0.5))
+        self.write_mesh(points, h * h, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        results = self.solve(self.deck()), self.solve(self.deck(), ranks=2)
+        for result in results:
+            line = next(line for line in result.report["solver"] if "the balance is off by" in line)
+            self.assertLess(float(line.split("off by")[1].split()[0]), 1e-12)
+        one, two = (result.history()["Loss"] for result in results)
+        np.testing.assert_allclose(two, one, rtol=1e-8)
+        # A round wire under i (1 - F), the film of the end of each step of up to 3600 s.
+        n = np.count_nonzero(np.hypot(points[:, 0], points[:, 1]) < self.RADIUS)
+        first = np.sqrt(n * h * h / np.pi)
+        gone = 5.73 / (2 * 96485.33 * 71508.0) * (28800 - 3600 * (1 - np.exp(-8.0)))
+        self.assertLess(abs(one[-1] / (np.pi * (first**2 - (first - gone)**2)) - 1), 0.08)
+        # What has dissolved flows.
+        result = results[0]
+        turned = (result.field("Fluid") == 1) & (np.hypot(points[:, 0], points[:, 1]) < self.RADIUS)
+        self.assertGreater(np.count_nonzero(turned), 0)
+        self.assertGreater(np.min(np.abs(result.field("Velocity")[turned, 0])), 0.0)
+        self.assertGreater(result.field("Concentration")[result.field("Fluid") == 1].min(), -1e-9)
+
+    def test_what_is_no_share_is_refused(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        result = self.run_deck(self.deck(film="2.0"))
+        self.assertNotEqual(result.code, 0)
+        self.assertIn("a share lies between 0 and 1", result.text)
+
+
 if __name__ == "__main__":
     unittest.main()
