@@ -312,6 +312,11 @@ FieldDescription interfaceAreaDensity() {
 FieldDescription saltCoverage() {
   return pointScalar("Salt_Coverage", "1", "Share of the surface near a liquid point that salt covers.").state();
 }
+FieldDescription filmCoverage() {
+  return pointScalar("Film_Coverage", "1",
+                     "Share of the metal's surface near the point that a film keeps from "
+                     "dissolving.");
+}
 FieldDescription dissolutionDemand() {
   return pointScalar("Dissolution_Demand", "mol/(m2 s)",
                      "Flux from the surface that a solver asks for besides the current's.");

@@ -230,6 +230,7 @@ FieldDescription solidConcentration();
 FieldDescription saturationConcentration();
 FieldDescription interfaceAreaDensity();
 FieldDescription saltCoverage();
+FieldDescription filmCoverage();
 FieldDescription dissolutionDemand();
 FieldDescription dissolutionRate();
 FieldDescription dissolutionRateSlope();
