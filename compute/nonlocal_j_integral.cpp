@@ -57,13 +57,19 @@ class NonlocalJIntegral : public TabledCompute {
     double share, slope;  ///< q; 1/m, its derivative along d
   };
   using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
+  /// Of a block: 1 at owned points that a side passes, or a bond to a point that is not as far inside.
+  using Beside = std::vector<char>;
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
-  Slopes slopesBesideTheSides(const Blocks& blocks, const TipPlace::Tip& tip) const;
+  bool isFarFromSides(const double* x, const TipPlace::Tip& tip) const;
+  Beside pointsBesideTheSides(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
+  Slopes slopesAt(const Blocks& blocks, const std::vector<Beside>& beside, const TipPlace::Tip& tip) const;
 
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
-  double ahead_, behind_, above_, below_;  ///< m
+  double ahead_, behind_, above_, below_;       ///< m
+  double reach_ = 0.0;                          ///< of a bond and the width of a side, m
+  mutable std::vector<LinearSprings> springs_;  ///< [blocks]
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -93,21 +99,23 @@ NonlocalJIntegral::NonlocalJIntegral(ComputeParameters params, ComputeComm comm,
 
 void NonlocalJIntegral::initialize(Blocks blocks) {
   place_.requireTip(blocks->front(), fields_.tip);
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, longest = 0.0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, longest = 0.0, widest = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
     SpringState::require(block, nonlocalJName);
-    const double* x = view(block, fields_.modelCoordinates);
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
     const auto points = block.getNeighborhoodData();
     const int* list = points->NeighborhoodList();
     for (int p = 0; p < points->NumOwnedPoints(); ++p) {
       const double* own = x + 3 * points->OwnedIDs()[p];
       lowest = std::min(lowest, own[2]);
       highest = std::max(highest, own[2]);
+      widest = std::max(widest, std::sqrt(volume[points->OwnedIDs()[p]] / place_.thickness()));
       for (int n = *list++; n > 0; --n, ++list)
         longest = std::max(longest, std::hypot(x[3 * *list] - own[0], x[3 * *list + 1] - own[1]));
     }
   }
   longest = maxOverRanks(*epetraComm, longest);
+  reach_ = (longest + maxOverRanks(*epetraComm, widest)) * (1.0 + 1e-9);
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
         std::string(nonlocalJName) +
@@ -128,23 +136,46 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
   return {front * back * high, (atFront * back - front * atBack) * high / spacing};
 }
 
-/// Of points of all ranks with a bond whose ends are not equally far inside.
-NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBesideTheSides(const Blocks& blocks,
+/// So far that all ends of its bonds are inside, or all outside.
+bool NonlocalJIntegral::isFarFromSides(const double* x, const TipPlace::Tip& tip) const {
+  const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
+  const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
+  const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
+  const double within = std::min({ahead_ - a, behind_ + a, above_ - b, below_ + b});  // depth, or less than 0 outside
+  return std::abs(within) > reach_;
+}
+
+NonlocalJIntegral::Beside NonlocalJIntegral::pointsBesideTheSides(PeridigmNS::Block& block,
                                                                   const TipPlace::Tip& tip) const {
+  const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+  const auto points = block.getNeighborhoodData();
+  const int* list = points->NeighborhoodList();
+  Beside beside(static_cast<std::size_t>(points->NumOwnedPoints()), 0);
+  for (std::size_t p = 0; p < beside.size(); ++p) {
+    const int i = points->OwnedIDs()[p], n = *list++;
+    if (!isFarFromSides(x + 3 * i, tip)) {
+      const Inside inside = insideOf(x + 3 * i, volume[i], tip);
+      const bool isBeside = inside.slope != 0.0 || std::any_of(list, list + n, [&](int j) {
+                              return insideOf(x + 3 * j, volume[j], tip).share != inside.share;
+                            });
+      beside[p] = isBeside ? 1 : 0;
+    }
+    list += n;
+  }
+  return beside;
+}
+
+/// Of such points of all ranks.
+NonlocalJIntegral::Slopes NonlocalJIntegral::slopesAt(const Blocks& blocks, const std::vector<Beside>& beside,
+                                                      const TipPlace::Tip& tip) const {
   std::vector<double> found;  // id, slope
-  for (PeridigmNS::Block& block : *blocks) {
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact);
+  for (std::size_t b = 0; b < beside.size(); ++b) {
+    PeridigmNS::Block& block = (*blocks)[b];
+    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, &beside[b]);
     const auto map = block.getOverlapScalarPointMap();
-    const int* list = block.getNeighborhoodData()->NeighborhoodList();
     for (std::size_t p = 0; p < gradients.size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p], n = *list++;
-      const double share = insideOf(x + 3 * i, volume[i], tip).share;
-      const bool isBeside =
-          std::any_of(list, list + n, [&](int j) { return insideOf(x + 3 * j, volume[j], tip).share != share; });
-      list += n;
-      if (!isBeside) continue;
-      found.push_back(map->GID(i));
+      if (beside[b][p] == 0) continue;
+      found.push_back(map->GID(block.getNeighborhoodData()->OwnedIDs()[p]));
       for (std::size_t k = 0; k < 3; ++k) {
         double slope = 0.0;
         for (std::size_t d = 0; d < 3; ++d)
@@ -162,25 +193,34 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBesideTheSides(const Blocks& 
 
 int NonlocalJIntegral::compute(Blocks blocks) const {
   const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
-  const Slopes slopes = slopesBesideTheSides(blocks, tip);
+  std::vector<Beside> beside;
+  for (PeridigmNS::Block& block : *blocks) beside.push_back(pointsBesideTheSides(block, tip));
+  const Slopes slopes = slopesAt(blocks, beside, tip);
+  if (springs_.empty())
+    for (PeridigmNS::Block& block : *blocks) springs_.push_back(SpringState::springsOf(block));
   double sum = 0.0;
-  for (PeridigmNS::Block& block : *blocks) {
+  for (std::size_t b = 0; b < beside.size(); ++b) {
+    PeridigmNS::Block& block = (*blocks)[b];
     const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
     const auto map = block.getOverlapScalarPointMap();
-    const SpringState springs(block, fields_.springs);
+    const SpringState springs(block, springs_[b], fields_.springs, beside[b]);
     const int* list = block.getNeighborhoodData()->NeighborhoodList();
     std::size_t bond = 0;
-    for (std::size_t p = 0; p < springs.energy.size(); ++p) {
+    for (std::size_t p = 0; p < beside[b].size(); ++p) {
       const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+      int n = *list++;
+      if (beside[b][p] == 0) {
+        list += n;
+        continue;
+      }
       const Inside inside = insideOf(x + 3 * i, volume[i], tip);
       sum -= springs.energy[p] * inside.slope;
-      const auto own = slopes.find(map->GID(i));
-      for (int n = *list++; n > 0; --n, ++list, ++bond) {
-        if (own == slopes.end()) continue;
+      const Vector3& own = slopes.at(map->GID(i));
+      for (; n > 0; --n, ++list, ++bond) {
         const double difference = inside.share - insideOf(x + 3 * *list, volume[*list], tip).share;
         if (difference == 0.0) continue;
         const Vector3& other = slopes.at(map->GID(*list));
-        const Vector3 both{own->second[0] + other[0], own->second[1] + other[1], own->second[2] + other[2]};
+        const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
         sum -= 0.5 * difference * dot(both, springs.force[bond].data());
       }
     }

@@ -33,7 +33,8 @@ Tensor pseudoInverse(const Tensor& symmetric) {
   return result;
 }
 
-std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact) const {
+std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact,
+                                             const std::vector<char>* wanted) const {
   const double* volume = view(block, fields_.volume);
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
@@ -46,6 +47,13 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double le
   std::size_t bond = 0;
   for (std::size_t i = 0; i < result.size(); ++i) {
     const int id = neighborhood->OwnedIDs()[i];
+    if (wanted != nullptr && (*wanted)[i] == 0) {
+      const int n = *list++;
+      list += n;
+      bond += static_cast<std::size_t>(n);
+      for (std::size_t k = 0; k < 9; k += 4) result[i][k] = 1.0;
+      continue;
+    }
     Tensor shape{}, deformed{};
     double intact = 0.0, all = 0.0;
     for (int n = *list++; n > 0; --n, ++list, ++bond) {

@@ -27,8 +27,9 @@ class DeformationGradients {
   };
 
   /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of
-  /// their neighbours, by volume.
-  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0) const;
+  /// their neighbours, by volume, and where `wanted`, if it is given, is 0.
+  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0,
+                         const std::vector<char>* wanted = nullptr) const;
 
  private:
   Fields fields_;

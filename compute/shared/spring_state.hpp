@@ -18,10 +18,14 @@ struct SpringState {
   };
   /// Throws std::invalid_argument, naming `compute`, where a material has no springs.
   static void require(PeridigmNS::Block& block, const std::string& compute);
-  SpringState(PeridigmNS::Block& block, const Fields& fields);
+  /// Those of the whole block, which change with nothing: to be asked for once.
+  static LinearSprings springsOf(PeridigmNS::Block& block);
+  /// Of the points for which `wanted` [owned points] is not 0.
+  SpringState(PeridigmNS::Block& block, const LinearSprings& springs, const Fields& fields,
+              const std::vector<char>& wanted);
 
-  std::vector<double> energy;  ///< [owned points] J
-  std::vector<Vector3> force;  ///< [bonds] N, of the energy of the owned point, towards the other end
+  std::vector<double> energy;  ///< [owned points] J; 0 of others
+  std::vector<Vector3> force;  ///< [bonds of such points] N, of the energy of the owned point, towards the other end
 };
 
 }  // namespace pd
