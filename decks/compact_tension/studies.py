@@ -119,6 +119,7 @@ def life(axis):
 figure, axes = figures.plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
 intensity(axes[0])
 life(axes[1])
+axes[0].set_ylim(bottom=1e-4)  # room for the legend
 for panel in axes:
     panel.grid(alpha=0.3, which="both")
     panel.legend(fontsize=7)
