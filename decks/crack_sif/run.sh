@@ -12,4 +12,26 @@ for rule in Adaptive Uniform Intersection Both Either; do
       --set "Discretization/Bond Decomposition/Rule=$rule" --set "Output/Output Filename=${rule}_$k"
   done
 done
+# In space.
+penny() { # name, radius and height of the middle in mm, tilt in degrees, rule, more overrides
+  local rim sine cosine
+  mapfile -t rim < <("$here/penny.py" "$2" "$3" "$4")
+  read -r sine cosine < <(awk "BEGIN {t = $4 * atan2(0, -1) / 180; print sin(t), cos(t)}")
+  "$pdrun" "$here/penny.yaml" --quiet --set "Output/Output Filename=$1" \
+    --set "Discretization/Cracks/Penny={Type: Disk, Center: [0.0, 0.0, $3e-3], Normal: [$sine, 0.0, $cosine], Radius: $2e-3}" \
+    --set "Discretization/Bond Decomposition={Rule: $5}" --set "Boundary Conditions/Rim X/Value=\"${rim[0]}\"" \
+    --set "Boundary Conditions/Rim Y/Value=\"${rim[1]}\"" --set "Boundary Conditions/Rim Z/Value=\"${rim[2]}\"" "${@:6}"
+}
+for radius in 9.0 9.25 9.5 9.75 10.0; do
+  for rule in Adaptive Intersection; do penny "penny_${radius}_0_0_$rule" "$radius" 0 0 "$rule"; done
+done
+penny penny_10.0_0.5_0_Adaptive 10.0 0.5 0 Adaptive # through points
+for tilt in 20 45; do
+  for rule in Adaptive Intersection; do penny "penny_10.0_0_${tilt}_$rule" 10.0 0 "$tilt" "$rule"; done
+done
+grid=Discretization/TensorProduct3DMeshGenerator # points half as far apart
+penny penny_fine 10.0 0 0 Adaptive --set "Blocks/Cube/Horizon=1.5 mm" \
+  --set "$grid={X Origin: -0.013, Y Origin: -0.013, Z Origin: -0.013, X Length: 0.026, Y Length: 0.026, Z Length: 0.026,
+                Number Points X: 52, Number Points Y: 52, Number Points Z: 52}" \
+  --set "Boundary Conditions/Rim Node Set/Expression=\"max(max(abs(x), abs(y)), abs(z)) > 11.5e-3\""
 "$here/plot.py" "$results"

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <ctime>
 #include <numeric>
+#include <optional>
 #include <set>
 
-#include "discontinuity_reader.hpp"
 #include "mesh_geometry.hpp"
+#include "text_file.hpp"
 
 namespace pd {
 
@@ -89,10 +90,11 @@ void checkNodeSets(const Deck& deck, const NodeSets& nodeSets) {
 
 }  // namespace
 
-UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(deck), dimension_(dimension) {
+UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, const Communicator& comm, int dimension)
+    : deck_(deck), dimension_(dimension) {
   const DeckNode section = deck["Discretization"];
-  read(section["Cracks"], true);
-  read(section["Voids"], false);
+  read(section["Cracks"], true, comm);
+  read(section["Voids"], false, comm);
   const DeckNode rule = section["Bond Decomposition"];
   rule_ = ruleOf(rule);
   for (const auto& [key, of] : {std::pair("Tolerance", "Adaptive"), std::pair("Partitions", "Uniform")})
@@ -108,23 +110,37 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(
     return;
   }
   if (dimension == 1)
-    deck.mistakes().add(entries_.front().place, "cracks and voids need a mesh that fills a plane or space, not a line");
+    deck.mistakes().add(entries_.front().node.keyPlace(),
+                        "cracks and voids need a mesh that fills a plane or space, not a line");
   if (const DeckNode symmetry = section["Symmetry"])
     deck.mistakes().add(symmetry.keyPlace(),
                         "Cracks and Voids do not go with planes of symmetry; make the mesh of the whole body");
 }
 
-void UnresolvedGeometry::read(const DeckNode& list, bool areCracks) {
+void UnresolvedGeometry::read(const DeckNode& list, bool areCracks, const Communicator& comm) {
   for (const auto& [name, node] : list.entries()) {
     try {
-      DiscontinuityForm form = areCracks ? readCrack(node, dimension_) : readVoid(node, dimension_);
-      entries_.push_back(
-          {node.keyPlace(), node.path(), areCracks, false, std::move(form.screens), std::move(form.voids)});
-      for (const auto& screen : entries_.back().screens) entryOf_[screen.get()] = entries_.size() - 1;
+      std::vector<DiscontinuityForm> forms;
+      if (areCracks)
+        forms.push_back(readCrack(node, dimension_));
+      else
+        forms = readVoid(node, dimension_, [&](const DeckNode& file) { return readFile(file, comm); });
+      for (DiscontinuityForm& form : forms) {
+        entries_.push_back({node, form.place, areCracks, false, std::move(form.screens), std::move(form.voids)});
+        for (const auto& screen : entries_.back().screens) entryOf_[screen.get()] = entries_.size() - 1;
+      }
     } catch (const DeckError& error) {
       deck_.mistakes().add("", error.what());
     }
   }
+}
+
+GeometryFile UnresolvedGeometry::readFile(const DeckNode& fileName, const Communicator& comm) const {
+  GeometryFile file{deck_.resolvePath(fileName.text()), ""};
+  Mistakes mistakes;
+  if (std::optional<std::string> text = readTextFile(file.name, fileName.place(), comm, mistakes)) file.text = *text;
+  mistakes.report();
+  return file;
 }
 
 std::array<int, 3> UnresolvedGeometry::binOf(const double* place) const {
@@ -309,10 +325,28 @@ void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<d
   d.interactionShare = std::move(found.left);
   d.cellVolume = d.volume;
   for (int i = 0; i < d.nPoints; ++i) d.volume[i] *= solid_[d.globalIds[i]];
-  for (const Entry& entry : entries_)
-    if (!comm.any(entry.isMet))
-      deck_.mistakes().add(entry.place, entry.path + " meets no cell and no bond of the body, whose points fill " +
-                                            boundingBox(points).text() + " m; move it, or remove it");
+  checkMet(points, comm);
+}
+
+void UnresolvedGeometry::checkMet(const MeshPoints& points, const Communicator& comm) {
+  const std::string body = boundingBox(points).text() + " m";
+  for (std::size_t first = 0, end = 0; first < entries_.size(); first = end) {
+    std::size_t nMissed = 0;
+    std::string firstMissed;
+    for (end = first; end < entries_.size() && entries_[end].node.path() == entries_[first].node.path(); ++end) {
+      if (comm.any(entries_[end].isMet)) continue;
+      if (++nMissed == 1) firstMissed = entries_[end].inFile;
+    }
+    const std::string path = entries_[first].node.path(), place = entries_[first].node.keyPlace();
+    if (nMissed == end - first)
+      deck_.mistakes().add(place, path + " meets no cell and no bond of the body, whose points fill " + body +
+                                      "; move it, or remove it");
+    else if (nMissed > 0)
+      deck_.warnings().add(place,
+                           fmt::format("{}: {} of its {} forms meet no cell and no bond of the body, whose points "
+                                       "fill {}; the first is that of {}",
+                                       path, nMissed, end - first, body, firstMissed));
+  }
 }
 
 }  // namespace pd
