@@ -105,6 +105,12 @@ print("n =", PARTS, ": K off by up to", np.round([np.max(np.abs(error)) for erro
 of_spacing.set_xlabel("distance of points (mm)")
 of_time.set_xlabel("processor time of a run (s)")
 of_parts.set_xlabel("n of uniform partitions, points 0.33 mm apart")
+of_spacing.set_xticks([float(spacing) for spacing in SPACINGS], ("0.5", "0.33", "0.25"))
+of_time.set_xticks((0.4, 0.8, 1.6), ("0.4", "0.8", "1.6"))
+of_parts.set_xticks(PARTS, [str(n) for n in PARTS])
+for axis in (of_spacing, of_time):
+    axis.set_yticks((1, 2, 5, 10), ("1", "2", "5", "10"))
 for axis in (of_spacing, of_time, of_parts):
+    axis.minorticks_off()
     axis.set_ylabel("error of K (%)")
 save(figure, "methods.png", (of_spacing, of_time, of_parts))

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Shares of bonds by several rules against exact ones, and stress intensities by distance of points, rule and time, into
-# results/crack_sif: four minutes of one core.
+# results/crack_sif: two minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
