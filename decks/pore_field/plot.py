@@ -78,7 +78,7 @@ class Series:
     def __init__(self, number):
         rows = []
         for seed in SEEDS:
-            if not (folder / f"study.study/{number}_{seed}.h5").exists():
+            if not (folder / f"study.study/{number}_{seed}.report.json").exists():
                 continue
             middles, radii = pores(seed)
             limits, is_near = murakami(middles, radii)

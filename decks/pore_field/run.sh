@@ -1,5 +1,5 @@
 #!/bin/bash
-# Pores, all runs and the pictures of this scene, into results/pore_field: QQ minutes of one core.
+# Pores, all runs and the pictures of this scene, into results/pore_field: four minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
