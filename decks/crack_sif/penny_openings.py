@@ -25,8 +25,8 @@ def opening(folder, name, height, tilt, spacing=SPACING):
     ring = np.floor(rho / spacing).astype(int)
     rows = []
     for k in range(1, int(10e-3 / spacing)):
-        above, below = (near & (ring == k) & (sign * over >= 0) for sign in (1, -1))
-        below &= over < 0
+        # Points on the crack are above it, as for the run.
+        above, below = (near & (ring == k) & part for part in (over > -1e-6 * spacing, over < -1e-6 * spacing))
         if above.any() and below.any():
             rows.append((0.5 * (rho[above].mean() + rho[below].mean()), 0.5 * (u[above].mean() - u[below].mean())))
     return np.array(rows).T
