@@ -29,9 +29,10 @@ penny penny_10.0_0.5_0_Adaptive 10.0 0.5 0 Adaptive # through points
 penny penny_10.0_0_20_Adaptive 10.0 0 20 Adaptive
 penny penny_10.0_0_20_Intersection 10.0 0 20 Intersection
 penny penny_10.0_0_45_Adaptive 10.0 0 45 Adaptive # through points; Intersection leaves some of them without a bond
-grid=Discretization/TensorProduct3DMeshGenerator # points half as far apart
-penny penny_fine 10.0 0 0 Adaptive --set "Blocks/Cube/Horizon=1.5 mm" \
-  --set "$grid={X Origin: -0.013, Y Origin: -0.013, Z Origin: -0.013, X Length: 0.026, Y Length: 0.026, Z Length: 0.026,
-                Number Points X: 52, Number Points Y: 52, Number Points Z: 52}" \
-  --set "Boundary Conditions/Rim Node Set/Expression=\"max(max(abs(x), abs(y)), abs(z)) > 11.5e-3\""
+grid=Discretization/TensorProduct3DMeshGenerator # points two thirds as far apart
+penny penny_fine 10.0 0 0 Adaptive --set "Blocks/Cube/Horizon=2.0 mm" \
+  --set "$grid={X Origin: -0.0133333333333, Y Origin: -0.0133333333333, Z Origin: -0.0133333333333,
+                X Length: 0.0266666666667, Y Length: 0.0266666666667, Z Length: 0.0266666666667,
+                Number Points X: 40, Number Points Y: 40, Number Points Z: 40}" \
+  --set "Boundary Conditions/Rim Node Set/Expression=\"max(max(abs(x), abs(y)), abs(z)) > 11.3e-3\""
 "$here/plot.py" "$results"
