@@ -1,5 +1,5 @@
 #!/bin/bash
-# The mesh, eleven half lengths by five rules, and the picture of this scene, into results/crack_sif: three minutes of one core.
+# The mesh, eleven half lengths by five rules, round cracks in space, and the pictures of this scene, into results/crack_sif: seven minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
