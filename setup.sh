@@ -18,6 +18,8 @@ packages=(
   build-essential cmake ninja-build ccache pkg-config clang-format
   # distributed vectors, linear solvers, partition, files
   libopenmpi-dev openmpi-bin trilinos-all-dev libmumps-dev libptscotch-dev libhdf5-openmpi-dev libnetcdf-mpi-dev
+  # a fast BLAS in place of the reference one, without threads of its own
+  libopenblas0-serial
   # decks, functions, command line, text, search, random numbers
   libyaml-cpp-dev libtinyxml2-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
   # tests and benchmarks

@@ -105,12 +105,16 @@ const Declarations& found(const std::map<std::string, Declarations>& all, const 
   return it->second;
 }
 
+std::vector<std::string> typeNames(const std::map<std::string, Declarations>& all) {
+  std::vector<std::string> types;
+  for (const auto& entry : all) types.push_back(entry.first);
+  return types;
+}
+
 }  // namespace
 
-std::vector<std::string> crackTypes() { return {"Polyline", "Polygon", "Disk"}; }
-std::vector<std::string> voidTypes() {
-  return {"Circle", "Ellipse", "Polygon", "Polygon List", "Sphere", "Ellipsoid", "Cylinder", "Sphere List", "Surface"};
-}
+std::vector<std::string> crackTypes() { return typeNames(cracks()); }
+std::vector<std::string> voidTypes() { return typeNames(voids()); }
 const Declarations& crackDeclarations(const std::string& type) { return found(cracks(), "crack", type); }
 const Declarations& voidDeclarations(const std::string& type) { return found(voids(), "void", type); }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -262,6 +263,7 @@ UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points
       if (found.left[bond] != unknown) continue;  // its other end has been here
       const int j = neighbors[k], other = d.globalIds[j];
       double left = 1.0, counted = 1.0;
+      const long long nNearBefore = shares.nNear();
       if (!around.empty()) {
         const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
         const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
@@ -272,6 +274,7 @@ UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points
       const auto set = [&](std::size_t at) {
         found.left[at] = left;
         if (countsCracks) found.counted[at] = counted;
+        found.nNear += shares.nNear() - nNearBefore;
       };
       set(bond);
       if (j < i || j >= d.nOwned) continue;
@@ -280,19 +283,24 @@ UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points
       if (back != ofOther + ofOther[-1] && *back == i) set(firstBond(j) + static_cast<std::size_t>(back - ofOther));
     }
   }
+  found.nPairs = shares.nNear();
+  found.nLines = shares.nLines();
   return found;
 }
 
 void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<double>& spacing,
                                    const Communicator& comm, Discretization& d) {
   d.isDecomposed = true;
+  const std::clock_t start = std::clock();
   Shares found = sharesOf(points, spacing, d);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const long long nBonds = d.nBonds();
   const std::vector<double>& counted = found.counted.empty() ? found.left : found.counted;
   std::size_t out = 0, bond = 0, outBond = 0;
   for (int i = 0; i < d.nOwned; ++i) {
     const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
     const int n = *entry;
-    const std::size_t start = out++;
+    const std::size_t head = out++;
     d.countedBonds.push_back(std::accumulate(&counted[bond], &counted[bond] + n, 0.0));
     for (int k = 0; k < n; ++k, ++bond) {
       if (found.left[bond] == 0.0) continue;
@@ -300,13 +308,20 @@ void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<d
       if (!d.bondIsCut.empty()) d.bondIsCut[outBond] = d.bondIsCut[bond];
       found.left[outBond++] = found.left[bond];
     }
-    d.neighborhoodList[start] = static_cast<int>(out - start - 1);
-    d.neighborhoodStart[i] = static_cast<long long>(start);
+    d.neighborhoodList[head] = static_cast<int>(out - head - 1);
+    d.neighborhoodStart[i] = static_cast<long long>(head);
   }
   d.neighborhoodList.resize(out);
   d.neighborhoodStart.back() = static_cast<long long>(out);
   if (!d.bondIsCut.empty()) d.bondIsCut.resize(outBond);
   found.left.resize(outBond);
+  const auto nShared = std::count_if(found.left.begin(), found.left.end(), [](double left) { return left < 1.0; });
+  d.decompositionNote = fmt::format(
+      "cracks and voids: {} of {} directed bonds pass near them; {} keep a part, {} are cut off; {} pairs of "
+      "points by {} lines in {:.3g} s of processor time",
+      comm.sum(found.nNear), comm.sum(nBonds), comm.sum(static_cast<long long>(nShared)),
+      comm.sum(nBonds - static_cast<long long>(outBond)), comm.sum(found.nPairs), comm.sum(found.nLines),
+      comm.sum(seconds));
   d.interactionShare = std::move(found.left);
   d.cellVolume = d.volume;
   for (int i = 0; i < d.nPoints; ++i) d.volume[i] *= solid_[d.globalIds[i]];

@@ -59,6 +59,9 @@ class UnresolvedGeometry {
   struct Shares {
     std::vector<double> left;     ///< [bonds]
     std::vector<double> counted;  ///< [bonds] of which Damage is the lost share; empty where that is `left`
+    long long nNear = 0;          ///< bonds that may meet something
+    long long nPairs = 0;         ///< such pairs of points that were looked at
+    long long nLines = 0;         ///< of cells, times places that looked at them
   };
   /// Each pair of points of this rank once.
   Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);

@@ -20,8 +20,10 @@ using namespace PeridigmNS;
 constexpr int mostChanges = 40;
 constexpr double slowest = 0.65;
 // Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
-// its own in double precision.
-constexpr double singlePrecision = 1e-3;
+// its own in double precision, and solves again for what is left.
+constexpr double singlePrecision = 1e-6;
+// Forces are found again around changed bonds alone where these are at no more than one in so many points.
+constexpr std::size_t mostOfChanged = 50;
 
 bool hasForce(Block& block) {
   const auto ids = block.getMaterialModel()->FieldIds();
@@ -104,7 +106,7 @@ SpringTangent::SpringTangent(Model& model)
       bond += static_cast<std::size_t>(*at);
     }
   }
-  for (PointVector<double>* vector : {&right_, &solution_, &full_, &image_})
+  for (PointVector<double>* vector : {&right_, &solution_, &full_, &knownImage_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
   single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
 }
@@ -128,6 +130,7 @@ std::vector<int> SpringTangent::allPoints() const {
 void SpringTangent::forgetHistory() {
   mustRebuild_ = true;
   freshRate_ = 0.0;
+  knowsImage_ = false;
 }
 
 /// Reads the bonds of points whose Damage has changed.
@@ -157,6 +160,7 @@ void SpringTangent::takeUpDamage() {
   network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
   std::sort(changed.begin(), changed.end());
   stiffness_.refresh(changed);
+  changedSince_.insert(changedSince_.end(), changed.begin(), changed.end());
   std::vector<int> stale;
   std::set_union(stalePoints_.begin(), stalePoints_.end(), changed.begin(), changed.end(), std::back_inserter(stale));
   stalePoints_ = std::move(stale);
@@ -218,11 +222,29 @@ void SpringTangent::force(const double* displacement, double* forceDensity) {
   std::fill(forceDensity, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i) full_[c][i] = displacement[3 * i + static_cast<std::size_t>(c)];
-  stiffness_.applyToAll(full_, image_);
+  applyToDisplacement();
   const double* volume = model_.field("Volume");
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i)
-      forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * image_[c][i] / volume[i];
+      forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * knownImage_[c][i] / volume[i];
+}
+
+void SpringTangent::applyToDisplacement() {
+  const auto n = static_cast<std::size_t>(model_.nOwned());
+  bool isSame = knowsImage_ && !stiffness_.isDistributed() && changedSince_.size() <= n / mostOfChanged;
+  for (int c = 0; c < network_.dimension() && isSame; ++c)
+    isSame = std::equal(full_[c], full_[c] + n, knownDisplacement_[c]);
+  if (!isSame) {
+    knownDisplacement_ = full_;
+    stiffness_.applyToAll(full_, knownImage_);
+    knownResponses_ = stiffness_.responses();
+  } else if (!changedSince_.empty()) {
+    std::sort(changedSince_.begin(), changedSince_.end());
+    changedSince_.erase(std::unique(changedSince_.begin(), changedSince_.end()), changedSince_.end());
+    stiffness_.updateAll(changedSince_, full_, knownResponses_, knownImage_);
+  }
+  changedSince_.clear();
+  knowsImage_ = true;
 }
 
 void SpringTangent::copyForceToBlocks() {

@@ -55,6 +55,8 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  /// knownImage_ = K full_, of which only what has changed is found again.
+  void applyToDisplacement();
   bool hasSprings(int point) const;
   void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
   std::vector<int> allPoints() const;
@@ -71,8 +73,12 @@ class SpringTangent {
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
   int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
-  PointVector<double> right_, solution_, full_, image_;
+  PointVector<double> right_, solution_, full_;
   PointVector<float> single_, singleImage_;
+  /// What force() found last, and the points whose bonds have changed since.
+  PointVector<double> knownDisplacement_, knownImage_, knownResponses_;
+  std::vector<int> changedSince_;
+  bool knowsImage_ = false;
 };
 
 }  // namespace pd

@@ -77,6 +77,7 @@ double InteractionShares::of(const NamedCell& a, const NamedCell& b, const NearD
   const auto isBeside = [&](const Screen* screen) { return !screen->isBetween(a.cell, b.cell); };
   screens.erase(std::remove_if(screens.begin(), screens.end(), isBeside), screens.end());
   if (screens.empty()) return 1.0;
+  ++nNear_;
   if (rule_.kind == Kind::Both) return byTipRule(a, b, near, TipRule::Both);
   if (rule_.kind == Kind::Either) return byTipRule(a, b, near, TipRule::Either);
   if (rule_.kind == Kind::Intersection) return std::max(0.0, byLines(a, b, near, 1, true));
@@ -101,8 +102,9 @@ double InteractionShares::byLines(const NamedCell& a, const NamedCell& b, const 
   const double all = nParts * sight_.counted();
   double seen = 0.0;
   for (int first = 0; first < nParts; first += kernels::lanes)
-    seen += sight_.seen({kernels::load(&parts_[0][first]), kernels::load(&parts_[1][first]), kernels::load(&parts_[2][first])},
-                        std::min(kernels::lanes, nParts - first));
+    seen += sight_.seen(
+        {kernels::load(&parts_[0][first]), kernels::load(&parts_[1][first]), kernels::load(&parts_[2][first])},
+        std::min(kernels::lanes, nParts - first));
   nLines_ += static_cast<long long>(nParts) * sight_.nLines();
   if (all == 0.0) return -1.0;
   const double share = seen / all;

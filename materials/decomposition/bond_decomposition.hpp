@@ -54,6 +54,8 @@ class InteractionShares {
   /// two cells may not be exchanged without changing the last digits. `near`: at least what is near either of them, of
   /// the same discontinuities in the same order for all bonds.
   double of(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
+  /// Of the bonds so far, those between whose cells a crack or a void may be.
+  long long nNear() const { return nNear_; }
   /// Lines of cells times places that looked at them, so far.
   long long nLines() const { return nLines_; }
 
@@ -69,7 +71,7 @@ class InteractionShares {
   NearDiscontinuities between_;  ///< the two cells
   std::array<std::vector<double>, 3> parts_;
   Sight sight_;
-  long long nLines_ = 0;
+  long long nNear_ = 0, nLines_ = 0;
 };
 
 /// Of one bond. `nLines`, where given, is raised by the lines that it took.

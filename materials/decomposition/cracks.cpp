@@ -113,7 +113,8 @@ class SegmentScreen : public FlatScreen {
                std::vector<HalfSpace>& shadow) const override {
     // The turn from the ray to a to the ray to b has the sign of the height.
     const Places toA = minus(a_, apices), toB = minus(b_, apices), from = minus(apices, origin);
-    for (const Places& normal : {Places{sign * toA[1], -sign * toA[0], 0.0}, Places{-sign * toB[1], sign * toB[0], 0.0}})
+    for (const Places& normal :
+         {Places{sign * toA[1], -sign * toA[0], 0.0}, Places{-sign * toB[1], sign * toB[0], 0.0}})
       shadow.push_back({normal, dot(normal, from)});
   }
 

@@ -81,6 +81,10 @@ class Screen {
   /// Adds half-spaces whose common part is what the places do not see behind it (not what is inside of it), with
   /// `origin` as theirs; false where that has another form. Where a place is inside, it sees nothing.
   virtual bool addShadow(const Places&, const Place& /*origin*/, std::vector<HalfSpace>&) const { return false; }
+  /// As hide() for several places, [lines] each, but without what is inside of it; false where it cannot.
+  virtual bool hideFromEach(const Places&, const Lines&, kernels::Vector* /*from*/, kernels::Vector* /*to*/) const {
+    return false;
+  }
   /// False only where no connection of the two cells meets it.
   virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
   virtual Box box() const = 0;

@@ -155,8 +155,7 @@ void Sight::castShadow() {
     }
     if (isUpper != 0)
       narrow(choose(bound, beyondAll, isUpper), choose(change, 0.0, isUpper), choose(otherChange, 0.0, isUpper),
-             grid_.n, grid_.nOther, high,
-             [](const Vector& a, const Vector& b) PD_INLINED { return stdx::min(a, b); });
+             grid_.n, grid_.nOther, high, [](const Vector& a, const Vector& b) PD_INLINED { return stdx::min(a, b); });
   }
 }
 
@@ -164,18 +163,24 @@ void Sight::castHidden(const Screen& screen, const Places& places) {
   if (lines_.size() == 0) lines_ = linesOf(grid_);
   const std::size_t nLines = lines_.size();
   auto &low = low_[nCasts_], &high = high_[nCasts_];
-  static thread_local std::vector<double> from, to;
-  from.resize(nLines);
-  to.resize(nLines);
+  if (!screen.hideFromEach(places, lines_, low.data(), high.data())) {
+    static thread_local std::vector<double> from, to;
+    from.resize(nLines);
+    to.resize(nLines);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
+      screen.hide({places[0][lane], places[1][lane], places[2][lane]}, lines_, from.data(), to.data());
+      for (std::size_t r = 0; r < nLines; ++r) {
+        low[r][lane] = from[r];
+        high[r][lane] = to[r];
+      }
+    }
+  }
   const double whole = measure_.whole(), shift = measure_.counts() ? 0.5 : 0.0;
   bool hasAny = false;
-  for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
-    screen.hide({places[0][lane], places[1][lane], places[2][lane]}, lines_, from.data(), to.data());
-    for (std::size_t r = 0; r < nLines; ++r) {
-      hasAny = hasAny || from[r] < to[r];
-      low[r][lane] = whole * from[r] - shift;
-      high[r][lane] = whole * (from[r] < to[r] ? to[r] : from[r]) - shift;
-    }
+  for (std::size_t r = 0; r < nLines; ++r) {
+    hasAny = hasAny || greaterBits(high[r], low[r]) != 0;
+    low[r] = whole * low[r] - shift;
+    high[r] = whole * high[r] - shift;
   }
   if (hasAny) ++nCasts_;
 }
@@ -210,7 +215,8 @@ double Sight::takenBySorting(int nPlaces) const {
       ranges.clear();
       if (taken_->most > 0) ranges.assign(taken_->of(r), taken_->of(r) + taken_->number(r));
       for (std::size_t k = 0; k < nCasts_; ++k) {
-        const double low = low_[k][static_cast<std::size_t>(r)][lane], high = high_[k][static_cast<std::size_t>(r)][lane];
+        const double low = low_[k][static_cast<std::size_t>(r)][lane],
+                     high = high_[k][static_cast<std::size_t>(r)][lane];
         const Range range{counts ? std::ceil(low) : low, counts ? std::ceil(high) : high};
         if (range.low < range.high) ranges.push_back(range);
       }

@@ -7,6 +7,10 @@
 
 namespace pd::decomposition {
 
+namespace stdx = kernels::stdx;
+using kernels::allLanes;
+using kernels::choose;
+using kernels::greaterBits;
 using kernels::Vector;
 using kernels::wherePositive;
 
@@ -29,6 +33,9 @@ class UnitBall {
   }
   Place mapped(const Place& difference) const {
     return {dot(difference, rows_[0]), dot(difference, rows_[1]), dot(difference, rows_[2])};
+  }
+  Places mapped(const Places& differences) const {
+    return {dot(rows_[0], differences), dot(rows_[1], differences), dot(rows_[2], differences)};
   }
   Place mappedPlace(const Place& place) const { return mapped(minus(place, shape_.center)); }
   /// How far it reaches along `axis` from its centre.
@@ -123,8 +130,43 @@ class EllipsoidScreen : public Screen {
     return true;
   }
 
-  /// Steps towards the place of least norm of the corners' hull (Frank & Wolfe, with the best length of each step), until
-  /// that is within the unit ball, or the plane across the way to it has all corners beyond the ball.
+  /// The tangent cone and the plane of hide(), with the place in the lanes.
+  bool hideFromEach(const Places& places, const Lines& lines, Vector* from, Vector* to) const override {
+    if (ball_.isPlane()) return false;
+    const Places p = ball_.mapped(minus(places, ball_.center()));
+    const Place d = ball_.mapped(lines.step);
+    const double d2 = dot(d, d);
+    const Vector p2 = dot(p, p), beyond = p2 - 1.0, slope = dot(d, p), least = 1e-14 * d2 * p2;
+    const Vector exact = slope * slope - d2 * beyond;
+    const Vector square = choose(exact, -least, greaterBits(stdx::abs(exact), least));
+    const Vector perSquare = 1.0 / square;
+    const unsigned char isIn = greaterBits(0.0, beyond), isClosed = greaterBits(0.0, square),
+                        isAhead = greaterBits(0.0, slope), isBack = greaterBits(slope, 0.0),
+                        isAcross = static_cast<unsigned char>(allLanes & ~(isAhead | isBack)),
+                        hasFirst = isClosed | isAhead, hasSecond = static_cast<unsigned char>(isClosed | ~isAhead);
+    const Vector perSlope = 1.0 / choose(1.0, slope, isAcross);
+    for (std::size_t r = 0; r < lines.size(); ++r) {
+      const Place x = ball_.mappedPlace({lines.start[0][r], lines.start[1][r], lines.start[2][r]});
+      const double x2 = dot(x, x), xd = dot(x, d);
+      const Vector height = dot(x, p), away = height - p2;
+      const Vector b = away * slope - (xd - slope) * beyond, c = away * away - (x2 - 2.0 * height + p2) * beyond;
+      const Vector discriminant = b * b - square * c;
+      const Vector root = kernels::squareRoot(stdx::max(discriminant, Vector(0.0)));
+      Vector low = choose((root - b) * perSquare, 0.0, hasFirst),
+             high = choose((-b - root) * perSquare, 1.0, hasSecond);
+      const Vector touch = (1.0 - height) * perSlope;
+      low = stdx::max(choose(stdx::max(low, touch), low, isAhead), Vector(0.0));
+      high = stdx::min(choose(stdx::min(high, touch), high, isBack), Vector(1.0));
+      const unsigned char isSeen = static_cast<unsigned char>((isAcross & greaterBits(height, 1.0)) |
+                                                              (isClosed & ~greaterBits(discriminant, 0.0)));
+      from[r] = choose(0.0, low, isIn);
+      to[r] = choose(1.0, choose(-1.0, high, isSeen), isIn);
+    }
+    return true;
+  }
+
+  /// Steps towards the place of least norm of the corners' hull (Frank & Wolfe, with the best length of each step),
+  /// until that is within the unit ball, or the plane across the way to it has all corners beyond the ball.
   bool isBetween(const Cell& a, const Cell& b) const override {
     Corners corners = cornersOf(a, b);
     for (std::size_t c = 0; c < corners.size(); ++c) corners[c] = ball_.mappedPlace(corners[c]);

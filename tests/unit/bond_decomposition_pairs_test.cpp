@@ -129,8 +129,7 @@ int expectCounts(const std::vector<Cell>& cells, const Geometry& geometry, int n
     for (std::size_t j = i + 1; j < cells.size(); ++j) {
       if (lengthOf(minus(cells[i].center, cells[j].center)) > reach) continue;
       const double expected = shareOfPairs(cells[i], cells[j], geometry, n);
-      const double share =
-          shares.of({static_cast<int>(i), cells[i]}, {static_cast<int>(j), cells[j]}, near);
+      const double share = shares.of({static_cast<int>(i), cells[i]}, {static_cast<int>(j), cells[j]}, near);
       EXPECT_DOUBLE_EQ(share, expected) << i << " " << j;
       nShared += expected > 0.0 && expected < 1.0 ? 1 : 0;
     }
