@@ -208,6 +208,18 @@ class DissolvingPin(SceneTest):
         self.assertGreater(np.min(np.abs(result.field("Velocity")[turned, 0])), 0.0)
         self.assertGreater(result.field("Concentration")[result.field("Fluid") == 1].min(), -1e-9)
 
+    def test_goes_on_from_a_checkpoint(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        deck = self.deck()
+        deck["Output2"] = {"Output Filename": "early", "Final Output Step": 2, "Checkpoint Frequency": 2,
+                           "Output Variables": ["Damage"]}
+        whole = self.solve(deck)
+        fields = {label: whole.field(label) for label in ("Concentration", "Damage", "Velocity")}
+        later = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+        for label, values in fields.items():
+            np.testing.assert_array_equal(later.field(label), values)
+
     def test_what_is_no_share_is_refused(self):
         points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
         self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
