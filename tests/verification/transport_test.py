@@ -220,6 +220,20 @@ class DissolvingPin(SceneTest):
         for label, values in fields.items():
             np.testing.assert_array_equal(later.field(label), values)
 
+    def test_a_pin_that_dissolves_wholly_leaves_the_tube_empty(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        deck = self.deck(film="0.0")
+        deck["Materials"]["Wire"]["Current Density"] = "40.0"
+        result = self.solve(deck)
+        wire = np.hypot(points[:, 0], points[:, 1]) < self.RADIUS
+        self.assertTrue(np.all(result.field("Fluid")[wire] == 1))
+        # The parabola is back, within what walls between the rows leave of it, and nothing is dissolved in it.
+        np.testing.assert_allclose(result.field("Velocity")[wire, 0],
+                                   0.02 * (1 - (points[wire, 1] / self.HALF)**2), rtol=1e-3)
+        self.assertLess(result.field("Concentration")[wire].max(), 1e-6)
+        self.assertLess(abs(result.history()["Loss"][-1] / (np.count_nonzero(wire) * self.SPACING**2) - 1), 1e-9)
+
     def test_what_is_no_share_is_refused(self):
         points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
         self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
