@@ -13,7 +13,7 @@ from scene import SceneTest  # noqa: E402
 
 
 def graetz(pe, length, rows=400, steps=4000):
-    """Mean of C over the flow after `length`, walls at C = 0, between plates 1 apart; marched without axial diffusion."""
+    """Mean of C over the flow after `length`, between plates 1 apart with C = 0; without axial diffusion."""
     y = (np.arange(rows) + 0.5) / rows
     u = 6 * y * (1 - y)
     diagonal = np.full(rows, -2.0)
@@ -89,7 +89,7 @@ class Transport(SceneTest):
         for angle, jitter in ((0.0, 0.0), (30.0, 0.0), (0.0, 0.2)):
             points = self.mesh(h, 1.0, (0.37, 0.41), angle, jitter)
             deck = self.deck(h, 1.0, diffusivity=h / 1e4, inflow="0.5 + 0.5*sign(y - 0.5)")
-            deck["Solver2"]["ImplicitDiffusion"]["Relative Tolerance"] = 1e-6  # kinks of the limiter: slow from there on
+            deck["Solver2"]["ImplicitDiffusion"]["Relative Tolerance"] = 1e-6  # then slow, by kinks
             result = self.solve(deck)
             c, rate = result.field("Concentration"), result.field("Concentration_Flux_Divergence")
             fluid = result.field("Fluid") == 1
