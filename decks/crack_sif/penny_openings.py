@@ -25,8 +25,8 @@ def opening(folder, name, height, tilt, spacing=SPACING):
     ring = np.floor(rho / spacing).astype(int)
     rows = []
     for k in range(1, int(10e-3 / spacing)):
-        above, below = (near & (ring == k) & (sign * over >= 0) for sign in (1, -1))
-        below &= over < 0
+        # Points on the crack are above it, as for the run.
+        above, below = (near & (ring == k) & part for part in (over > -1e-6 * spacing, over < -1e-6 * spacing))
         if above.any() and below.any():
             rows.append((0.5 * (rho[above].mean() + rho[below].mean()), 0.5 * (u[above].mean() - u[below].mean())))
     return np.array(rows).T
@@ -51,22 +51,22 @@ def draw(folder):
                                ("Intersection", "tab:orange", "intersection")):
         straight = np.array([ratios_of(folder, f"penny_{a}_0_0_{rule}", 1e-3 * float(a)) for a in radii])
         tilted = np.array([ratios_of(folder, f"penny_10.0_0_{tilt}_{rule}", 10e-3, tilt=np.radians(tilt))
-                           for tilt in (20, 45)])
+                           for tilt in ((20, 45) if rule == "Adaptive" else (20,))])
         k = straight * intensity(1e-3 * np.array([[float(a)] for a in radii]))
         grows = [("at each step" if np.all(np.diff(column) > 0) else "not at each step") for column in k.T]
         print(f"{rule}: error of K by extrapolation, %, radii {radii} mm:", np.round(100 * (straight[:, 0] - 1), 2),
-              "grows", grows[0], "; tilted by 20, 45 degrees", np.round(100 * (tilted[:, 0] - 1), 2))
+              "grows", grows[0], "; tilted by 20 (45) degrees", np.round(100 * (tilted[:, 0] - 1), 2))
         print("  by the ellipse:", np.round(100 * (straight[:, 1] - 1), 2), "grows", grows[1], "; tilted",
               np.round(100 * (tilted[:, 1] - 1), 2))
         for column, style, how in ((0, "o-", "to the rim"), (1, "s--", "ellipse")):
             of_radius.plot([float(a) for a in radii], 100 * (straight[:, column] - 1), style, color=color,
                            fillstyle="none", label=f"{label}, {how}")
-            of_radius.plot([10.05, 10.1], 100 * (tilted[:, column] - 1), style[0], color=color, markersize=4)
+            of_radius.plot([10.05, 10.1][:len(tilted)], 100 * (tilted[:, column] - 1), style[0], color=color, markersize=4)
         rho, v = opening(folder, f"penny_10.0_0_0_{rule}", 0.0, 0.0)
         of_opening.plot(rho * 1e3, v * 1e6, "o", color=color, fillstyle="none" if rule == "Adaptive" else "full",
                         markersize=6 if rule == "Adaptive" else 3, label=label)
     for what, name, height, spacing in (("through points", "penny_10.0_0.5_0_Adaptive", 0.5e-3, SPACING),
-                                        ("points half as far apart", "penny_fine", 0.0, 0.5 * SPACING)):
+                                        ("points two thirds as far apart", "penny_fine", 0.0, 2 / 3 * SPACING)):
         ratios = np.array(ratios_of(folder, name, 10e-3, height, 0.0, spacing))
         print(f"crack {what}: error of K, %", np.round(100 * (ratios - 1), 2))
     rho = np.linspace(0, 10e-3, 400)

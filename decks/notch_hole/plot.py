@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""paths.png: paths of the cracks beside their holes, by shares of bonds and with the hole cut out of the mesh; plot.py
-[RESULTS]"""
+"""paths.png: paths of the cracks beside their holes, by shares of bonds and with the hole cut out of the mesh or of the
+lattice; plot.py [RESULTS]"""
 import csv
 import sys
 from pathlib import Path
@@ -34,32 +34,39 @@ def fate(name, height):
     return "sinks" if float(rows_of(name)[-1]["Damage_Of_Rim"]) >= 0.3 else "passes", nearest
 
 
+KINDS = {"shares": ("tab:blue", "shares of bonds"), "lattice": ("tab:green", "cut out of the lattice"),
+         "cut": ("tab:orange", "cut out of a Gmsh mesh")}
 heights = sorted({int(file.stem.split("_")[1]) for file in folder.glob("shares_*.csv")})
-figure, axes = figures.plt.subplots(1, len(heights), figsize=(2.9 * len(heights), 4), sharey=True,
+figure, axes = figures.plt.subplots(2, (len(heights) + 1) // 2, figsize=(13, 6.4), sharex=True, sharey=True,
                                     constrained_layout=True)
-for axis, height in zip(axes, heights):
+for axis, height in zip(axes.ravel(), heights):
     axis.add_patch(figures.plt.Circle((HOLE_X, height), RADIUS, fill=False, color="0.4"))
     axis.plot([0, START], [0, 0], color="k", linewidth=2)
     paths = {}
-    for kind, color, label in (("shares", "tab:blue", "shares of bonds"), ("cut", "tab:orange", "hole cut out")):
+    for kind, (color, label) in KINDS.items():
+        if not (folder / f"{kind}_{height}.csv").exists():
+            continue
         paths[kind] = path_of(f"{kind}_{height}")
         axis.plot(*paths[kind].T, color=color, linewidth=1, label=label)
         rows = rows_of(f"{kind}_{height}")
         how, nearest = fate(f"{kind}_{height}", height)
         print(f"hole at {height} mm, {label}: {how}, {nearest:.2f} mm from the rim at the nearest; last tip "
               f"{paths[kind][-1].round(2)}, {float(rows[-1]['time']):.4g} cycles, {len(rows)} equilibria")
-    end = min(paths[kind][-1, 0] for kind in paths)
-    x = np.linspace(START + HORIZON, end, 100)
-    apart = np.interp(x, *paths["shares"].T) - np.interp(x, *paths["cut"].T)
-    print(f"  paths apart by {np.max(np.abs(apart)):.2f} mm at most up to x = {end:.1f} mm, "
-          f"{np.max(np.abs(apart)) / HORIZON:.2f} horizons")
-    axis.set_xlim(4, 40)
-    axis.set_ylim(-6, 14)
+    for kind in list(paths)[1:]:
+        end = min(paths["shares"][-1, 0], paths[kind][-1, 0])
+        x = np.linspace(START, end, 200)
+        apart = np.abs(np.interp(x, *paths["shares"].T) - np.interp(x, *paths[kind].T))
+        print(f"  {KINDS[kind][1]}: paths apart by {apart.max():.2f} mm at most, {apart[-1]:.2f} at x = {end:.1f} mm, root of "
+              f"the mean square {np.sqrt(np.mean(apart**2)):.2f} mm; horizon {HORIZON} mm")
+    axis.set_xlim(6, 34)
+    axis.set_ylim(-3, 15)
     axis.set_aspect("equal")
-    axis.set_title(f"hole {height} mm over the notch")
-    axis.set_xlabel("x (mm)")
+    axis.set_title(f"hole {height} mm over the line of the notch")
     axis.grid(alpha=0.3)
-axes[0].set_ylabel("y (mm)")
-axes[0].legend(fontsize=7, loc="lower left")
-figure.savefig(folder / "paths.png", dpi=150)
+for axis in axes[-1]:
+    axis.set_xlabel("x (mm)")
+for axis in axes[:, 0]:
+    axis.set_ylabel("y (mm)")
+axes[0, 0].legend(fontsize=7, loc="lower right")
+figure.savefig(folder / "paths.png", dpi=120)
 print(folder / "paths.png")

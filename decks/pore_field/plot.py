@@ -78,7 +78,7 @@ class Series:
     def __init__(self, number):
         rows = []
         for seed in SEEDS:
-            if not (folder / f"study.study/{number}_{seed}.h5").exists():
+            if not (folder / f"study.study/{number}_{seed}.report.json").exists():
                 continue
             middles, radii = pores(seed)
             limits, is_near = murakami(middles, radii)
@@ -141,12 +141,6 @@ def main():
     print(f"21 over 20 points: lives {ratio.min():.2f} to {ratio.max():.2f}, mean {ratio.mean():.3f}, deviation "
           f"{np.std(np.log(ratio)):.2f}; same killer {np.mean(base.pores[:n] == other.pores):.0%}; "
           f"correlation of ranks {correlation(base.lives[:n], other.lives):.2f}")
-    for seed in (1, 2):
-        if (folder / f"fine_{seed}.csv").exists():
-            middles, radii = pores(seed)
-            pore, _ = killer(f"fine_{seed}", middles, radii)
-            print(f"points 0.05 mm apart, specimen {seed}: life {life(f'fine_{seed}'):.0f} (0.1 mm: "
-                  f"{base.lives[seed - 1]:.0f}), same killer: {pore == base.pores[seed - 1]}")
     draw(base, other, free)
 
 

@@ -22,6 +22,7 @@ constexpr double slowest = 0.65;
 // Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
 // its own in double precision, and solves again for what is left.
 constexpr double singlePrecision = 1e-6;
+constexpr double mostMissed = 10.0;
 // Forces are found again around changed bonds alone where these are at no more than one in so many points.
 constexpr std::size_t mostOfChanged = 50;
 
@@ -131,6 +132,7 @@ void SpringTangent::forgetHistory() {
   mustRebuild_ = true;
   freshRate_ = 0.0;
   knowsImage_ = false;
+  expectedRest_ = std::numeric_limits<double>::max();
 }
 
 /// Reads the bonds of points whose Damage has changed.
@@ -183,7 +185,10 @@ void SpringTangent::prepare() {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
   const bool isCurrent = !model_.comm().any(!coarseIsCurrent_);
-  if (!isCurrent) ++nChanges_;
+  if (!isCurrent) {
+    ++nChanges_;
+    expectedRest_ = std::numeric_limits<double>::max();
+  }
   // The coarse level's displacements must be stiff against springs: those that move a held point tear at its springs.
   const bool tears = model_.comm().any(
       std::any_of(newlyHeld_.begin(), newlyHeld_.end(), [&](int point) { return hasSprings(point); }));
@@ -257,6 +262,13 @@ void SpringTangent::copyForceToBlocks() {
   }
 }
 
+double SpringTangent::normOfRight() const {
+  double sum = 0.0;
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < model_.nOwned(); ++i) sum += right_[c][i] * right_[c][i];
+  return std::sqrt(model_.comm().sum(sum));
+}
+
 LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolerance, int maximumIterations,
                                        const Product& product) {
   prepare();
@@ -266,10 +278,14 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
   for (int c = 0; c < dimension; ++c)
     for (std::size_t i = 0; i < n; ++i) right_[c][i] = b[3 * i + static_cast<std::size_t>(c)] / unit;
   stiffness_.zeroHeld(right_);
+  // What the last solve left is more than it was to leave: single precision was not enough.
+  const double norm = normOfRight();
+  const bool hasMissed = norm > mostMissed * expectedRest_;
+  expectedRest_ = tolerance * norm;
+  bool isSingle = !product && tolerance >= singlePrecision && !hasMissed;
   std::vector<double> flat(product ? 3 * n : 0), flatImage(flat.size());
   const PointMap stiffness = [&](PointVector<double>& from, PointVector<double>& to) {
-    if (!product && tolerance < singlePrecision) return stiffness_.apply(from, to);
-    if (!product) return applyInSinglePrecision(from, to);
+    if (!product) return isSingle ? applyInSinglePrecision(from, to) : stiffness_.apply(from, to);
     for (int c = 0; c < dimension; ++c)
       for (std::size_t i = 0; i < n; ++i) flat[3 * i + static_cast<std::size_t>(c)] = from[c][i];
     product(flat.data(), flatImage.data());
@@ -278,10 +294,18 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     stiffness_.addAdditions(from, to);
     stiffness_.zeroHeld(to);
   };
-  const ConjugateGradientsResult result = conjugateGradients(
-      model_.comm(), model_.nOwned(), stiffness,
-      [&](PointVector<double>& r, PointVector<double>& z) { levels_.apply(r, z); }, right_, solution_, tolerance,
-      maximumIterations);
+  const auto search = [&] {
+    return conjugateGradients(
+        model_.comm(), model_.nOwned(), stiffness,
+        [&](PointVector<double>& r, PointVector<double>& z) { levels_.apply(r, z); }, right_, solution_, tolerance,
+        maximumIterations);
+  };
+  ConjugateGradientsResult result = search();
+  // Where something hardly hangs together, rounding may be more than what resists.
+  if (isSingle && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
+    isSingle = false;
+    result = search();
+  }
   std::fill(x, x + 3 * n, 0.0);
   for (int c = 0; c < dimension; ++c)
     for (std::size_t i = 0; i < n; ++i) x[3 * i + static_cast<std::size_t>(c)] = solution_[c][i];
