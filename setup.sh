@@ -26,7 +26,7 @@ packages=(
   libgtest-dev libbenchmark-dev
   # meshes and pictures
   gmsh python3-gmsh python3 python3-numpy python3-scipy python3-h5py python3-meshio python3-netcdf4
-  python3-matplotlib python3-pil ffmpeg
+  python3-matplotlib python3-contourpy python3-shapely python3-pil ffmpeg
 )
 # For one test, which is skipped without it: ParaView reads the results.
 test_packages=(paraview python3-paraview)

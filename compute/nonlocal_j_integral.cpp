@@ -57,13 +57,26 @@ class NonlocalJIntegral : public TabledCompute {
     double share, slope;  ///< q; 1/m, its derivative along d
   };
   using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
+  /// The points of a block, and those of them that count.
+  struct Sides {
+    std::vector<Inside> inside;  ///< [points]
+    std::vector<char> isBeside;  ///< [points] owned, with a bond whose ends are not equally far inside
+    std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
+  };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
-  Slopes slopesBesideTheSides(const Blocks& blocks, const TipPlace::Tip& tip) const;
+  /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
+  bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
+  Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
+  Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
+  double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
+                 const Slopes& slopes) const;
 
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
-  double ahead_, behind_, above_, below_;  ///< m
+  double ahead_, behind_, above_, below_;       ///< m
+  double longestBond_ = 0.0;                    ///< m
+  mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -107,7 +120,8 @@ void NonlocalJIntegral::initialize(Blocks blocks) {
         longest = std::max(longest, std::hypot(x[3 * *list] - own[0], x[3 * *list + 1] - own[1]));
     }
   }
-  longest = maxOverRanks(*epetraComm, longest);
+  longest = longestBond_ = maxOverRanks(*epetraComm, longest);
+  springs_.clear();
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
         std::string(nonlocalJName) +
@@ -128,22 +142,45 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
   return {front * back * high, (atFront * back - front * atBack) * high / spacing};
 }
 
-/// Of points of all ranks with a bond whose ends are not equally far inside.
-NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBesideTheSides(const Blocks& blocks,
-                                                                  const TipPlace::Tip& tip) const {
+bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
+  const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
+  const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
+  const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
+  // Less than 0 inside, more outside.
+  const double distance = std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
+  return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
+}
+
+NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const {
+  const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+  Sides sides;
+  const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
+  for (std::size_t i = 0; i < nPoints; ++i) sides.inside.push_back(insideOf(x + 3 * i, volume[i], tip));
+  sides.isBeside.assign(nPoints, 0);
+  sides.hasPart = sides.isBeside;
+  const int* list = block.getNeighborhoodData()->NeighborhoodList();
+  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
+    const auto i = static_cast<std::size_t>(block.getNeighborhoodData()->OwnedIDs()[p]);
+    const Inside& own = sides.inside[i];
+    const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
+    const bool isBeside = isNearASide(x + 3 * i, tip) && std::any_of(list + 1, list + 1 + *list, differs);
+    sides.isBeside[i] = isBeside ? 1 : 0;
+    sides.hasPart[i] = isBeside || own.slope != 0.0 ? 1 : 0;
+  }
+  return sides;
+}
+
+/// Of points of all ranks that are beside the sides.
+NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides,
+                                                          const TipPlace::Tip& tip) const {
   std::vector<double> found;  // id, slope
-  for (PeridigmNS::Block& block : *blocks) {
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact);
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    PeridigmNS::Block& block = (*blocks)[b];
+    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, sides[b].isBeside);
     const auto map = block.getOverlapScalarPointMap();
-    const int* list = block.getNeighborhoodData()->NeighborhoodList();
     for (std::size_t p = 0; p < gradients.size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p], n = *list++;
-      const double share = insideOf(x + 3 * i, volume[i], tip).share;
-      const bool isBeside =
-          std::any_of(list, list + n, [&](int j) { return insideOf(x + 3 * j, volume[j], tip).share != share; });
-      list += n;
-      if (!isBeside) continue;
+      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+      if (sides[b].isBeside[static_cast<std::size_t>(i)] == 0) continue;
       found.push_back(map->GID(i));
       for (std::size_t k = 0; k < 3; ++k) {
         double slope = 0.0;
@@ -160,31 +197,41 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBesideTheSides(const Blocks& 
   return slopes;
 }
 
-int NonlocalJIntegral::compute(Blocks blocks) const {
-  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
-  const Slopes slopes = slopesBesideTheSides(blocks, tip);
+/// J h of this rank's points of a block.
+double NonlocalJIntegral::sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
+                                  const Slopes& slopes) const {
+  const auto map = block.getOverlapScalarPointMap();
+  const SpringState state(block, fields_.springs, springs, sides.hasPart);
+  const int* list = block.getNeighborhoodData()->NeighborhoodList();
   double sum = 0.0;
-  for (PeridigmNS::Block& block : *blocks) {
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    const auto map = block.getOverlapScalarPointMap();
-    const SpringState springs(block, fields_.springs);
-    const int* list = block.getNeighborhoodData()->NeighborhoodList();
-    std::size_t bond = 0;
-    for (std::size_t p = 0; p < springs.energy.size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-      const Inside inside = insideOf(x + 3 * i, volume[i], tip);
-      sum -= springs.energy[p] * inside.slope;
-      const auto own = slopes.find(map->GID(i));
-      for (int n = *list++; n > 0; --n, ++list, ++bond) {
-        if (own == slopes.end()) continue;
-        const double difference = inside.share - insideOf(x + 3 * *list, volume[*list], tip).share;
-        if (difference == 0.0) continue;
-        const Vector3& other = slopes.at(map->GID(*list));
-        const Vector3 both{own->second[0] + other[0], own->second[1] + other[1], own->second[2] + other[2]};
-        sum -= 0.5 * difference * dot(both, springs.force[bond].data());
-      }
+  std::size_t point = 0, bond = 0;
+  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
+    const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+    if (sides.hasPart[static_cast<std::size_t>(i)] == 0) continue;
+    const Inside& inside = sides.inside[static_cast<std::size_t>(i)];
+    sum -= state.energy[point++] * inside.slope;
+    const bool isBeside = sides.isBeside[static_cast<std::size_t>(i)] != 0;
+    for (int k = 1; k <= *list; ++k, ++bond) {
+      const double difference = inside.share - sides.inside[static_cast<std::size_t>(list[k])].share;
+      if (!isBeside || difference == 0.0) continue;
+      const Vector3 &own = slopes.at(map->GID(i)), &other = slopes.at(map->GID(list[k]));
+      const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
+      sum -= 0.5 * difference * dot(both, state.force[bond].data());
     }
   }
+  return sum;
+}
+
+int NonlocalJIntegral::compute(Blocks blocks) const {
+  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  std::vector<Sides> sides;
+  for (PeridigmNS::Block& block : *blocks) {
+    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));
+    sides.push_back(sidesIn(block, tip));
+  }
+  const Slopes slopes = slopesBeside(blocks, sides, tip);
+  double sum = 0.0;
+  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver((*blocks)[b], springs_[b], sides[b], slopes);
   setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / place_.thickness());
   return 0;
 }

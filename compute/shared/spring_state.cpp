@@ -8,7 +8,7 @@ namespace pd {
 
 namespace {
 
-const LinearBonds* springsOf(PeridigmNS::Block& block) {
+const LinearBonds* bondsOf(PeridigmNS::Block& block) {
   const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
   return bonds != nullptr && bonds->hasSprings() ? bonds : nullptr;
 }
@@ -41,18 +41,22 @@ Vector3 rotationOf(const std::vector<Spring>& family) {
 }  // namespace
 
 void SpringState::require(PeridigmNS::Block& block, const std::string& compute) {
-  if (springsOf(block) == nullptr)
+  if (bondsOf(block) == nullptr)
     throw std::invalid_argument(compute + ": the material of block \"" + block.getName() +
                                 "\" has no bonds that are springs (PDHE, Elastic, Elastic Bond Based have); use "
                                 "J_Integral");
 }
 
-SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields) {
-  const LinearBonds& bonds = *springsOf(block);
+LinearSprings SpringState::springsOf(PeridigmNS::Block& block) {
+  const auto list = block.getNeighborhoodData();
+  return bondsOf(block)->springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()},
+                                 *block.getDataManager());
+}
+
+SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
+                         const std::vector<char>& isWanted) {
   PeridigmNS::DataManager& data = *block.getDataManager();
   const auto list = block.getNeighborhoodData();
-  const LinearSprings springs =
-      bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, data);
   const double *x = fields.modelCoordinates.of(data), *y = fields.coordinates.of(data);
   const double* damage = fields.bondDamage.ifIn(data);
   const int* neighbor = list->NeighborhoodList();
@@ -60,6 +64,11 @@ SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields) {
   std::vector<Spring> family;
   for (int p = 0; p < list->NumOwnedPoints(); ++p) {
     const int i = list->OwnedIDs()[p];
+    if (isWanted[static_cast<std::size_t>(i)] == 0) {
+      bond += static_cast<std::size_t>(*neighbor);
+      neighbor += *neighbor + 1;
+      continue;
+    }
     family.clear();
     for (int n = *neighbor++; n > 0; --n, ++neighbor, ++bond) {
       Spring spring{};

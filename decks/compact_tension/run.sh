@@ -37,4 +37,5 @@ for horizon in 2.25 1.125; do
 done
 run range_3.0_0.5625 0.5625 3.0 "${constant[@]}"
 "$here/plot.py" "$results"
+"$here/studies.py" "$pdrun" "$results"
 "$pdplot" amplitude_{2.0,3.0,4.0}_1.125 --growth -o paris.png

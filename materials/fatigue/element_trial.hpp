@@ -2,30 +2,23 @@
 #ifndef PD_ELEMENT_TRIAL_HPP
 #define PD_ELEMENT_TRIAL_HPP
 
-#include <vector>
-
-#include "growth_trial.hpp"
+#include "bond_law_trial.hpp"
 
 namespace pd {
 
 /// Ranges x of K are in parts of that at which the element yields, strain ranges z in parts of its strain range there:
 /// z = x up to 1, x^2 above (Neuber). The crack is to grow as g(x) = (z - limit)^m. A bond of the strain range e reads
 /// x = e E' sqrt(delta) / k, with k such that the last bond which holds a crack at its threshold reads it right, and
-/// loses chi(x) g(x). All bonds near the tip have a part in growth, each with a reading of its own, so that the law of
-/// bonds bends more sharply than the law of the crack: chi makes up for that.
+/// loses chi(x) g(x).
 struct ElementTrialCase {
   GrowthTrialCase trial;  ///< of the exponent m
   double limit = 0.0;     ///< below 1
 };
 
 struct ElementTrialResult {
-  double reading = 1.0;  ///< k
-  /// chi, log-log between these x, rising; constant beyond them.
-  std::vector<double> ranges, factors;
+  BondLaw law;
   /// Largest of growth from g, half-way between these ranges below and above yield; parts of it.
   double deviationBelowYield = 0.0, deviationAboveYield = 0.0;
-
-  double factor(double range) const;
 };
 
 /// k by standingStrain(), chi by trials that are repeated until growth is right at all ranges, or nearly so: bonds

@@ -38,10 +38,10 @@ FatigueElement::FatigueElement(const Teuchos::ParameterList& params, const kerne
 }
 
 double FatigueElement::lossRate(double bondStrainRange, const kernels::StrainLife& life) const {
-  const double elasticRange = elasticStrain_ * bondStrainRange / (bonds_.reading * lattice_.strainAt(1.0));
+  const double elasticRange = elasticStrain_ * bondStrainRange / (bonds_.law.reading * lattice_.strainAt(1.0));
   const double ofElement = life.lossRate(kernels::neuberStrainRange(elasticRange, yieldStrain_));
   if (ofElement == 0.0) return 0.0;
-  return length_ / lattice_.horizon() * bonds_.factor(elasticRange / (2.0 * yieldStrain_)) * ofElement;
+  return length_ / lattice_.horizon() * bonds_.law.factor.at(elasticRange / (2.0 * yieldStrain_)) * ofElement;
 }
 
 double FatigueElement::growth(double intensityRange, const kernels::StrainLife& life) const {
@@ -60,7 +60,7 @@ std::string FatigueElement::note(const kernels::StrainLife& life) const {
   text << "Cumulative Fatigue: growth by r/N of elements of r = " << length_ << " m, in trials with " << lattice_.text()
        << " to " << 100.0 * bonds_.deviationAboveYield << " % where they yield and to "
        << 100.0 * bonds_.deviationBelowYield << " % where they do not"
-       << "; a bond near a tip reads dK = e E' delta^0.5 / k, k = " << bonds_.reading;
+       << "; a bond near a tip reads dK = e E' delta^0.5 / k, k = " << bonds_.law.reading;
   if (life.limit > 0.0)
     text << "; a crack stands below dK = " << 1e-6 * life.limitOfRange() / elasticStrain_ << " MPa m^0.5";
   text << "; predicted da/dN at dK = 5, 10, 20, 50 MPa m^0.5: ";

@@ -17,8 +17,7 @@ void GrowthCoefficient::declareParameters(ParameterDeclarations& declare) {
   declare
       .real("Paris Threshold", "1",
             "dK_th of da/dN = C (dK - dK_th)^M, in MPa m^0.5: a crack stands below it. The bonds' law that makes it is "
-            "found "
-            "by further trials, which take ten times as long as the one for C.")
+            "found by further trials, which take some hundred times as long as the one for C.")
       .positive();
   GrowthLattice::declareParameters(declare);
   declare.needs("Paris Coefficient", {"Paris Exponent"});
@@ -34,7 +33,7 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
   result_ = growthTrial(trial);
   if (params.isParameter("Paris Threshold")) {
     thresholdRange_ = 1e6 * params.get<double>("Paris Threshold");
-    threshold_ = growthThreshold(trial);
+    threshold_ = thresholdTrial(trial);
   }
   // A = C (E' sqrt(delta))^M / (B delta), C in Pa sqrt(m)
   const double logCore = -std::log(lattice_.strainAt(1e6));
@@ -42,9 +41,14 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
 }
 
 kernels::LifeLaw GrowthCoefficient::law() const {
-  return kernels::LifeLaw::power(coefficient_, exponent_, threshold_.limit * lattice_.strainAt(thresholdRange_),
-                                 threshold_.sharpness);
+  if (thresholdRange_ == 0.0) return kernels::LifeLaw::power(coefficient_, exponent_, 0.0);
+  // The share of the horizon that the crack grows by, at the range of K that a bond reads, times chi.
+  const double strainPerUnit = threshold_.law.reading * lattice_.strainAt(1e6);
+  const double coefficient = paris_ / lattice_.horizon() * std::pow(strainPerUnit, -exponent_);
+  return kernels::LifeLaw::power(coefficient, exponent_, limit(), threshold_.law.factor);
 }
+
+double GrowthCoefficient::limit() const { return threshold_.law.reading * lattice_.strainAt(thresholdRange_); }
 
 /// da/dN at a range of K in Pa sqrt(m).
 double GrowthCoefficient::predicted(double range) const {
@@ -59,9 +63,9 @@ std::vector<std::string> GrowthCoefficient::notes() const {
        << "delta^0.5))^M, B = " << result_.factor << " (trial with " << result_.nBroken << " bonds, " << lattice_.text()
        << ")";
   if (thresholdRange_ > 0.0)
-    text << "; dK - dK_th in place of dK, dK_th = " << 1e-6 * thresholdRange_ << " MPa m^0.5, by a limit of "
-         << threshold_.limit * lattice_.strainAt(thresholdRange_) << " of bonds' strain ranges with sharpness "
-         << threshold_.sharpness << ", to " << 100.0 * threshold_.deviation << " % of growth";
+    text << "; dK - dK_th in place of dK, dK_th = " << 1e-6 * thresholdRange_ << " MPa m^0.5, by a limit of " << limit()
+         << " of bonds' strain ranges and factors of what is above it: within " << 100.0 * threshold_.deviation
+         << " % of that growth in trials from 1.08 to 12 dK_th";
   text << "; predicted da/dN at dK = 10, 20, 40 MPa m^0.5: ";
   for (const double range : {10.0, 20.0, 40.0}) text << predicted(1e6 * range) << (range < 40.0 ? ", " : " m/cycle");
   return {text.str()};

@@ -7,6 +7,7 @@
 
 #include "growth_lattice.hpp"
 #include "life_law.hpp"
+#include "threshold_trial.hpp"
 
 namespace pd {
 
@@ -25,11 +26,12 @@ class GrowthCoefficient {
 
  private:
   double predicted(double range) const;
+  double limit() const;  ///< of strain ranges
 
   GrowthLattice lattice_;
   double paris_, exponent_;  ///< m/cycle at 1 MPa sqrt(m); M
   GrowthTrialResult result_;
-  GrowthThreshold threshold_;
+  ThresholdTrialResult threshold_;
   double thresholdRange_ = 0.0;  ///< dK_th, Pa sqrt(m)
   double coefficient_;           ///< A of d(lost life)/dN = A strain^M
 };

@@ -100,64 +100,17 @@ Growth growthInBody(const GrowthTrialCase& trial, const LossRate& law) {
   return {2.0 * high.rate - low.rate, high.nBroken};
 }
 
-/// Growth in the smaller strip with a limit of strain ranges.
-class LimitedGrowth {
- public:
-  explicit LimitedGrowth(const GrowthTrialCase& trial) : trial_(trial), strip_(stripsOf(trial).low) {}
-
-  double at(double limit, double sharpness) const {
-    return growthIn(strip_, trial_, lossRateOf(LifeLaw::power(1.0, trial_.exponent, limit, sharpness))).rate;
-  }
-
-  /// The limit at which the crack stands, to 2e-3 of it.
-  double largestLimit() const {
-    double grows = 0.0, stands = 2.0;
-    while (at(stands, 1.0) > 0.0) stands *= 2.0;
-    while (stands - grows > 2e-3 * stands) {
-      const double middle = 0.5 * (grows + stands);
-      (at(middle, 1.0) > 0.0 ? grows : stands) = middle;
-    }
-    return grows;
-  }
-
-  /// How far growth is from that with a threshold: largest |log| of their ratio at some ranges of K.
-  double deviation(double largestLimit, double sharpness, double unlimited) const {
-    double largest = 0.0;
-    for (const double share : {0.25, 0.5, 0.75}) {  // of dK that is dK_th
-      const double found = at(share * largestLimit, sharpness) / unlimited;
-      largest = std::max(largest, std::abs(std::log(found) - trial_.exponent * std::log(1.0 - share)));
-    }
-    return largest;
-  }
-
- private:
-  const GrowthTrialCase& trial_;
-  const GrowthStrip& strip_;
-};
-
-/// The sharpness whose growth is nearest to the law, by golden sections of its logarithm.
-GrowthThreshold findThreshold(const GrowthTrialCase& trial) {
-  const LimitedGrowth growth(trial);
-  const double unlimited = growth.at(0.0, 1.0), limit = growth.largestLimit();
-  if (unlimited == 0.0) throw std::runtime_error(noGrowth);
-  const auto deviation = [&](double logSharpness) {
-    return growth.deviation(limit, std::exp(logSharpness), unlimited);
+double standingStrainIn(const GrowthStrip& strip, const GrowthTrialCase& trial) {
+  const auto grows = [&](double limit) {
+    return growthIn(strip, trial, lossRateOf(LifeLaw::power(1.0, trial.exponent, limit))).rate > 0.0;
   };
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double low = std::log(0.5), high = std::log(4.0);
-  double a = high - golden * (high - low), b = low + golden * (high - low), atA = deviation(a), atB = deviation(b);
-  while (high - low > 0.2) {
-    if (atA < atB) {
-      high = std::exchange(b, a);
-      a = high - golden * (high - low);
-      atB = std::exchange(atA, deviation(a));
-    } else {
-      low = std::exchange(a, b);
-      b = low + golden * (high - low);
-      atA = std::exchange(atB, deviation(b));
-    }
+  double growing = 0.0, standing = 2.0;
+  while (grows(standing)) standing *= 2.0;
+  while (standing - growing > 2e-3 * standing) {
+    const double middle = 0.5 * (growing + standing);
+    (grows(middle) ? growing : standing) = middle;
   }
-  return {limit, std::exp(atA < atB ? a : b), std::exp(std::min(atA, atB)) - 1.0};
+  return growing;
 }
 
 }  // namespace
@@ -198,13 +151,10 @@ double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, Trial
   return (isLarge ? growthInBody(trial, lossRate) : growthIn(stripsOf(trial).low, trial, lossRate)).rate;
 }
 
-double standingStrain(const GrowthTrialCase& trial) { return LimitedGrowth(trial).largestLimit(); }
-
-const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial) {
-  static std::map<std::vector<double>, GrowthThreshold> known;
-  const std::vector<double> key = keyOf(trial);
-  const auto found = known.find(key);
-  return found != known.end() ? found->second : known.emplace(key, findThreshold(trial)).first->second;
+double standingStrain(const GrowthTrialCase& trial, TrialBody body) {
+  const Strips& strips = stripsOf(trial);
+  const double low = standingStrainIn(strips.low, trial);
+  return body == TrialBody::Strip ? low : 2.0 * standingStrainIn(strips.high, trial) - low;
 }
 
 }  // namespace pd

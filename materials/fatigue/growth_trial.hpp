@@ -7,10 +7,6 @@
 // & Askari, SAND2014-18590, find A by a trial of the whole body instead), E' that of G = K^2/E' in the lattice, and K
 // the factor of stresses ahead of the tip. Here B comes from a long strip between grips, in which the energy release
 // rate is the same wherever the tip is, without T-stress.
-//
-// Where bonds lose A (e (1 - (limit/e)^q))^M instead, growth ends at a range of K, and with the right q goes as
-//   da/dN = B A delta ((dK - dK_th) / (E' sqrt(delta)))^M
-// nearly. The limit and q are the lattice's, too.
 #ifndef PD_GROWTH_TRIAL_HPP
 #define PD_GROWTH_TRIAL_HPP
 
@@ -56,12 +52,6 @@ struct PlaneStiffness {
 };
 PlaneStiffness planeStiffness(const std::vector<LatticeBond>& bonds);
 
-struct GrowthThreshold {
-  double limit = 0.0;      ///< of strain ranges, over dK_th / (E' sqrt(delta))
-  double sharpness = 1.0;  ///< q
-  double deviation = 0.0;  ///< largest of growth from that law, at 4/3, 2 and 4 times dK_th; part of it
-};
-
 /// Runs the trial in two strips, of 12 and 24 horizons, whose factors differ by the share of the horizon in the height,
 /// and takes that out: strips of 24 and 48 horizons give the same within 1 %. Once in a process for each case. Throws
 /// std::runtime_error where no crack grows.
@@ -77,11 +67,8 @@ enum class TrialBody {
 double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, TrialBody body);
 
 /// Strain range of the bond that must break next where a crack stands, over dK / (E' sqrt(delta)), to 2e-3 of it: with
-/// that limit of strains a crack grows at ranges of K above dK alone. By some ten trials in the smaller strip.
-double standingStrain(const GrowthTrialCase& trial);
-
-/// By some thirty trials in the smaller strip. Once in a process for each case. Throws as growthTrial() does.
-const GrowthThreshold& growthThreshold(const GrowthTrialCase& trial);
+/// that limit of strains a crack grows at ranges of K above dK alone. By some ten trials in each strip.
+double standingStrain(const GrowthTrialCase& trial, TrialBody body);
 
 }  // namespace pd
 

@@ -4,15 +4,26 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace pd::kernels {
 
-LifeLaw LifeLaw::power(double coefficient, double exponent, double limit, double sharpness) {
+double FactorTable::at(double argument) const {
+  if (factors.empty()) return 1.0;
+  const auto next = std::upper_bound(arguments.begin(), arguments.end(), argument);
+  if (next == arguments.begin()) return factors.front();
+  if (next == arguments.end()) return factors.back();
+  const auto k = static_cast<std::size_t>(next - arguments.begin());
+  const double part = std::log(argument / arguments[k - 1]) / std::log(arguments[k] / arguments[k - 1]);
+  return factors[k - 1] * std::pow(factors[k] / factors[k - 1], part);
+}
+
+LifeLaw LifeLaw::power(double coefficient, double exponent, double limit, FactorTable factors) {
   LifeLaw law;
   law.coefficient_ = coefficient;
   law.exponent_ = exponent;
   law.limit_ = limit;
-  law.sharpness_ = sharpness;
+  law.factors_ = std::move(factors);
   return law;
 }
 
@@ -38,9 +49,8 @@ LifeLaw LifeLaw::table(const std::vector<double>& lives, const std::vector<doubl
 double LifeLaw::rate(double strainRange) const {
   if (!(strainRange > limit_)) return 0.0;
   if (segments_.empty()) {
-    const double excess =
-        sharpness_ == 1.0 ? strainRange - limit_ : strainRange * (1.0 - std::pow(limit_ / strainRange, sharpness_));
-    return coefficient_ * std::pow(excess, exponent_);
+    const double power = coefficient_ * std::pow(strainRange - limit_, exponent_);
+    return factors_.factors.empty() ? power : factors_.at(strainRange / limit_) * power;
   }
   std::size_t k = segments_.size() - 1;
   while (k > 0 && strainRange < segments_[k].from) --k;

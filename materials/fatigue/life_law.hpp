@@ -6,14 +6,19 @@
 
 namespace pd::kernels {
 
-/// d(lost life)/dN, 1 at failure: a power of the strain range that fades out towards a limit (Silling & Askari,
+/// A factor over some argument, of rows by rising arguments: log-log between them, constant beyond them.
+struct FactorTable {
+  std::vector<double> arguments, factors;
+  double at(double argument) const;  ///< 1 where there are no rows
+};
+
+/// d(lost life)/dN, 1 at failure: a power of what the strain range exceeds a limit by (Silling & Askari,
 /// SAND2014-18590), or 1/N of a strain-life table, log-log between its rows and beyond them as between the last two.
 class LifeLaw {
  public:
   LifeLaw() = default;  ///< no loss
-  /// coefficient (strainRange (1 - (limit/strainRange)^sharpness))^exponent; 0 up to the limit. With sharpness 1 that
-  /// is coefficient (strainRange - limit)^exponent.
-  static LifeLaw power(double coefficient, double exponent, double limit, double sharpness = 1.0);
+  /// coefficient (strainRange - limit)^exponent, times a factor over strainRange/limit; 0 up to the limit.
+  static LifeLaw power(double coefficient, double exponent, double limit, FactorTable factors = {});
   /// From lives (cycles, rising) and strain ranges (falling); 0 up to the limit. Throws std::invalid_argument.
   static LifeLaw table(const std::vector<double>& lives, const std::vector<double>& strainRanges, double limit);
 
@@ -25,7 +30,8 @@ class LifeLaw {
     double from;               ///< strain range at its lower end
     double logRate, exponent;  ///< rate = exp(logRate) strainRange^exponent
   };
-  double coefficient_ = 0.0, exponent_ = 1.0, limit_ = 0.0, sharpness_ = 1.0;
+  double coefficient_ = 0.0, exponent_ = 1.0, limit_ = 0.0;
+  FactorTable factors_;
   std::vector<Segment> segments_;  ///< rising; empty: the power law
 };
 

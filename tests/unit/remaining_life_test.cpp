@@ -6,6 +6,7 @@
 #include "banded_cholesky.hpp"
 #include "growth_strip.hpp"
 #include "life_law.hpp"
+#include "threshold_trial.hpp"
 
 namespace pd {
 namespace {
@@ -17,6 +18,10 @@ TEST(LifeLaw, PowerOfWhatExceedsTheLimit) {
   EXPECT_DOUBLE_EQ(law.rate(4.0e-3), 426.0 * std::pow(2.14e-3, 2.77));
   EXPECT_EQ(law.rate(1.86e-3), 0.0);
   EXPECT_EQ(LifeLaw().rate(1.0), 0.0);
+  const LifeLaw factored = LifeLaw::power(1.0, 2.0, 1e-3, {{2.0, 8.0}, {3.0, 12.0}});  // log-log between the rows
+  EXPECT_NEAR(factored.rate(4e-3) / (6.0 * 9e-6), 1.0, 1e-12);
+  EXPECT_NEAR(factored.rate(1.5e-3) / (3.0 * 0.25e-6), 1.0, 1e-12);
+  EXPECT_NEAR(factored.rate(9e-3) / (12.0 * 64e-6), 1.0, 1e-12);
 }
 
 TEST(LifeLaw, TableIsMetAtItsRowsAndIsAPowerBetweenAndBeyondThem) {
@@ -101,13 +106,33 @@ TEST(GrowthTrial, FactorsOfThePrototype) {
     EXPECT_NEAR(growthTrial({square(3.0), 3.0, exponent, 0.35}).factor / factor, 1.0, 0.06) << exponent;
 }
 
-TEST(GrowthTrial, AThresholdIsHeldByALimitOfStrains) {
+/// Growth in the strips where bonds lose what the law of the threshold says, over C (dK - dK_th)^M; dK in parts of
+/// dK_th.
+double thresholdGrowth(const GrowthTrialCase& trial, double range, TrialBody body) {
+  const BondLaw& bonds = thresholdTrial(trial).law;
+  const LifeLaw law =
+      LifeLaw::power(std::pow(bonds.reading, -trial.exponent), trial.exponent, bonds.reading, bonds.factor);
+  const double growth = trialGrowth(
+      trial, [&](double strain) { return law.rate(range * strain); }, body);
+  return growth / std::pow(std::abs(range - 1.0), trial.exponent);
+}
+
+TEST(ThresholdTrial, ACrackGrowsByWhatTheRangeOfKExceedsTheThresholdBy) {
   for (const double exponent : {2.05, 3.0, 4.0}) {
-    const GrowthThreshold& threshold = growthThreshold({square(3.0), 3.0, exponent, 0.35});
-    EXPECT_GT(threshold.limit, 0.85) << exponent;  // the core bond of a crack that has grown: 1.1 to 1.25 in the mean
-    EXPECT_LT(threshold.limit, 1.1) << exponent;
-    EXPECT_LT(threshold.deviation, 0.18) << exponent;  // a power of strain - limit: 2 for the exponent of 2.05
+    const GrowthTrialCase trial{square(3.0), 3.0, exponent, 0.35};
+    EXPECT_NEAR(thresholdTrial(trial).law.reading, 1.0, 0.15) << exponent;  // core bond of a grown crack: 1.1 to 1.25
+    EXPECT_LT(thresholdTrial(trial).deviation, 0.12) << exponent;  // where bonds change the order in which they break
+    for (const double range : {1.1, 1.16, 1.55, 1.7, 2.0, 2.6, 5.0, 10.0, 20.0, 50.0})  // not those of the fit
+      EXPECT_NEAR(thresholdGrowth(trial, range, TrialBody::Large), 1.0, 0.04) << exponent << ", " << range;
+    EXPECT_EQ(thresholdGrowth(trial, 0.98, TrialBody::Strip), 0.0);
   }
+}
+
+TEST(ThresholdTrial, IsThatOfAPowerFarAbove) {
+  const GrowthTrialCase trial{square(3.0), 3.0, 3.0, 0.35};
+  const BondLaw& bonds = thresholdTrial(trial).law;
+  const double coefficient = bonds.factor.at(1e3) * std::pow(bonds.reading, -3.0);
+  EXPECT_NEAR(coefficient * growthTrial(trial).factor, 1.0, 1e-12);
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ class SteadyFlow(SceneTest):
         conditions = deck["Boundary Conditions"]
         conditions["Outlet Node Set"]["Expression"] = "x > 2 && x < 2.2"
         conditions["Outlet"]["Surface"] = "max(2 - x, x - 2.2)"
-        conditions["Lid Node Set"] = {"Expression": "y > 1 && x > 2.4"}
+        conditions["Lid Node Set"] = {"Expression": "y > 1 && x > 2.4 && x < 3"}
         conditions["Walls Node Set"]["Expression"] = "y < 0 || y > 1 && x < 2.4 || x > 3 || x > 2.2 && x < 2.4"
         conditions["Walls"].pop("Surface")
         conditions["Lid"] = {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set", "Velocity": [0.1, 0.0]}

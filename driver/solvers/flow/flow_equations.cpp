@@ -17,13 +17,18 @@ FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const s
   unit_ = HUGE_VAL;
   for (const int point : geometry_.fluid()) unit_ = std::min(unit_, geometry_.spacingOf(point));
   unit_ = model_.comm().min(unit_);
+  markFluid();
 }
 
-void FlowEquations::setTime(double t) {
+/// For computes, which may look at it before the first flow.
+void FlowEquations::markFluid() {
   double* fluid = model_.field("Fluid");
   std::fill_n(fluid, model_.nPoints(), 0.0);
   for (const int point : geometry_.fluid()) fluid[point] = 1.0;
   model_.importGhosts("Fluid");
+}
+
+void FlowEquations::setTime(double t) {
   rows_ = makeFlowRows(geometry_, model_.comm(), t);
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();

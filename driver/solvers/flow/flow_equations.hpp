@@ -51,6 +51,7 @@ class FlowEquations {
   double largestDivergence() const;  ///< |div v|, all ranks, 1/s
 
  private:
+  void markFluid();
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
   std::size_t place(std::size_t row, std::size_t component) const {
     return index(geometry_.possibleOf()[row]) * (n_ + 1) + component;
