@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""studies.png and a table: K of a crack of 0.5 W against processor time, over horizon, spacings a horizon, micromodulus
-and surface correction; life of a crack that grows by 4 mm over cycles a block, over the tolerance that lumps failures, and
-over that of equilibria. studies.py PDRUN FOLDER makes some thirty small runs in FOLDER: two minutes of processor time."""
+"""studies.png and a table: K of a crack of 0.5 W against processor time, over horizon, spacings a horizon,
+micromodulus and surface correction; life of a crack that grows by 4 mm over cycles a block, over the tolerance that
+lumps failures, and over that of equilibria. studies.py PDRUN FOLDER makes some thirty small runs in FOLDER: two minutes
+of processor time."""
 import csv
 import os
 import subprocess
@@ -15,7 +16,7 @@ sys.path.insert(0, str(here.parents[1] / "meshes"))
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 
-WIDTH, THICKNESS, LOAD, HALF, YOUNG = 0.04, 0.0032, 1750.0, 0.02, 211e9  # m, m, N, m, Pa: W, B, largest load, crack, E
+WIDTH, THICKNESS, LOAD, HALF, YOUNG = 0.04, 0.0032, 1750.0, 0.02, 211e9  # m, m, N, m, Pa: W, B, load, crack, E
 PDRUN, FOLDER = sys.argv[1], Path(sys.argv[2])
 TIRES = "{Damage Model: Remaining Life, Growth Coefficient: 1.0, Growth Exponent: 3.0}"  # nothing, in one cycle
 CONICAL = "max(1 - zeta/horizon, 0)"
@@ -23,11 +24,12 @@ STANDARD = LOAD / (THICKNESS * WIDTH**0.5) * 2.5 / 0.5**1.5 * (0.886 + 2.32 - 3.
 
 
 def effective_modulus(points, is_conical):
-    """E' of G = K^2/E' (Pa) of squares with so many spacings a horizon and E along the axes (Sih, Paris & Irwin 1965)."""
+    """E' of G = K^2/E' (Pa) of squares with so many spacings a horizon, E along the axes (Sih, Paris & Irwin 1965)."""
     x, y = (n.ravel() for n in np.meshgrid(np.arange(-points, points + 1), np.arange(-points, points + 1)))
     x, y = x[(x != 0) | (y != 0)], y[(x != 0) | (y != 0)]
     length = np.hypot(x, y)
-    stiffness = length * np.clip(points + 0.5 - length, 0, 1) * (np.maximum(1 - length / points, 0) if is_conical else 1)
+    influence = np.maximum(1 - length / points, 0) if is_conical else 1
+    stiffness = length * np.clip(points + 0.5 - length, 0, 1) * influence
     c11, c12 = np.sum(stiffness * x**4 / length**4), np.sum(stiffness * x**2 * y**2 / length**4)
     a11, a12 = c11 / (c11**2 - c12**2), -c12 / (c11**2 - c12**2)
     return YOUNG / np.sqrt(0.5 * (1 + (2 * a12 + 1 / c12) / (2 * a11)))
@@ -72,12 +74,13 @@ def intensity(axis):
         "3 spacings, volume method": (3, {**still, correction: "Volume Method"}, (3.0, 1.5, 0.75)),
         "3 spacings, no surface correction": (3, {**still, correction: "None"}, (3.0, 1.5, 0.75)),
     }
-    print(f"K of a crack of W/2 over that of the standard, {STANDARD * 1e-6:.3f} MPa m^0.5: horizon in mm, K, processor time")
+    print(f"K of a crack of W/2 over the standard's, {STANDARD * 1e-6:.3f} MPa m^0.5: horizon in mm, K, processor time")
     for number, (name, (points, settings, horizons)) in enumerate(series.items()):
         errors, times = [], []
         for horizon in horizons:
             history, seconds = run(f"study_k_{number}_{horizon}", horizon, points, settings)
-            ratio = (history["J_Of_Bonds"][-1] * effective_modulus(points, "Influence" in str(settings)))**0.5 / STANDARD
+            modulus = effective_modulus(points, "Influence" in str(settings))
+            ratio = (history["J_Of_Bonds"][-1] * modulus)**0.5 / STANDARD
             print(f"  {name}: {horizon} mm {ratio:.4f}, {seconds:.2f} s")
             errors.append(abs(ratio - 1.0))
             times.append(seconds)
@@ -108,8 +111,9 @@ def life(axis):
         for value in values:
             settings = {key: value, **({"Solver/Final Time": 4 * exact} if "Block" in key else {})}
             cycles, number, seconds = grown(f"study_n_{index}_{value / unit:.4g}", settings)
-            print(f"  {name} {value / unit:.3g}: cycles {cycles / exact - 1.0:+.2e}, {number} equilibria, {seconds:.2f} s")
-            errors.append(max(abs(cycles / exact - 1.0), 1e-9))
+            error = cycles / exact - 1.0
+            print(f"  {name} {value / unit:.3g}: cycles {error:+.2e}, {number} equilibria, {seconds:.2f} s")
+            errors.append(max(abs(error), 1e-9))
             counts.append(number)
         axis.loglog([value / unit for value in values], errors, "o-", label=name)
     axis.set_xlabel("cycles a block over the life; tolerance")
