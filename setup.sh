@@ -18,13 +18,15 @@ packages=(
   build-essential cmake ninja-build ccache pkg-config clang-format
   # distributed vectors, linear solvers, partition, files
   libopenmpi-dev openmpi-bin trilinos-all-dev libmumps-dev libptscotch-dev libhdf5-openmpi-dev libnetcdf-mpi-dev
+  # a fast BLAS in place of the reference one, without threads of its own
+  libopenblas0-serial
   # decks, functions, command line, text, search, random numbers
   libyaml-cpp-dev libtinyxml2-dev libmuparser-dev libcli11-dev libfmt-dev libnanoflann-dev librandom123-dev nlohmann-json3-dev
   # tests and benchmarks
   libgtest-dev libbenchmark-dev
   # meshes and pictures
   gmsh python3-gmsh python3 python3-numpy python3-scipy python3-h5py python3-meshio python3-netcdf4
-  python3-matplotlib python3-pil ffmpeg
+  python3-matplotlib python3-contourpy python3-shapely python3-pil ffmpeg
 )
 # For one test, which is skipped without it: ParaView reads the results.
 test_packages=(paraview python3-paraview)

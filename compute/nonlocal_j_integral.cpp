@@ -57,19 +57,26 @@ class NonlocalJIntegral : public TabledCompute {
     double share, slope;  ///< q; 1/m, its derivative along d
   };
   using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
-  /// Of a block: 1 at owned points that a side passes, or a bond to a point that is not as far inside.
-  using Beside = std::vector<char>;
+  /// The points of a block, and those of them that count.
+  struct Sides {
+    std::vector<Inside> inside;  ///< [points]
+    std::vector<char> isBeside;  ///< [points] owned, with a bond whose ends are not equally far inside
+    std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
+  };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
-  bool isFarFromSides(const double* x, const TipPlace::Tip& tip) const;
-  Beside pointsBesideTheSides(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
-  Slopes slopesAt(const Blocks& blocks, const std::vector<Beside>& beside, const TipPlace::Tip& tip) const;
+  /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
+  bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
+  Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
+  Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
+  double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
+                 const Slopes& slopes) const;
 
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
   double ahead_, behind_, above_, below_;       ///< m
-  double reach_ = 0.0;                          ///< of a bond and the width of a side, m
-  mutable std::vector<LinearSprings> springs_;  ///< [blocks]
+  double longestBond_ = 0.0;                    ///< m
+  mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -99,23 +106,22 @@ NonlocalJIntegral::NonlocalJIntegral(ComputeParameters params, ComputeComm comm,
 
 void NonlocalJIntegral::initialize(Blocks blocks) {
   place_.requireTip(blocks->front(), fields_.tip);
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, longest = 0.0, widest = 0.0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, longest = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
     SpringState::require(block, nonlocalJName);
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    const double* x = view(block, fields_.modelCoordinates);
     const auto points = block.getNeighborhoodData();
     const int* list = points->NeighborhoodList();
     for (int p = 0; p < points->NumOwnedPoints(); ++p) {
       const double* own = x + 3 * points->OwnedIDs()[p];
       lowest = std::min(lowest, own[2]);
       highest = std::max(highest, own[2]);
-      widest = std::max(widest, std::sqrt(volume[points->OwnedIDs()[p]] / place_.thickness()));
       for (int n = *list++; n > 0; --n, ++list)
         longest = std::max(longest, std::hypot(x[3 * *list] - own[0], x[3 * *list + 1] - own[1]));
     }
   }
-  longest = maxOverRanks(*epetraComm, longest);
-  reach_ = (longest + maxOverRanks(*epetraComm, widest)) * (1.0 + 1e-9);
+  longest = longestBond_ = maxOverRanks(*epetraComm, longest);
+  springs_.clear();
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
         std::string(nonlocalJName) +
@@ -136,46 +142,46 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
   return {front * back * high, (atFront * back - front * atBack) * high / spacing};
 }
 
-/// So far that all ends of its bonds are inside, or all outside.
-bool NonlocalJIntegral::isFarFromSides(const double* x, const TipPlace::Tip& tip) const {
+bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
   const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
   const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
   const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
-  const double within = std::min({ahead_ - a, behind_ + a, above_ - b, below_ + b});  // depth, or less than 0 outside
-  return std::abs(within) > reach_;
+  // Less than 0 inside, more outside.
+  const double distance = std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
+  return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
 }
 
-NonlocalJIntegral::Beside NonlocalJIntegral::pointsBesideTheSides(PeridigmNS::Block& block,
-                                                                  const TipPlace::Tip& tip) const {
+NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const {
   const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-  const auto points = block.getNeighborhoodData();
-  const int* list = points->NeighborhoodList();
-  Beside beside(static_cast<std::size_t>(points->NumOwnedPoints()), 0);
-  for (std::size_t p = 0; p < beside.size(); ++p) {
-    const int i = points->OwnedIDs()[p], n = *list++;
-    if (!isFarFromSides(x + 3 * i, tip)) {
-      const Inside inside = insideOf(x + 3 * i, volume[i], tip);
-      const bool isBeside = inside.slope != 0.0 || std::any_of(list, list + n, [&](int j) {
-                              return insideOf(x + 3 * j, volume[j], tip).share != inside.share;
-                            });
-      beside[p] = isBeside ? 1 : 0;
-    }
-    list += n;
+  Sides sides;
+  const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
+  for (std::size_t i = 0; i < nPoints; ++i) sides.inside.push_back(insideOf(x + 3 * i, volume[i], tip));
+  sides.isBeside.assign(nPoints, 0);
+  sides.hasPart = sides.isBeside;
+  const int* list = block.getNeighborhoodData()->NeighborhoodList();
+  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
+    const auto i = static_cast<std::size_t>(block.getNeighborhoodData()->OwnedIDs()[p]);
+    const Inside& own = sides.inside[i];
+    const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
+    const bool isBeside = isNearASide(x + 3 * i, tip) && std::any_of(list + 1, list + 1 + *list, differs);
+    sides.isBeside[i] = isBeside ? 1 : 0;
+    sides.hasPart[i] = isBeside || own.slope != 0.0 ? 1 : 0;
   }
-  return beside;
+  return sides;
 }
 
-/// Of such points of all ranks.
-NonlocalJIntegral::Slopes NonlocalJIntegral::slopesAt(const Blocks& blocks, const std::vector<Beside>& beside,
-                                                      const TipPlace::Tip& tip) const {
+/// Of points of all ranks that are beside the sides.
+NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides,
+                                                          const TipPlace::Tip& tip) const {
   std::vector<double> found;  // id, slope
-  for (std::size_t b = 0; b < beside.size(); ++b) {
+  for (std::size_t b = 0; b < sides.size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
-    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, &beside[b]);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, sides[b].isBeside);
     const auto map = block.getOverlapScalarPointMap();
     for (std::size_t p = 0; p < gradients.size(); ++p) {
-      if (beside[b][p] == 0) continue;
-      found.push_back(map->GID(block.getNeighborhoodData()->OwnedIDs()[p]));
+      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+      if (sides[b].isBeside[static_cast<std::size_t>(i)] == 0) continue;
+      found.push_back(map->GID(i));
       for (std::size_t k = 0; k < 3; ++k) {
         double slope = 0.0;
         for (std::size_t d = 0; d < 3; ++d)
@@ -191,40 +197,41 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesAt(const Blocks& blocks, cons
   return slopes;
 }
 
-int NonlocalJIntegral::compute(Blocks blocks) const {
-  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
-  std::vector<Beside> beside;
-  for (PeridigmNS::Block& block : *blocks) beside.push_back(pointsBesideTheSides(block, tip));
-  const Slopes slopes = slopesAt(blocks, beside, tip);
-  if (springs_.empty())
-    for (PeridigmNS::Block& block : *blocks) springs_.push_back(SpringState::springsOf(block));
+/// J h of this rank's points of a block.
+double NonlocalJIntegral::sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
+                                  const Slopes& slopes) const {
+  const auto map = block.getOverlapScalarPointMap();
+  const SpringState state(block, fields_.springs, springs, sides.hasPart);
+  const int* list = block.getNeighborhoodData()->NeighborhoodList();
   double sum = 0.0;
-  for (std::size_t b = 0; b < beside.size(); ++b) {
-    PeridigmNS::Block& block = (*blocks)[b];
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    const auto map = block.getOverlapScalarPointMap();
-    const SpringState springs(block, springs_[b], fields_.springs, beside[b]);
-    const int* list = block.getNeighborhoodData()->NeighborhoodList();
-    std::size_t bond = 0;
-    for (std::size_t p = 0; p < beside[b].size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-      int n = *list++;
-      if (beside[b][p] == 0) {
-        list += n;
-        continue;
-      }
-      const Inside inside = insideOf(x + 3 * i, volume[i], tip);
-      sum -= springs.energy[p] * inside.slope;
-      const Vector3& own = slopes.at(map->GID(i));
-      for (; n > 0; --n, ++list, ++bond) {
-        const double difference = inside.share - insideOf(x + 3 * *list, volume[*list], tip).share;
-        if (difference == 0.0) continue;
-        const Vector3& other = slopes.at(map->GID(*list));
-        const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
-        sum -= 0.5 * difference * dot(both, springs.force[bond].data());
-      }
+  std::size_t point = 0, bond = 0;
+  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
+    const int i = block.getNeighborhoodData()->OwnedIDs()[p];
+    if (sides.hasPart[static_cast<std::size_t>(i)] == 0) continue;
+    const Inside& inside = sides.inside[static_cast<std::size_t>(i)];
+    sum -= state.energy[point++] * inside.slope;
+    const bool isBeside = sides.isBeside[static_cast<std::size_t>(i)] != 0;
+    for (int k = 1; k <= *list; ++k, ++bond) {
+      const double difference = inside.share - sides.inside[static_cast<std::size_t>(list[k])].share;
+      if (!isBeside || difference == 0.0) continue;
+      const Vector3 &own = slopes.at(map->GID(i)), &other = slopes.at(map->GID(list[k]));
+      const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
+      sum -= 0.5 * difference * dot(both, state.force[bond].data());
     }
   }
+  return sum;
+}
+
+int NonlocalJIntegral::compute(Blocks blocks) const {
+  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  std::vector<Sides> sides;
+  for (PeridigmNS::Block& block : *blocks) {
+    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));
+    sides.push_back(sidesIn(block, tip));
+  }
+  const Slopes slopes = slopesBeside(blocks, sides, tip);
+  double sum = 0.0;
+  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver((*blocks)[b], springs_[b], sides[b], slopes);
   setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / place_.thickness());
   return 0;
 }

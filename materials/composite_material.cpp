@@ -294,6 +294,19 @@ const LinearBonds* CompositeMaterial::springPart() const {
   return found;
 }
 
+const FlowLaw* CompositeMaterial::flowLaw() const {
+  for (const Part& part : parts_)
+    if (const auto* flow = dynamic_cast<const FlowMaterial*>(part.material.get())) return flow->flowLaw();
+  return nullptr;
+}
+
+bool CompositeMaterial::isAsymmetric(const std::string& label) const {
+  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+    const auto* rate = dynamic_cast<const AsymmetricRate*>(part.material.get());
+    return rate != nullptr && rate->isAsymmetric(label);
+  });
+}
+
 void CompositeMaterial::stepAccepted(const Call& call, DataManager& data, double time, double dt) const {
   for (const Part& part : parts_) tellStepAccepted(*part.material, call, data, time, dt);
 }

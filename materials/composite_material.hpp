@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "Peridigm_Material.hpp"
+#include "asymmetric_rate.hpp"
 #include "fields.hpp"
+#include "flow_law.hpp"
 #include "linear_bonds.hpp"
 #include "parameters.hpp"
 #include "run_notes.hpp"
@@ -24,7 +26,9 @@ class CompositeMaterial : public PeridigmNS::Material,
                           public StepListener,
                           public RunNotes,
                           public SeparateRates,
-                          public LinearBonds {
+                          public LinearBonds,
+                          public FlowMaterial,
+                          public AsymmetricRate {
  public:
   static constexpr const char* partsKey = "Materials";
   static void declareParameters(ParameterDeclarations& declare);
@@ -70,6 +74,9 @@ class CompositeMaterial : public PeridigmNS::Material,
   LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const override {
     return springPart()->springs(call, data);
   }
+
+  const FlowLaw* flowLaw() const override;
+  bool isAsymmetric(const std::string& label) const override;
 
  private:
   struct Part {

@@ -34,7 +34,7 @@ Tensor pseudoInverse(const Tensor& symmetric) {
 }
 
 std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact,
-                                             const std::vector<char>* wanted) const {
+                                             const std::vector<char>& isWanted) const {
   const double* volume = view(block, fields_.volume);
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
@@ -47,11 +47,10 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double le
   std::size_t bond = 0;
   for (std::size_t i = 0; i < result.size(); ++i) {
     const int id = neighborhood->OwnedIDs()[i];
-    if (wanted != nullptr && (*wanted)[i] == 0) {
-      const int n = *list++;
-      list += n;
-      bond += static_cast<std::size_t>(n);
-      for (std::size_t k = 0; k < 9; k += 4) result[i][k] = 1.0;
+    for (std::size_t k = 0; k < 9; k += 4) result[i][k] = 1.0;
+    if (!isWanted.empty() && isWanted[static_cast<std::size_t>(id)] == 0) {
+      bond += static_cast<std::size_t>(*list);
+      list += *list + 1;
       continue;
     }
     Tensor shape{}, deformed{};
@@ -70,7 +69,8 @@ std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double le
       addOuterProduct(deformed, weight, eta, xi);
     }
     // With the displacement in place of the deformed bond the identity needs no extra terms.
-    if (intact >= leastIntact * all) result[i] = product(deformed, pseudoInverse(shape));
+    if (!(intact >= leastIntact * all)) continue;
+    result[i] = product(deformed, pseudoInverse(shape));
     for (std::size_t k = 0; k < 9; k += 4) result[i][k] += 1.0;
   }
   return result;

@@ -27,9 +27,9 @@ class DeformationGradients {
   };
 
   /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of
-  /// their neighbours, by volume, and where `wanted`, if it is given, is 0.
+  /// their neighbours, by volume, and at those that `isWanted` [points], where it is given, leaves out.
   std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0,
-                         const std::vector<char>* wanted = nullptr) const;
+                         const std::vector<char>& isWanted = {}) const;
 
  private:
   Fields fields_;

@@ -53,9 +53,8 @@ LinearSprings SpringState::springsOf(PeridigmNS::Block& block) {
                                  *block.getDataManager());
 }
 
-SpringState::SpringState(PeridigmNS::Block& block, const LinearSprings& springs, const Fields& fields,
-                         const std::vector<char>& wanted)
-    : energy(wanted.size(), 0.0) {
+SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
+                         const std::vector<char>& isWanted) {
   PeridigmNS::DataManager& data = *block.getDataManager();
   const auto list = block.getNeighborhoodData();
   const double *x = fields.modelCoordinates.of(data), *y = fields.coordinates.of(data);
@@ -65,10 +64,9 @@ SpringState::SpringState(PeridigmNS::Block& block, const LinearSprings& springs,
   std::vector<Spring> family;
   for (int p = 0; p < list->NumOwnedPoints(); ++p) {
     const int i = list->OwnedIDs()[p];
-    if (wanted[static_cast<std::size_t>(p)] == 0) {
-      const int n = *neighbor++;
-      neighbor += n;
-      bond += static_cast<std::size_t>(n);
+    if (isWanted[static_cast<std::size_t>(i)] == 0) {
+      bond += static_cast<std::size_t>(*neighbor);
+      neighbor += *neighbor + 1;
       continue;
     }
     family.clear();
@@ -103,7 +101,7 @@ SpringState::SpringState(PeridigmNS::Block& block, const LinearSprings& springs,
       }
       force.push_back(f);
     }
-    energy[static_cast<std::size_t>(p)] = sum;
+    energy.push_back(sum);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace pd {
 
-/// Of one block. What a bond carries is the force of its one end less that of its other.
+/// Of points of one block. What a bond carries is the force of its one end less that of its other.
 struct SpringState {
   struct Fields : FieldTable {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -18,14 +18,14 @@ struct SpringState {
   };
   /// Throws std::invalid_argument, naming `compute`, where a material has no springs.
   static void require(PeridigmNS::Block& block, const std::string& compute);
-  /// Those of the whole block, which change with nothing: to be asked for once.
+  /// Those of the block's material, of all its bonds. They do not change while the block is what it is.
   static LinearSprings springsOf(PeridigmNS::Block& block);
-  /// Of the points for which `wanted` [owned points] is not 0.
-  SpringState(PeridigmNS::Block& block, const LinearSprings& springs, const Fields& fields,
-              const std::vector<char>& wanted);
+  /// `isWanted` [points]: the owned points that are looked at.
+  SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
+              const std::vector<char>& isWanted);
 
-  std::vector<double> energy;  ///< [owned points] J; 0 of others
-  std::vector<Vector3> force;  ///< [bonds of such points] N, of the energy of the owned point, towards the other end
+  std::vector<double> energy;  ///< [wanted points] J
+  std::vector<Vector3> force;  ///< [bonds of wanted points] N, of the energy of the owned point, towards the other end
 };
 
 }  // namespace pd

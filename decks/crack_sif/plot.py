@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""intensity.png: stress intensities of the runs over Tada's, and openings over the exact ones; plot.py [RESULTS]"""
+"""intensity.png: stress intensities of the runs over Tada's, and openings over the exact ones; penny.png: the same of round
+cracks in space; plot.py [RESULTS]"""
 import sys
 from pathlib import Path
 
@@ -7,6 +8,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import numpy as np  # noqa: E402
+import penny_openings  # noqa: E402
 from openings import STRESS, YOUNG, exact, intensity, opening  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 
@@ -49,3 +51,4 @@ for axis in (of_opening, of_intensity, of_error):
     axis.legend(fontsize=8)
 figure.savefig(folder / "intensity.png", dpi=150)
 print(folder / "intensity.png")
+penny_openings.draw(folder)

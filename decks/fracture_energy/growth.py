@@ -11,8 +11,10 @@ from pdplot_lib.results import Results  # noqa: E402
 
 HORIZON, THICKNESS, FRACTURE_ENERGY = 1.5e-3, 1e-3, 8.0  # m, m, J/m2
 # First length of the crack, and displacement of either side at the time 1, m.
-FIRST = {"strip": 12e-3, "beam": 14e-3, "notch": 8e-3}
-UNIT = {"strip": 0.7807e-6, "beam": 5.645e-6, "notch": 1.4e-6}
+FIRST = {"strip": 12e-3, "notch": 8e-3, "beam": 14e-3, "pressed": 14e-3}
+UNIT = {"strip": 0.7807e-6, "notch": 1.4e-6, "beam": 5.645e-6, "pressed": 5.645e-6}
+# Bodies with a load beside the displacement of their sides: the same body without it.
+FREE = {"pressed": "beam"}
 # Lengths beyond the first, in horizons, whose compliance is measured.
 CUTS = (-1.0, 0.5, 2.0, 3.5, 5.0)
 
@@ -24,27 +26,31 @@ def history(path):
 
 
 class Compliance:
-    """Stiffness of a body, load over displacement of either side, by the length of a plane crack: a cubic in it."""
+    """Load of a body by the displacement u of either side and the length of a plane crack: stiffness times u and, where another load
+    acts, what that adds. Cubics in the length."""
 
     def __init__(self, folder, body, lattice):
-        self.first = FIRST[body]
         grown = np.array(CUTS) * HORIZON
-        stiffness = []
-        for cut in range(len(CUTS)):
-            values = history(folder / f"{body}_{lattice}_cut_{cut}.csv")
-            stiffness.append(abs(values["LoadY"][-1]) / UNIT[body])
-        self.stiffness = np.polynomial.Polynomial.fit(grown, stiffness, 3)
-        self.slope = self.stiffness.deriv()
-        lengths = np.linspace(grown[0], grown[-1], 2000)
-        self._lengths, self._values = lengths, self.stiffness(lengths)
 
-    def grown(self, stiffness):
-        """Growth, m, of the plane crack of this stiffness, which falls with it."""
-        return np.interp(-stiffness, -self._values, self._lengths)
+        def cubic(values):
+            return np.polynomial.Polynomial.fit(grown, values, 3)
+
+        loads, free = (np.array([abs(history(folder / f"{name}_{lattice}_cut_{cut}.csv")["LoadY"][-1])
+                                 for cut in range(len(CUTS))]) for name in (body, FREE.get(body, body)))
+        self.first = FIRST[body]
+        self.stiffness, self.added = cubic(free / UNIT[body]), cubic(loads - free)
+        self._lengths = np.linspace(grown[0], grown[-1], 2000)
+
+    def grown(self, load, displacement):
+        """Growth, m, of the plane crack that bears `load`, which falls with it."""
+        bears = self.stiffness(self._lengths) * displacement + self.added(self._lengths)
+        return np.interp(-load, -bears, self._lengths)
 
     def release(self, grown, displacement):
-        """G = -dU/da at fixed grips, J/m2: U = load x displacement of both sides over two."""
-        return -self.slope(grown) * displacement**2 / THICKNESS
+        """G = -dU/da at fixed grips, J/m2. Without another load U = k u^2, load times displacement of both sides over two. Another
+        one whose load at the sides is p adds 2 p u, and G is the square of one intensity: -k' (u + p'/k')^2."""
+        slope = self.stiffness.deriv()(grown)
+        return -slope * (displacement + self.added.deriv()(grown) / slope) ** 2 / THICKNESS
 
 
 class Growth:
@@ -55,11 +61,11 @@ class Growth:
         name = folder / f"{body}_{lattice}_{model}"
         values = history(f"{name}.csv")
         displacement = UNIT[body] * values["time"][1:]  # the first row is before any equilibrium
-        self.grown = compliance.grown(np.abs(values["LoadY"][1:]) / displacement)
+        self.grown = np.array([compliance.grown(*pair) for pair in zip(np.abs(values["LoadY"][1:]), displacement)])
         # What drives a load step is the energy at the length before it.
         before = np.concatenate([self.grown[:1], self.grown[:-1]])
         self.energy = compliance.release(before, displacement) / FRACTURE_ENERGY
-        self.angle = self._angle(Results(name), compliance.first)
+        self.angle = self.direction(Results(name), compliance.first)
 
     def needed(self, horizons):
         """Largest G/G_c of the load steps until the crack has grown so far; NaN where it has not."""
@@ -67,8 +73,8 @@ class Growth:
         return self.energy[: there[0] + 1].max() if len(there) else np.nan
 
     @staticmethod
-    def _angle(results, first):
-        """Slope of the line through what has broken, between half a horizon and four from the old tip."""
+    def direction(results, first):
+        """Degrees of the line through what has broken, between half a horizon and four from the old tip."""
         x = results.x[:, :2]
         grown = results.field("Damage", results.steps[-1]) - results.field("Damage", results.steps[0])
         ahead = x[:, 0] - first

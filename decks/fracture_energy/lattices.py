@@ -10,6 +10,7 @@ HORIZON, THICKNESS = 1.5e-3, 1e-3  # m
 BODIES = {
     "strip": ((0.0, -7.5e-3), (30e-3, 7.5e-3)),
     "beam": ((0.0, -9e-3), (36e-3, 9e-3)),
+    "pressed": ((0.0, -9e-3), (36e-3, 9e-3)),
     "notch": ((0.0, -21.5e-3), (24e-3, 21.5e-3)),
 }
 # Spacings a horizon, turn of the rows (degrees), jitter (spacings), angle between rows (degrees).

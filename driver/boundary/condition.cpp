@@ -30,6 +30,15 @@ void Condition::findPoints(const Discretization& mesh) {
                   "\" (node sets: " + (known.empty() ? "none" : quotedList(known)) + ")");
 }
 
+void Condition::requireMotionAlong(int axis, const Discretization& mesh) const {
+  // Peridigm's points move along all axes, so that its decks may well say what they do out of the plane.
+  if (axis < mesh.dimension || node().isPeridigms()) return;
+  throw DeckError(
+      node().keyPlace() + ": " + title() + " acts along " + "xyz"[axis] + ", but the points of this mesh " +
+      (mesh.dimension == 2 ? "are in one plane and move along x and y" : "are on one line and move along x") +
+      " alone");
+}
+
 const std::vector<double>& Condition::evaluate(const Discretization& mesh, double t) const {
   if (!values_.empty() && (!value_.dependsOnTime() || t == evaluatedAt_)) return values_;
   values_.resize(points_.size());

@@ -82,6 +82,9 @@ class Condition {
   /// Seconds of the solver at work in one of the run, in whose time the hooks below are called.
   void setTimeScale(double scale) { timeScale_ = scale; }
 
+  /// Throws DeckError where nothing moves along `axis`, in a plane scene or one along a line.
+  void requireMotionAlong(int axis, const Discretization& mesh) const;
+
   // What it does in a run. `isPrescribed`: [width() nPoints], of its field, shared with all conditions on that field.
   virtual void applyInitial(Model&, double) {}
   virtual void markPrescribed(std::vector<char>&) const {}

@@ -1,5 +1,7 @@
 #include "condition_set.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -7,6 +9,7 @@
 #include "../model/collective.hpp"
 #include "../model/solver_sections.hpp"
 #include "boundary_conditions.hpp"
+#include "flow_boundary.hpp"
 
 namespace pd {
 
@@ -40,12 +43,21 @@ std::vector<double> trialTimes(const Condition& condition, const Deck& deck) {
   return times;
 }
 
-/// Those of the conditions whose values are finite; mistakes of the others are added.
+/// Whether a condition that sets vectors sets any but 0 at this time.
+bool setsAnything(const Condition& condition, const Discretization& mesh, double t) {
+  const std::vector<double>& values = condition.evaluate(mesh, t);
+  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
+}
+
+/// Those of the conditions whose values are finite, and that set nothing out of a plane; mistakes of the others are
+/// added.
 ConditionSet withFiniteValues(const ConditionSet& conditions, const Deck& deck, const Discretization& mesh,
                               Mistakes& mistakes) {
   ConditionSet good;
   for (const auto& condition : conditions) try {
-      for (const double t : trialTimes(*condition, deck)) condition->evaluate(mesh, t);
+      for (const double t : trialTimes(*condition, deck))
+        if (setsAnything(*condition, mesh, t) && condition->width() == 3 && !condition->claim().empty())
+          condition->requireMotionAlong(condition->component(), mesh);
       good.push_back(condition);
     } catch (const DeckError& error) {
       mistakes.add("", error.what());
@@ -62,6 +74,8 @@ class ConflictFinder {
   void find(Mistakes& mistakes) {
     for (std::size_t c = 0; c < conditions_.size(); ++c)
       if (!conditions_[c]->claim().empty()) claim(c, mistakes);
+    for (std::size_t c = 0; c < conditions_.size(); ++c)
+      for (std::size_t other = 0; other < c; ++other) flowBoundaries(*conditions_[other], *conditions_[c], mistakes);
   }
 
  private:
@@ -98,11 +112,62 @@ class ConflictFinder {
            condition.evaluate(mesh_, initialTime_)[k] == other.evaluate(mesh_, initialTime_)[owner.k];
   }
 
+  std::vector<int> sharedPoints(const Condition& a, const Condition& b) const {
+    const std::set<int> ofA(a.points().begin(), a.points().end());
+    std::vector<int> shared;
+    for (const int point : b.points())
+      if (point < mesh_.nOwned && ofA.count(point) != 0) shared.push_back(point);
+    return shared;
+  }
+
+  /// Bonds into points of two boundaries end at the nearer one; where both are at one place that is nobody's.
+  void flowBoundaries(const Condition& a, const Condition& b, Mistakes& mistakes) const {
+    const auto *first = dynamic_cast<const FlowBoundary*>(&a), *second = dynamic_cast<const FlowBoundary*>(&b);
+    if (first == nullptr || second == nullptr) return;
+    const std::vector<int> shared = sharedPoints(a, b);
+    if (shared.empty() || first->hasSurface() != second->hasSurface()) return;
+    bool isOnePlace = true, isSame = first->isOutflow() == second->isOutflow();
+    for (const int point : shared) {
+      const double* x = mesh_.x.data() + 3 * static_cast<std::size_t>(point);
+      isOnePlace = isOnePlace && (!first->hasSurface() || first->surfaceAt(x) == second->surfaceAt(x));
+      isSame = isSame && first->velocityAt(x, initialTime_) == second->velocityAt(x, initialTime_) &&
+               first->pressureAt(x, initialTime_) == second->pressureAt(x, initialTime_);
+    }
+    if (!isOnePlace || (isSame && !a.dependsOnTime() && !b.dependsOnTime())) return;
+    mistakes.add(b.node().keyPlace(),
+                 "conditions \"" + a.name() + "\" and \"" + b.name() + "\" give the flow different values at one " +
+                     (first->hasSurface() ? "Surface" : "boundary") +
+                     " where their node sets overlap; take those points out of one of the node sets");
+  }
+
   const ConditionSet& conditions_;
   const Discretization& mesh_;
   double initialTime_;
   std::map<std::string, std::vector<Owner>> owners_;  ///< of owned points, by what is claimed
 };
+
+/// Loads of whose force all is on components that are prescribed. Collective.
+void findIdleLoads(const ConditionSet& conditions, const Deck& deck, const Discretization& mesh,
+                   const Communicator& comm, Mistakes& mistakes) {
+  std::vector<char> isPrescribed(3 * static_cast<std::size_t>(mesh.nPoints), 0);
+  for (const auto& condition : conditions)
+    if (condition->field() == "Displacement") condition->markPrescribed(isPrescribed);
+  for (const auto& condition : conditions) {
+    if (!condition->isLoad()) continue;
+    double onFree = 0.0, onHeld = 0.0;
+    for (const double t : trialTimes(*condition, deck)) {
+      std::vector<double> force(3 * static_cast<std::size_t>(mesh.nOwned), 0.0);
+      condition->addForceDensity(mesh, t, force.data());
+      for (std::size_t k = 0; k < force.size(); ++k) (isPrescribed[k] != 0 ? onHeld : onFree) += std::abs(force[k]);
+    }
+    onFree = comm.sum(onFree);
+    if (comm.sum(onHeld) > 0.0 && onFree == 0.0)
+      mistakes.add(condition->node().keyPlace(),
+                   condition->title() +
+                       " moves nothing: the displacement of all of its points is prescribed along it. "
+                       "Give its points to one of the two conditions alone");
+  }
+}
 
 }  // namespace
 
@@ -136,6 +201,8 @@ ConditionSet readConditions(const Deck& deck, const Discretization& mesh, const 
     if (!deck.isPeridigmDeck()) ConflictFinder(good, mesh, initialTime(deck)).find(mistakes);
     mistakes.report();
   });
+  if (!deck.isPeridigmDeck()) findIdleLoads(conditions, deck, mesh, comm, mistakes);
+  mistakes.report();
   return conditions;
 }
 

@@ -9,15 +9,6 @@ std::string Load::obstacle(const RunContents& run) const {
   return "no solver of this deck moves points by forces, as QuasiStatic does";
 }
 
-void Load::requireMotionAlong(int axis, const Discretization& mesh) const {
-  // Peridigm's points move along all axes, so that its decks may well say what they do out of the plane.
-  if (axis < mesh.dimension || node().isPeridigms()) return;
-  throw DeckError(
-      node().keyPlace() + ": " + title() + " pushes along " + "xyz"[axis] + ", but the points of this mesh " +
-      (mesh.dimension == 2 ? "are in one plane and move along x and y" : "are on one line and move along x") +
-      " alone");
-}
-
 std::string Load::spread(double volume, const Discretization& mesh, const Communicator& comm) const {
   long long nOwned = 0;
   for (const int point : points()) nOwned += point < mesh.nOwned ? 1 : 0;

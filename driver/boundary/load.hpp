@@ -15,8 +15,6 @@ class Load : public Condition {
   std::string obstacle(const RunContents& run) const override;
 
  protected:
-  /// Throws DeckError where a force along `axis` moves nothing, in a plane scene or one along a line.
-  void requireMotionAlong(int axis, const Discretization& mesh) const;
   /// `500 points of 2.5e-06 m3 in all`; `volume` as of volumeOf(). Collective.
   std::string spread(double volume, const Discretization& mesh, const Communicator& comm) const;
 };

@@ -89,6 +89,8 @@ class NeedCheck {
       for (const RunPart& damage : block.damageModels)
         forEachNeed(damage, [&](const FieldDescription& field) { require(damage, field); });
     report();
+    if (mistakes_.lines().size() > before) return;
+    for (const BlockParts& block : parts_.blocks) breakageWithoutLoad(block);
   }
 
  private:
@@ -209,6 +211,21 @@ class NeedCheck {
                         " dissolves, and needs a damage model that changes its phase: " +
                         quotedList(pluginsWith(DamageModelRegistry::self(), follows)));
     }
+  }
+
+  /// Damage models that look at how bonds deform, in a block that nothing deforms, as one of fluid.
+  void breakageWithoutLoad(const BlockParts& block) {
+    const auto hasTable = [](const RunPart& part) { return part.hasTable; };
+    if (!std::all_of(block.materials.begin(), block.materials.end(), hasTable) ||
+        !BlockParts::thatUse(block.materials, fields::forceDensity(), FieldAccess::Adds).empty())
+      return;
+    for (const RunPart* damage : BlockParts::thatUse(block.damageModels, fields::coordinates(), FieldAccess::Reads))
+      (deck_.isPeridigmDeck() ? deck_.warnings() : mistakes_)
+          .add(
+              placeOfKey(block.block, "Damage Model"),
+              block.block.path() + ": " + damage->node.path() +
+                  " breaks bonds that deform, but no material of this block carries load; take it out of the block, or "
+                  "give the block a material that does");
   }
 
   /// Of a bond between blocks both see to their own side.

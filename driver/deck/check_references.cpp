@@ -32,7 +32,8 @@ class ReferenceCheck {
     if (!meshHasNames && owners_.count("default") == 0) blockNames();
     blocksOfMaterials();
     fileExists(deck_["Discretization"]["Input Mesh File"]);
-    for (const CheckedSection* filter : check_.ofKind(Kind::BondFilter)) fileExists(filter->section.node["File Name"]);
+    for (const Kind kind : {Kind::BondFilter, Kind::Void})
+      for (const CheckedSection* section : check_.ofKind(kind)) fileExists(section->section.node["File Name"]);
   }
 
  private:

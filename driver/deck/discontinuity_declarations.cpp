@@ -48,6 +48,13 @@ std::map<std::string, Declarations> declareVoids() {
       .reals("Corners", "m",
              "In a plane: x and y of the corners in turn, three corners or more; convex or not, without crossings.")
       .required();
+  Declarations& polygons = voids["Polygon List"] = typed("Polygon List");
+  polygons
+      .text(
+          "File Name",
+          "In a plane: text file with the corners of one hole or more, a line \"polygon x y\" each (m), seen from the "
+          "folder of the deck; `pdmesh outline` makes it of an image.")
+      .required();
   Declarations& sphere = voids["Sphere"] = typed("Sphere");
   sphere.reals("Center", "m", "In space: centre of the pore, [x, y, z].").required();
   sphere.real("Radius", "m", "Radius of the pore.").positive().required();
@@ -65,6 +72,19 @@ std::map<std::string, Declarations> declareVoids() {
       .required();
   cylinder.reals("Axis", "1", "Direction of the axis, [x, y, z], of any length.").required();
   cylinder.real("Radius", "m", "Radius of the hole.").positive().required();
+  Declarations& spheres = voids["Sphere List"] = typed("Sphere List");
+  spheres
+      .text("File Name",
+            "In space: text file of pores, a line \"x y z radius\" each (m), seen from the folder of the deck.")
+      .required();
+  Declarations& surface = voids["Surface"] = typed("Surface");
+  surface
+      .text("File Name",
+            "In space: STL file, in text or binary, of one closed surface or more, seen from the folder of the deck. "
+            "Corners of triangles follow each other against the clock as seen from outside of the pore.")
+      .required();
+  surface.real("Scale", "1", "Factor on its coordinates: 1e-3 where they are in mm.").positive().defaultTo(1.0);
+  surface.reals("Shift", "m", "Added to them after that, [x, y, z] (default: 0).");
   return voids;
 }
 
@@ -85,10 +105,16 @@ const Declarations& found(const std::map<std::string, Declarations>& all, const 
   return it->second;
 }
 
+std::vector<std::string> typeNames(const std::map<std::string, Declarations>& all) {
+  std::vector<std::string> types;
+  for (const auto& entry : all) types.push_back(entry.first);
+  return types;
+}
+
 }  // namespace
 
-std::vector<std::string> crackTypes() { return {"Polyline", "Polygon", "Disk"}; }
-std::vector<std::string> voidTypes() { return {"Circle", "Ellipse", "Polygon", "Sphere", "Ellipsoid", "Cylinder"}; }
+std::vector<std::string> crackTypes() { return typeNames(cracks()); }
+std::vector<std::string> voidTypes() { return typeNames(voids()); }
 const Declarations& crackDeclarations(const std::string& type) { return found(cracks(), "crack", type); }
 const Declarations& voidDeclarations(const std::string& type) { return found(voids(), "void", type); }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "../deck/vector3.hpp"
+#include "stl_file.hpp"
+#include "void_lists.hpp"
 
 namespace pd {
 
@@ -60,13 +62,6 @@ Place halfAxis(const DeckNode& lengths, const Place& direction, double half) {
   return decomposition::plus({}, direction, half / length(direction));
 }
 
-DiscontinuityForm ofEllipsoid(const Ellipsoid& shape) {
-  DiscontinuityForm form;
-  form.screens.push_back(decomposition::ellipsoidScreen(shape));
-  form.voids.push_back(decomposition::ellipsoidVoid(shape));
-  return form;
-}
-
 Ellipsoid ellipseOf(const DeckNode& entry) {
   const std::vector<double> half = realsOf(entry, "Half Axes");
   if (half.size() != 2) refuseForm(entry["Half Axes"], "must be two numbers, [a, b]");
@@ -102,45 +97,29 @@ Ellipsoid cylinderOf(const DeckNode& entry) {
           {halfAxis(entry["Radius"], across, radius), halfAxis(entry["Radius"], cross(axis, across), radius)}};
 }
 
-/// Whether two segments in the plane have a place in common.
-bool doMeet(const Place& a, const Place& b, const Place& c, const Place& d) {
-  const auto side = [](const Place& from, const Place& to, const Place& place) {
-    return cross(decomposition::minus(to, from), decomposition::minus(place, from))[2];
-  };
-  const auto isWithin = [](const Place& from, const Place& to, const Place& place) {
-    return std::min(from[0], to[0]) <= place[0] && place[0] <= std::max(from[0], to[0]) &&
-           std::min(from[1], to[1]) <= place[1] && place[1] <= std::max(from[1], to[1]);
-  };
-  const double ofC = side(a, b, c), ofD = side(a, b, d), ofA = side(c, d, a), ofB = side(c, d, b);
-  if (ofC * ofD < 0.0 && ofA * ofB < 0.0) return true;
-  return (ofC == 0.0 && isWithin(a, b, c)) || (ofD == 0.0 && isWithin(a, b, d)) || (ofA == 0.0 && isWithin(c, d, a)) ||
-         (ofB == 0.0 && isWithin(c, d, b));
-}
-
-/// The outline of a hole: it has an inside, and its sides meet at the corners between them alone.
-void requireOutline(const DeckNode& node, const std::vector<Place>& corners) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Place &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
-    const Place first = decomposition::minus(b, a), second = decomposition::minus(c, b);
-    if (cross(first, second)[2] == 0.0 && dot(first, second) < 0.0)
-      refuseForm(node, fmt::format("goes back on itself at its corner {}", (i + 1) % n + 1));
-    for (std::size_t j = i + 2; j < n; ++j)
-      if ((j + 1) % n != i && doMeet(a, b, corners[j], corners[(j + 1) % n]))
-        refuseForm(node, fmt::format("crosses or touches itself: its sides {} and {}; cut it into several entries",
-                                     i + 1, j + 1));
-  }
-}
-
 DiscontinuityForm polygonalHole(const DeckNode& entry) {
   const std::vector<Place> corners = placesOf(entry, "Corners", 2, 3);
-  if (corners.front() == corners.back()) refuseForm(entry["Corners"], "closes by itself: leave the last corner out");
-  requireOutline(entry["Corners"], corners);
-  DiscontinuityForm form;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    form.screens.push_back(decomposition::segmentScreen(corners[k], corners[(k + 1) % corners.size()]));
-  form.voids.push_back(decomposition::polygonVoid(corners));
-  return form;
+  if (const std::string complaint = complaintOfOutline(corners); !complaint.empty())
+    refuseForm(entry["Corners"], complaint);
+  return polygonForm(corners);
+}
+
+DiscontinuityForm sphereOrCircle(const DeckNode& entry, int dimension) {
+  return ballForm(placeIn(entry, "Center", dimension), required(entry, "Radius").real(), dimension);
+}
+
+std::vector<DiscontinuityForm> fromFile(const DeckNode& entry, const std::string& type,
+                                        const ReadGeometryFile& readFile) {
+  const GeometryFile file = readFile(required(entry, "File Name"));
+  if (type == "Sphere List") return readSphereList(file);
+  if (type == "Polygon List") return readPolygonList(file);
+  const Place shift = entry["Shift"] ? placeIn(entry, "Shift", 3) : Place{};
+  std::vector<DiscontinuityForm> forms;
+  for (const decomposition::TriangleSurface& surface : readStl(file.text, file.name, entry.real("Scale", 1.0), shift)) {
+    forms.emplace_back().screens = decomposition::surfaceScreens(surface);
+    forms.back().voids.push_back(decomposition::surfaceVoid(surface));
+  }
+  return forms;
 }
 
 /// Corners of a flat, convex polygon.
@@ -192,17 +171,18 @@ DiscontinuityForm readCrack(const DeckNode& node, int dimension) {
   return form;
 }
 
-DiscontinuityForm readVoid(const DeckNode& node, int dimension) {
+std::vector<DiscontinuityForm> readVoid(const DeckNode& node, int dimension, const ReadGeometryFile& readFile) {
   const std::string type = required(node, "Type").text();
-  requireFormOf(node, type == "Circle" || type == "Ellipse" || type == "Polygon" ? 2 : 3, dimension);
-  if (type == "Polygon") return polygonalHole(node);
-  if (type == "Ellipse") return ofEllipsoid(ellipseOf(node));
-  if (type == "Ellipsoid") return ofEllipsoid(ellipsoidOf(node));
-  if (type == "Cylinder") return ofEllipsoid(cylinderOf(node));
-  const double radius = required(node, "Radius").real();
-  Ellipsoid ball{placeIn(node, "Center", dimension), {{radius, 0.0, 0.0}, {0.0, radius, 0.0}}};
-  if (type == "Sphere") ball.halfAxes.push_back({0.0, 0.0, radius});
-  return ofEllipsoid(ball);
+  const bool isPlane = type == "Circle" || type == "Ellipse" || type == "Polygon" || type == "Polygon List";
+  requireFormOf(node, isPlane ? 2 : 3, dimension);
+  if (type == "Sphere List" || type == "Polygon List" || type == "Surface") return fromFile(node, type, readFile);
+  std::vector<DiscontinuityForm> forms;
+  forms.push_back(type == "Polygon"     ? polygonalHole(node)
+                  : type == "Ellipse"   ? ellipsoidForm(ellipseOf(node))
+                  : type == "Ellipsoid" ? ellipsoidForm(ellipsoidOf(node))
+                  : type == "Cylinder"  ? ellipsoidForm(cylinderOf(node))
+                                        : sphereOrCircle(node, dimension));
+  return forms;
 }
 
 }  // namespace pd

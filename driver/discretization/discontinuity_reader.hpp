@@ -2,7 +2,9 @@
 #ifndef PD_DISCONTINUITY_READER_HPP
 #define PD_DISCONTINUITY_READER_HPP
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "../deck/deck.hpp"
@@ -13,11 +15,19 @@ namespace pd {
 struct DiscontinuityForm {
   std::vector<std::unique_ptr<decomposition::Screen>> screens;
   std::vector<std::unique_ptr<decomposition::Void>> voids;
+  std::string place = {};  ///< "pores.txt:7" of one that a file lists
 };
+
+struct GeometryFile {
+  std::string name, text;
+};
+/// The file that a value of the deck names. Throws DeckError where it cannot be read.
+using ReadGeometryFile = std::function<GeometryFile(const DeckNode& fileName)>;
 
 /// An entry of Discretization/Cracks or /Voids whose keys have been checked one by one. Throws DeckError.
 DiscontinuityForm readCrack(const DeckNode& node, int dimension);
-DiscontinuityForm readVoid(const DeckNode& node, int dimension);
+/// Of a file with several forms all of them.
+std::vector<DiscontinuityForm> readVoid(const DeckNode& node, int dimension, const ReadGeometryFile& readFile);
 
 }  // namespace pd
 

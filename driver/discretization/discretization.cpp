@@ -176,7 +176,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   const double area = positiveLength(section, "Cross Section Area", mistakes);
   const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
   std::vector<double> horizon = pointHorizons(points, entries, mistakes);
-  UnresolvedGeometry geometry(deck, d.dimension);
+  UnresolvedGeometry geometry(deck, comm, d.dimension);
   std::vector<double> cellEdges;
   if (!geometry.empty() && mistakes.empty()) {
     cellEdges = pointSpacings(points.volume, d.dimension, thickness, area);

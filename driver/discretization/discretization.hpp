@@ -43,6 +43,7 @@ struct Discretization {
   std::vector<double> countedBonds;      ///< [nOwned] of which Damage is the lost share
   std::vector<double> cellVolume;        ///< [nPoints] m3, voids included
   bool isDecomposed = false;             ///< on all ranks alike
+  std::string decompositionNote;         ///< how many bonds that concerns, and the time it took
 
   /// Local ids (owned and ghosts) by name of the node set as the deck writes it.
   std::map<std::string, std::vector<int>> nodeSets;

@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <numeric>
+#include <optional>
 #include <set>
 
-#include "discontinuity_reader.hpp"
 #include "mesh_geometry.hpp"
+#include "text_file.hpp"
 
 namespace pd {
 
 using decomposition::Cell;
+using decomposition::InteractionShares;
 using decomposition::NearDiscontinuities;
 
 namespace {
@@ -86,10 +90,11 @@ void checkNodeSets(const Deck& deck, const NodeSets& nodeSets) {
 
 }  // namespace
 
-UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(deck), dimension_(dimension) {
+UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, const Communicator& comm, int dimension)
+    : deck_(deck), dimension_(dimension) {
   const DeckNode section = deck["Discretization"];
-  read(section["Cracks"], true);
-  read(section["Voids"], false);
+  read(section["Cracks"], true, comm);
+  read(section["Voids"], false, comm);
   const DeckNode rule = section["Bond Decomposition"];
   rule_ = ruleOf(rule);
   for (const auto& [key, of] : {std::pair("Tolerance", "Adaptive"), std::pair("Partitions", "Uniform")})
@@ -105,23 +110,37 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, int dimension) : deck_(
     return;
   }
   if (dimension == 1)
-    deck.mistakes().add(entries_.front().place, "cracks and voids need a mesh that fills a plane or space, not a line");
+    deck.mistakes().add(entries_.front().node.keyPlace(),
+                        "cracks and voids need a mesh that fills a plane or space, not a line");
   if (const DeckNode symmetry = section["Symmetry"])
     deck.mistakes().add(symmetry.keyPlace(),
                         "Cracks and Voids do not go with planes of symmetry; make the mesh of the whole body");
 }
 
-void UnresolvedGeometry::read(const DeckNode& list, bool areCracks) {
+void UnresolvedGeometry::read(const DeckNode& list, bool areCracks, const Communicator& comm) {
   for (const auto& [name, node] : list.entries()) {
     try {
-      DiscontinuityForm form = areCracks ? readCrack(node, dimension_) : readVoid(node, dimension_);
-      entries_.push_back(
-          {node.keyPlace(), node.path(), areCracks, false, std::move(form.screens), std::move(form.voids)});
-      for (const auto& screen : entries_.back().screens) entryOf_[screen.get()] = entries_.size() - 1;
+      std::vector<DiscontinuityForm> forms;
+      if (areCracks)
+        forms.push_back(readCrack(node, dimension_));
+      else
+        forms = readVoid(node, dimension_, [&](const DeckNode& file) { return readFile(file, comm); });
+      for (DiscontinuityForm& form : forms) {
+        entries_.push_back({node, form.place, areCracks, false, std::move(form.screens), std::move(form.voids)});
+        for (const auto& screen : entries_.back().screens) entryOf_[screen.get()] = entries_.size() - 1;
+      }
     } catch (const DeckError& error) {
       deck_.mistakes().add("", error.what());
     }
   }
+}
+
+GeometryFile UnresolvedGeometry::readFile(const DeckNode& fileName, const Communicator& comm) const {
+  GeometryFile file{deck_.resolvePath(fileName.text()), ""};
+  Mistakes mistakes;
+  if (std::optional<std::string> text = readTextFile(file.name, fileName.place(), comm, mistakes)) file.text = *text;
+  mistakes.report();
+  return file;
 }
 
 std::array<int, 3> UnresolvedGeometry::binOf(const double* place) const {
@@ -209,62 +228,125 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
 }
 
 void UnresolvedGeometry::markMet(const NearDiscontinuities& near, const Cell& a, const Cell& b) {
-  for (const decomposition::Screen* screen : nearBox(near, boxAround(a, b)).screens)
-    if (screen->isBetween(a, b)) entries_[entryOf_.at(screen)].isMet = true;
+  for (const decomposition::Screen* screen : near.screens) {
+    Entry& entry = entries_[entryOf_.at(screen)];
+    if (!entry.isMet && screen->box().meets(boxAround(a, b)) && screen->isBetween(a, b)) entry.isMet = true;
+  }
+}
+
+NearDiscontinuities UnresolvedGeometry::withoutCracks(const NearDiscontinuities& near) const {
+  NearDiscontinuities rest = near;
+  const auto isCrack = [&](const auto* screen) { return entries_[entryOf_.at(screen)].isCrack; };
+  rest.screens.erase(std::remove_if(rest.screens.begin(), rest.screens.end(), isCrack), rest.screens.end());
+  return rest;
+}
+
+UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points, const std::vector<double>& spacing,
+                                                        const Discretization& d) {
+  constexpr double unknown = -1.0;
+  const auto nBonds = static_cast<std::size_t>(d.nBonds());
+  const bool countsCracks =
+      countsCracks_ && std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.isCrack; });
+  Shares found;
+  found.left.assign(nBonds, unknown);
+  if (countsCracks) found.counted.assign(nBonds, unknown);
+  InteractionShares shares(rule_), sharesWithoutCracks(rule_);
+  const auto firstBond = [&](int point) { return static_cast<std::size_t>(d.neighborhoodStart[point] - point); };
+  for (int i = 0; i < d.nOwned; ++i) {
+    const int* neighbors = &d.neighborhoodList[d.neighborhoodStart[i]] + 1;
+    const int n = neighbors[-1], id = d.globalIds[i];
+    const NearDiscontinuities& around = near(points.at(id));
+    const NearDiscontinuities rest = countsCracks ? withoutCracks(around) : NearDiscontinuities();
+    const bool hasCracks = rest.screens.size() < around.screens.size();
+    for (int k = 0; k < n; ++k) {
+      const std::size_t bond = firstBond(i) + static_cast<std::size_t>(k);
+      if (found.left[bond] != unknown) continue;  // its other end has been here
+      const int j = neighbors[k], other = d.globalIds[j];
+      double left = 1.0, counted = 1.0;
+      const long long nNearBefore = shares.nNear();
+      if (!around.empty()) {
+        const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
+        const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
+        left = counted = shares.of({first, a}, {second, b}, around);
+        if (left < 1.0) markMet(around, a, b);
+        if (left < 1.0 && countsCracks && hasCracks) counted = sharesWithoutCracks.of({first, a}, {second, b}, rest);
+      }
+      const auto set = [&](std::size_t at) {
+        found.left[at] = left;
+        if (countsCracks) found.counted[at] = counted;
+        found.nNear += shares.nNear() - nNearBefore;
+      };
+      set(bond);
+      if (j < i || j >= d.nOwned) continue;
+      const int* ofOther = &d.neighborhoodList[d.neighborhoodStart[j]] + 1;
+      const int* back = std::lower_bound(ofOther, ofOther + ofOther[-1], i);
+      if (back != ofOther + ofOther[-1] && *back == i) set(firstBond(j) + static_cast<std::size_t>(back - ofOther));
+    }
+  }
+  found.nPairs = shares.nNear();
+  found.nLines = shares.nLines();
+  return found;
 }
 
 void UnresolvedGeometry::decompose(const MeshPoints& points, const std::vector<double>& spacing,
                                    const Communicator& comm, Discretization& d) {
-  std::vector<const decomposition::Screen*> cracks;
-  for (const Entry& entry : entries_)
-    for (const auto& screen : entry.screens)
-      if (entry.isCrack) cracks.push_back(screen.get());
-  std::sort(cracks.begin(), cracks.end());
-  const auto isCrack = [&](const auto* screen) { return std::binary_search(cracks.begin(), cracks.end(), screen); };
-
   d.isDecomposed = true;
+  const std::clock_t start = std::clock();
+  Shares found = sharesOf(points, spacing, d);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const long long nBonds = d.nBonds();
+  const std::vector<double>& counted = found.counted.empty() ? found.left : found.counted;
   std::size_t out = 0, bond = 0, outBond = 0;
   for (int i = 0; i < d.nOwned; ++i) {
-    const int id = d.globalIds[i];
     const int* entry = &d.neighborhoodList[d.neighborhoodStart[i]];
     const int n = *entry;
-    const NearDiscontinuities& around = near(points.at(id));
-    NearDiscontinuities withoutCracks = around;
-    auto& kept = withoutCracks.screens;
-    kept.erase(std::remove_if(kept.begin(), kept.end(), isCrack), kept.end());
-    const bool hasCracks = kept.size() < around.screens.size();
-    const std::size_t start = out++;
-    double counted = 0.0;
+    const std::size_t head = out++;
+    d.countedBonds.push_back(std::accumulate(&counted[bond], &counted[bond] + n, 0.0));
     for (int k = 0; k < n; ++k, ++bond) {
-      const int j = entry[k + 1], other = d.globalIds[j];
-      double share = 1.0, before = 1.0;
-      if (!around.empty()) {
-        const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
-        const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
-        share = before = interactionShare(a, b, around, rule_);
-        if (share < 1.0) markMet(around, a, b);
-        if (share < 1.0 && hasCracks && countsCracks_) before = interactionShare(a, b, withoutCracks, rule_);
-      }
-      counted += before;
-      if (share == 0.0) continue;
-      d.neighborhoodList[out++] = j;
+      if (found.left[bond] == 0.0) continue;
+      d.neighborhoodList[out++] = entry[k + 1];
       if (!d.bondIsCut.empty()) d.bondIsCut[outBond] = d.bondIsCut[bond];
-      ++outBond;
-      d.interactionShare.push_back(share);
+      found.left[outBond++] = found.left[bond];
     }
-    d.countedBonds.push_back(counted);
-    d.neighborhoodList[start] = static_cast<int>(out - start - 1);
-    d.neighborhoodStart[i] = static_cast<long long>(start);
+    d.neighborhoodList[head] = static_cast<int>(out - head - 1);
+    d.neighborhoodStart[i] = static_cast<long long>(head);
   }
   d.neighborhoodList.resize(out);
   d.neighborhoodStart.back() = static_cast<long long>(out);
   if (!d.bondIsCut.empty()) d.bondIsCut.resize(outBond);
+  found.left.resize(outBond);
+  const auto nShared = std::count_if(found.left.begin(), found.left.end(), [](double left) { return left < 1.0; });
+  d.decompositionNote = fmt::format(
+      "cracks and voids: {} of {} directed bonds pass near them; {} keep a part, {} are cut off; {} pairs of "
+      "points by {} lines in {:.3g} s of processor time",
+      comm.sum(found.nNear), comm.sum(nBonds), comm.sum(static_cast<long long>(nShared)),
+      comm.sum(nBonds - static_cast<long long>(outBond)), comm.sum(found.nPairs), comm.sum(found.nLines),
+      comm.sum(seconds));
+  d.interactionShare = std::move(found.left);
   d.cellVolume = d.volume;
   for (int i = 0; i < d.nPoints; ++i) d.volume[i] *= solid_[d.globalIds[i]];
-  for (const Entry& entry : entries_)
-    if (!comm.any(entry.isMet))
-      deck_.mistakes().add(entry.place, entry.path + " meets no cell and no bond of the body, whose points fill " +
-                                            boundingBox(points).text() + " m; move it, or remove it");
+  checkMet(points, comm);
+}
+
+void UnresolvedGeometry::checkMet(const MeshPoints& points, const Communicator& comm) {
+  const std::string body = boundingBox(points).text() + " m";
+  for (std::size_t first = 0, end = 0; first < entries_.size(); first = end) {
+    std::size_t nMissed = 0;
+    std::string firstMissed;
+    for (end = first; end < entries_.size() && entries_[end].node.path() == entries_[first].node.path(); ++end) {
+      if (comm.any(entries_[end].isMet)) continue;
+      if (++nMissed == 1) firstMissed = entries_[end].inFile;
+    }
+    const std::string path = entries_[first].node.path(), place = entries_[first].node.keyPlace();
+    if (nMissed == end - first)
+      deck_.mistakes().add(place, path + " meets no cell and no bond of the body, whose points fill " + body +
+                                      "; move it, or remove it");
+    else if (nMissed > 0)
+      deck_.warnings().add(place,
+                           fmt::format("{}: {} of its {} forms meet no cell and no bond of the body, whose points "
+                                       "fill {}; the first is that of {}",
+                                       path, nMissed, end - first, body, firstMissed));
+  }
 }
 
 }  // namespace pd

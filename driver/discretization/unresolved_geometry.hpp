@@ -11,6 +11,7 @@
 #include "../deck/deck.hpp"
 #include "../parallel/communicator.hpp"
 #include "bond_decomposition.hpp"
+#include "discontinuity_reader.hpp"
 #include "discretization.hpp"
 #include "mesh_points.hpp"
 #include "node_sets.hpp"
@@ -21,8 +22,8 @@ namespace pd {
 /// or cube of its volume, with edges along x, y and z.
 class UnresolvedGeometry {
  public:
-  /// Adds mistakes to deck.mistakes().
-  UnresolvedGeometry(const Deck& deck, int dimension);
+  /// Adds mistakes to deck.mistakes(). Collective where voids are in files.
+  UnresolvedGeometry(const Deck& deck, const Communicator& comm, int dimension);
   bool empty() const { return entries_.empty(); }
 
   /// Takes points with next to no material out of the mesh and its node sets, says so in deck.warnings(), and keeps how
@@ -37,18 +38,33 @@ class UnresolvedGeometry {
 
  private:
   struct Entry {
-    std::string place, path;  ///< in the deck
+    DeckNode node;       ///< in the deck
+    std::string inFile;  ///< place of one of several that a file lists
     bool isCrack = false;
     bool isMet = false;
     std::vector<std::unique_ptr<decomposition::Screen>> screens;
     std::vector<std::unique_ptr<decomposition::Void>> voids;
   };
-  void read(const DeckNode& list, bool areCracks);
+  void read(const DeckNode& list, bool areCracks, const Communicator& comm);
+  GeometryFile readFile(const DeckNode& fileName, const Communicator& comm) const;
   void sortIntoBins(const MeshPoints& points, double reach);
   std::array<int, 3> binOf(const double* place) const;
   /// What may be near the cell or the bonds of a point at this place.
   const decomposition::NearDiscontinuities& near(const double* place) const;
   decomposition::Cell cellOf(const double* place, double spacing) const;
+  /// Entries of the deck that meet nothing are mistakes, some of many in a file are warned of. Collective.
+  void checkMet(const MeshPoints& points, const Communicator& comm);
+  decomposition::NearDiscontinuities withoutCracks(const decomposition::NearDiscontinuities& near) const;
+  /// Of bonds as they are in the neighbourhoods.
+  struct Shares {
+    std::vector<double> left;     ///< [bonds]
+    std::vector<double> counted;  ///< [bonds] of which Damage is the lost share; empty where that is `left`
+    long long nNear = 0;          ///< bonds that may meet something
+    long long nPairs = 0;         ///< such pairs of points that were looked at
+    long long nLines = 0;         ///< of cells, times places that looked at them
+  };
+  /// Each pair of points of this rank once.
+  Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);
   void markMet(const decomposition::NearDiscontinuities& near, const decomposition::Cell& a,
                const decomposition::Cell& b);
 

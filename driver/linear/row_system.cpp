@@ -82,6 +82,7 @@ void RowSystem::setMatrix(const SparseRows& rows) {
     self.matrix->insertGlobalValues(map->getGlobalElement(static_cast<int>(row)), static_cast<int>(lengths[row]),
                                     rows.values.data() + rows.start[row], rows.columns.data() + rows.start[row]);
   self.matrix->fillComplete();
+  if (!self.factor.is_null() && !self.factor->getRangeMap()->isSameAs(*map)) self.factor = Teuchos::null;
 }
 
 std::string RowSystem::factor() {

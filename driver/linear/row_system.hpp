@@ -34,7 +34,7 @@ class RowSystem {
   explicit RowSystem(const Communicator& comm);
   ~RowSystem();
 
-  /// Replaces the matrix; the factor stays. Collective.
+  /// Replaces the matrix; the factor stays if it has as many rows on each rank. Collective.
   void setMatrix(const SparseRows& rows);
   /// Factors the present matrix. Returns what stands in the way; empty where nothing does. Collective.
   std::string factor();

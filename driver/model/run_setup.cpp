@@ -104,7 +104,8 @@ void rehearse(const Deck& deck, const Communicator& comm) {
     setup.start();
   });
   mistakes.report();
-  rehearsePart(ofRun, mistakes, [&] { setup.output->evaluate(*setup.model, 0); });
+  const auto evaluate = [&] { setup.output->evaluate(*setup.model, 0); };
+  const bool isMeasured = rehearsePart(ofRun, mistakes, evaluate);
   // Later solvers start from what the first one makes.
   const Stage& first = setup.stages.front();
   const DeckNode section = deck[first.section][first.name];
@@ -116,6 +117,8 @@ void rehearse(const Deck& deck, const Communicator& comm) {
     const int n = first.solver->numberOfIncrements(simulation, first.startTime, first.endTime);
     if (n > 0) end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
   });
+  // A solver may have told them more, as which points are fluid.
+  if (isReady && isMeasured) rehearsePart(ofRun, mistakes, evaluate);
   if (isReady && end > first.startTime)
     rehearsePart(ofSolver, mistakes,
                  [&] { first.solver->rehearse(simulation, first.startTime, end - first.startTime); });

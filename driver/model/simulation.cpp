@@ -36,6 +36,7 @@ void logModel(Model& model, Output& output, const Deck& deck) {
   if (!mesh.symmetry.empty())
     output.log(fmt::format("planes of symmetry: the mesh is one of {} equal parts of the body; totals are of this part",
                            mesh.symmetry.nCopies()));
+  if (mesh.isDecomposed) output.log(mesh.decompositionNote);
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
 

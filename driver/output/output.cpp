@@ -247,6 +247,12 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
 
 void Output::evaluate(Model& model, int step) { implementation_->evaluateDue(model, step, false); }
 
+void Output::evaluateGlobals(Model& model) {
+  Implementation& self = *implementation_;
+  makeOfState(model, self.computes->fieldsOfState(true));
+  self.computes->evaluate(model, true);
+}
+
 bool Output::isCheckpointDue(int step, bool isLast) const {
   const auto& files = implementation_->files;
   return std::any_of(files.begin(), files.end(),

@@ -45,6 +45,8 @@ class Output {
 
   /// Evaluates the computes that write() would, and writes nothing.
   void evaluate(Model& model, int step);
+  /// Evaluates the computes of whole bodies, whether or not they are due, and writes nothing.
+  void evaluateGlobals(Model& model);
 
   bool isCheckpointDue(int step, bool isLast) const;
   /// Writes the checkpoint of the files that are due (Output key "Checkpoint Frequency").

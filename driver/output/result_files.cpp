@@ -120,6 +120,8 @@ std::string obstacleOfPlace(const std::string& base, const std::string& folder) 
   std::error_code error;
   const fs::path root = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error);
   for (const fs::path& place : {fs::path(base).parent_path(), fs::path(base + endings::steps)}) {
+    if (fs::is_symlink(fs::symlink_status(place, error)) && !fs::exists(place, error))
+      return "\"" + place.string() + "\" is a symbolic link to nothing; remove it";
     // Absolute first: of a relative path nothing of which is there, the library leaves the path as it is.
     const fs::path real = fs::weakly_canonical(fs::absolute(place.empty() ? "." : place), error);
     if (error) return "\"" + place.string() + "\": " + error.message();

@@ -78,6 +78,12 @@ double Diffusion::leastSteps(double t0, double t1) const {
 
 void Diffusion::initialize(Simulation& simulation) {
   requireFluxDivergence(simulation.model, field_, "Diffusion");
+  const bool isImplicit = parameters_.isParameter("Linear Solver");
+  if (rateIsAsymmetric(simulation.model, field_) &&
+      (!isImplicit || parameters_.get<std::string>("Linear Solver") == "CG"))
+    throw RunError("Diffusion: a flow carries \"" + field_ +
+                   "\", which takes an implicit Method (Implicit Euler or TR-BDF2) with \"Linear Solver: GMRES\", "
+                   "\"Preconditioner: ILU\", or \"Linear Solver: Direct\"");
   integrator_->initialize(simulation, field_);
 }
 

@@ -43,6 +43,10 @@ ImplicitDiffusion::ImplicitDiffusion(const Teuchos::ParameterList& given)
 
 void ImplicitDiffusion::initialize(Simulation& simulation) {
   requireFluxDivergence(simulation.model, field_, "ImplicitDiffusion");
+  if (rateIsAsymmetric(simulation.model, field_) && linear_.method == "CG")
+    throw RunError("ImplicitDiffusion: a flow carries \"" + field_ +
+                   "\", which takes \"Linear Solver: GMRES\", \"Preconditioner: ILU\", or \"Linear Solver: "
+                   "Direct\"");
 }
 
 /// The points that a value at the prescribed ones can reach: where these are 1 and all others 0, what is reached has an
@@ -182,7 +186,7 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
   model.importGhosts(field_);
   findHeldPoints(simulation);
   bool matrixIsNew = false;
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity(), part = 1.0;
   for (int iteration = 0;; ++iteration) {
     const Balance balance = evaluate(simulation, dt);
     if (iteration == 0) requireNoFluxOutOfReach(simulation, t + dt);
@@ -209,12 +213,15 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
       assemble(simulation, dt);
       matrixIsNew = true;
     }
+    // Fluxes with kinks may lead to and fro: then what lies between is better.
+    part = !(balance.free > 0.5 * before) ? std::min(1.0, 2.0 * part) : std::max(0.25, 0.7 * part);
     before = balance.free;
     solveLinear(simulation, std::clamp(0.5 * target / balance.free, 1e-13, 0.5));
     double* values = model.field(field_);
     for (std::size_t i = 0; i < step_.size(); ++i)
-      if (!isHeld_[i]) values[i] += step_[i];
+      if (!isHeld_[i]) values[i] += part * step_[i];
     model.importGhosts(field_);
+    matrixIsNew = false;
   }
   model.requireFinite(field_, static_cast<int>(nLoadSteps_));
   model.acceptStep(t + dt, dt);

@@ -139,7 +139,6 @@ bool QuasiStatic::reachEquilibrium(Simulation& simulation, double dt) {
   outcome_ = newton_.solve(simulation, dt, externalForce_, largestScale_);
   if (!outcome_.hasConverged) return false;
   largestScale_ = std::max(largestScale_, outcome_.scale);
-  newton_.watchBondMotion(simulation.model);
   return true;
 }
 
@@ -211,6 +210,7 @@ void QuasiStatic::advanceInParts(Simulation& simulation, double t, double dt, in
   for (std::size_t i = 0; i < held_.isHeld.size(); ++i) increment[i] = displacement[i] - start[i];
   lastLength_ = dt;
   breakBonds(simulation, t, dt);
+  newton_.watchBondMotion(model);
   model.acceptStep(t + dt, dt);
 }
 

@@ -3,6 +3,7 @@
 #define PD_SPRING_TANGENT_HPP
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "../linear/linear_system.hpp"
@@ -55,6 +56,9 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  double normOfRight() const;
+  /// knownImage_ = K full_, of which only what has changed is found again.
+  void applyToDisplacement();
   bool hasSprings(int point) const;
   void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
   std::vector<int> allPoints() const;
@@ -69,10 +73,16 @@ class SpringTangent {
   std::vector<int> stalePoints_;        ///< whose springs or held degrees of freedom the smoother does not know
   std::vector<int> newlyHeld_;          ///< points held since the coarse level was last looked at
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
-  int nChanges_ = 0;        ///< of bonds or held points since the coarse level was made
+  int nChanges_ = 0;  ///< of bonds or held points since the coarse level was made
+  /// Norm of the residual that the last solve was to leave; huge: none with these bonds.
+  double expectedRest_ = std::numeric_limits<double>::max();
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
-  PointVector<double> right_, solution_, full_, image_;
+  PointVector<double> right_, solution_, full_;
   PointVector<float> single_, singleImage_;
+  /// What force() found last, and the points whose bonds have changed since.
+  PointVector<double> knownDisplacement_, knownImage_, knownResponses_;
+  std::vector<int> changedSince_;
+  bool knowsImage_ = false;
 };
 
 }  // namespace pd

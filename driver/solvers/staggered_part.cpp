@@ -70,10 +70,16 @@ void StaggeredPart::declareParameters(ParameterDeclarations& declare) {
       "last ran.");
   when.text("Field", "The field of points that is looked at.").required();
   when.real("Has Changed By", "unit of the field",
-            "Largest change of a value at any point since the solver last ran, or since the start of the run, from "
-            "which on it runs.")
+            "Change since the solver last ran, or since the start of the run, from which on it runs: the largest of a "
+            "value at any point; with \"Measure: Volume\" times m3.")
       .positive()
       .required();
+  when.text("Measure",
+            "What counts of the change: the largest at any point, or its size integrated over the body: of Damage of "
+            "dissolving metal the volume that has dissolved.")
+      .oneOf({"Largest", "Volume"})
+      .defaultTo("Largest");
+  when.flag("At Start", "It runs in the first load step, too: others need what it finds, as a flow.").defaultTo(false);
   declare
       .real("Time Scale", "1", "Seconds of this solver in one second of the run. Conditions keep the time of the run.")
       .defaultTo(1.0)
@@ -96,6 +102,8 @@ StaggeredPart::StaggeredPart(std::string name, const Teuchos::ParameterList& ent
   if (!hasWhen) return;
   watchedField_ = entry.sublist("When").get<std::string>("Field");
   enoughChange_ = entry.sublist("When").get<double>("Has Changed By");
+  runsAtStart_ = entry.sublist("When").get<bool>("At Start");
+  isOfVolume_ = entry.sublist("When").get<std::string>("Measure") == "Volume";
 }
 
 std::string StaggeredPart::memoryField() const {
@@ -155,15 +163,23 @@ void StaggeredPart::remember(Model& model) {
   std::copy(values.begin(), values.end(), model.field(memoryField()));
 }
 
-double StaggeredPart::largestChange(Model& model) const {
+double StaggeredPart::changeOf(Model& model) const {
   const std::vector<double> now = ownedValues(model, watchedField_), before = ownedValues(model, memoryField());
+  if (isOfVolume_) {
+    const auto width = static_cast<std::size_t>(model.fieldWidth(watchedField_));
+    const double* volume = model.field("Volume");
+    double sum = 0.0;
+    for (std::size_t i = 0; i < now.size(); ++i) sum += std::abs(now[i] - before[i]) * volume[i / width];
+    return model.comm().sum(sum);
+  }
   double largest = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) largest = std::max(largest, std::abs(now[i] - before[i]));
   return model.comm().max(largest);
 }
 
 bool StaggeredPart::isDue(Model& model, long long number) const {
-  return (every_ > 0 && number % every_ == 0) || (!watchedField_.empty() && largestChange(model) >= enoughChange_);
+  return (every_ > 0 && number % every_ == 0) || (runsAtStart_ && number == 1) ||
+         (!watchedField_.empty() && changeOf(model) >= enoughChange_);
 }
 
 int StaggeredPart::numberOfIncrements(Simulation& simulation, double t0, double t1) const {

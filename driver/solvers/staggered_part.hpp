@@ -49,7 +49,7 @@ class StaggeredPart {
 
  private:
   bool isDue(Model& model, long long number) const;
-  double largestChange(Model& model) const;
+  double changeOf(Model& model) const;
   int numberOfIncrements(Simulation& simulation, double t0, double t1) const;
   std::string memoryField() const;
 
@@ -60,6 +60,8 @@ class StaggeredPart {
   double timeScale_ = 1.0;
   std::string watchedField_;  ///< of `When`; empty: none
   double enoughChange_ = 0.0;
+  bool runsAtStart_ = false;
+  bool isOfVolume_ = false;  ///< the change integrated over the body counts
 
   std::optional<double> behindSince_;  ///< since when it has not run; nothing where it is up to date
   long long nRuns_ = 0;

@@ -65,7 +65,7 @@ std::vector<std::string> CorrosionDissolution::runNotes() const {
 
 struct CorrosionDissolution::Views {
   int nPoints;
-  const double *x, *volume, *concentration, *damage, *salt, *demand, *blockId = nullptr;
+  const double *x, *volume, *concentration, *damage, *salt, *demand, *film, *blockId = nullptr;
   double *diffusivity, *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
       *dissolutionCorrection, *ph = nullptr;
 
@@ -79,6 +79,7 @@ struct CorrosionDissolution::Views {
     damage = fields.damage.of(dataManager);
     salt = fields.salt.of(dataManager);
     demand = fields.demand.of(dataManager);
+    film = fields.film.ifIn(dataManager);
     rate = fields.rate.of(dataManager);
     area = fields.area.of(dataManager);
     current = fields.current.of(dataManager);
@@ -91,6 +92,8 @@ struct CorrosionDissolution::Views {
     ph = fields.ph.ifIn(dataManager);
     blockId = fields.blockId.ifIn(dataManager);
   }
+  /// Share of the surface near a liquid point that no film covers.
+  double open(int j) const { return film == nullptr ? 1.0 : 1.0 - film[j]; }
 };
 
 PhaseGeometry CorrosionDissolution::geometry(const Views& views, const double* damage) const {
@@ -261,7 +264,8 @@ void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, c
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     forSolid([&](int i) { cache.currentSum[0][i] = 0.0; });
     for (const int j : phases.sources())
-      cache.current[0][j] = (1.0 - views.salt[j]) * phases_[p].currentDensity.at(views.concentration[j]).current;
+      cache.current[0][j] =
+          (1.0 - views.salt[j]) * views.open(j) * phases_[p].currentDensity.at(views.concentration[j]).current;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
                             cache.current[0], cache.currentSum[0]);
     const double perCurrent = 1.0 / (chargeNumber_ * faraday * phases_[p].solidConcentration);
@@ -300,17 +304,17 @@ void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
 bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) const {
   bool dissolves = false;
   double total = 0.0, current = 0.0, rate = 0.0, slope = 0.0;
-  const double bare = 1.0 - views.salt[j];
+  const double bare = 1.0 - views.salt[j], open = views.open(j);
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
     const double area = cache.area[p][0][j];
     double flux = phases_[p].pace * views.demand[j];
     if (bare != 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
-      flux += bare * perCurrent * i.current;
-      current += area * bare * i.current;
-      rate += area * perCurrent * i.current;
-      slope += area * perCurrent * i.slope;
+      flux += bare * open * perCurrent * i.current;
+      current += area * bare * open * i.current;
+      rate += area * open * perCurrent * i.current;
+      slope += area * open * perCurrent * i.slope;
     }
     cache.lostFlux[p][0][j] = -flux;
     if (area > 0.0) views.rate[j] += area * flux;

@@ -7,8 +7,9 @@
 // with weights d and c of the bonds (transport_weights.hpp; d between materials: series_diffusivity.hpp), corrections a
 // at walls and b of slanting fronts (phase_geometry.hpp), and the flux of metal ions from the surface near liquid point
 // j,
-//   Q_j = (1 - S_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
-// S: share of the surface under salt, B: further flux that a solver asks for; i and C_solid of the phase that the solid
+//   Q_j = (1 - S_j) (1 - F_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
+// S: share of the surface under salt, F: under a film (of a condition on Film_Coverage), B: further flux that a solver
+// asks for; i and C_solid of the phase that the solid
 // end belongs to. Where phases meet, each gives of B what its pace is (solid_phases.hpp). A plane front passes Q
 // exactly (a trial calibration has c of its own and b = 1). A solid point becomes liquid at C_sat and takes that much
 // with it, hence the last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri &
@@ -37,6 +38,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     FieldHandle concentration, diffusivity, rate;
     FieldHandle salt = reads(pd::fields::saltCoverage());
     FieldHandle demand = reads(pd::fields::dissolutionDemand());
+    FieldHandle film = readsIfThere(pd::fields::filmCoverage());
     FieldHandle area = writes(pd::fields::interfaceAreaDensity());
     FieldHandle current = writes(pd::fields::currentDensity());
     FieldHandle dissolutionRate = writes(pd::fields::dissolutionRate());

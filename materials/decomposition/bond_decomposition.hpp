@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "discontinuities.hpp"
+#include "sight.hpp"
 
 namespace pd::decomposition {
 
@@ -30,24 +30,51 @@ struct Discontinuities {
   std::vector<std::unique_ptr<Void>> voids;
 };
 
-/// What of the discontinuities is near a bond or a cell.
-struct NearDiscontinuities {
-  std::vector<const Screen*> screens;
-  std::vector<const Void*> voids;
-  bool empty() const { return screens.empty() && voids.empty(); }
-};
-
 /// Those that meet the box.
 NearDiscontinuities nearBox(const NearDiscontinuities& candidates, const Box& box);
 
 /// Share of the cell's volume that is outside of all voids, within 1e-3 of what they take.
 double solidShare(const Cell& cell, const std::vector<const Void*>& voids);
 
-/// eta V'_a V'_b/(V_a V_b) of eqs. 11 and 15 there, V' being the volumes of the cells and V those of the material in
-/// them: the share, of the pairs of places with material in the two cells, of those whose connection meets no crack and
-/// no void. Of a cell that a crack passes through count the places on the side of its point: to the letter of eq. 11
-/// that point would hold on to both faces of the crack, and keep it together. 0 where it is below 1e-6. The two cells
-/// may not be exchanged without changing the last digits. `nLines`, where given, is raised by the lines that it took.
+/// A cell and a number of its own.
+struct NamedCell {
+  int id;
+  const Cell& cell;
+};
+
+/// Shares of many bonds, one after the other: what discontinuities take of cells is found once for all bonds of a cell.
+class InteractionShares {
+ public:
+  explicit InteractionShares(const DecompositionRule& rule) : rule_(rule) {}
+
+  /// eta V'_a V'_b/(V_a V_b) of eqs. 11 and 15 there, V' being the volumes of the cells and V those of the material in
+  /// them: the share, of the pairs of places with material in the two cells, of those whose connection meets no crack
+  /// and no void. Of a cell that a crack passes through count the places on the side of its point: to the letter of
+  /// eq. 11 that point would hold on to both faces of the crack, and keep it together. 0 where it is below 1e-6. The
+  /// two cells may not be exchanged without changing the last digits. `near`: at least what is near either of them, of
+  /// the same discontinuities in the same order for all bonds.
+  double of(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
+  /// Of the bonds so far, those between whose cells a crack or a void may be.
+  long long nNear() const { return nNear_; }
+  /// Lines of cells times places that looked at them, so far.
+  long long nLines() const { return nLines_; }
+
+ private:
+  /// By n^D places of `a` that look at n^(D-1) lines of `b`; negative where no place of `a`, or of `b`, counts.
+  double byLines(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n, bool countsMiddles);
+  double adaptively(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
+  /// 0 where a crack cuts the bond by the rule for tips, or another screen its line.
+  double byTipRule(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, TipRule rule);
+
+  const DecompositionRule rule_;
+  LinedCells cells_;
+  NearDiscontinuities between_;  ///< the two cells
+  std::array<std::vector<double>, 3> parts_;
+  Sight sight_;
+  long long nNear_ = 0, nLines_ = 0;
+};
+
+/// Of one bond. `nLines`, where given, is raised by the lines that it took.
 double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, const DecompositionRule& rule,
                         long long* nLines = nullptr);
 

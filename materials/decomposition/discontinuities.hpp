@@ -8,12 +8,28 @@
 #include <vector>
 
 #include "places.hpp"
+#include "simd.hpp"
 
 namespace pd::decomposition {
 
 /// From `low` to `high`; nothing where low >= high.
 struct Range {
   double low, high;
+};
+
+/// Up to 16 places: the corners of one cell or of two.
+class Corners {
+ public:
+  void add(const Place& place) { places_[n_++] = place; }
+  std::size_t size() const { return n_; }
+  const Place* begin() const { return places_.data(); }
+  const Place* end() const { return places_.data() + n_; }
+  Place& operator[](std::size_t k) { return places_[k]; }
+  const Place& operator[](std::size_t k) const { return places_[k]; }
+
+ private:
+  std::array<Place, 16> places_;
+  std::size_t n_ = 0;
 };
 
 /// The parallelepiped that a point stands for: centre + sum of s_k edge_k, |s_k| <= 1/2. In a plane the third edge is
@@ -23,7 +39,18 @@ struct Cell {
   std::array<Place, 3> edges;
   int dimension = 3;
   /// Places of its corners, 4 in a plane and 8 in space.
-  std::vector<Place> corners() const;
+  Corners corners() const;
+};
+/// The corners of two cells, between which all their connections are.
+Corners cornersOf(const Cell& a, const Cell& b);
+
+/// As many places as a vector of the processor has lanes.
+using Places = std::array<kernels::Vector, 3>;
+
+/// For each of several places, all x with normal . (x - origin) <= offset.
+struct HalfSpace {
+  Places normal;
+  kernels::Vector offset;
 };
 
 /// Parallel straight lines of one length: line r is start_r + s step, 0 <= s <= 1.
@@ -51,6 +78,13 @@ class Screen {
   /// Which part of each line `place` does not see, in s: an interval for convex screens; [lines] each, nothing where
   /// from >= to. A place on a crack belongs to the side that its normal points to.
   virtual void hide(const Place& place, const Lines& lines, double* from, double* to) const = 0;
+  /// Adds half-spaces whose common part is what the places do not see behind it (not what is inside of it), with
+  /// `origin` as theirs; false where that has another form. Where a place is inside, it sees nothing.
+  virtual bool addShadow(const Places&, const Place& /*origin*/, std::vector<HalfSpace>&) const { return false; }
+  /// As hide() for several places, [lines] each, but without what is inside of it; false where it cannot.
+  virtual bool hideFromEach(const Places&, const Lines&, kernels::Vector* /*from*/, kernels::Vector* /*to*/) const {
+    return false;
+  }
   /// False only where no connection of the two cells meets it.
   virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
   virtual Box box() const = 0;

@@ -91,7 +91,7 @@ class CrossingsAt {
   }
 
   PlaneCell a_, b_;
-  std::vector<Place> cornersOfA_, cornersOfB_;
+  Corners cornersOfA_, cornersOfB_;
   Place forward_;
 };
 

@@ -12,6 +12,7 @@ struct FlowLaw {
   double density, viscosity;  ///< kg/m3, Pa s
   kernels::ViscousKernel viscousKernel;
   double gradientHorizon;  ///< of gradients, divergence and convection, m; at most half of the horizon
+  double fluxHorizon;      ///< of bonds that move volume from point to point (Bond_Flow), m; at most the horizon
   BondFamily family;       ///< section, horizon of the viscous operator, share of volumes
 
   double horizonVolume() const { return kernels::horizonVolume(family.horizon, family.section); }
@@ -25,7 +26,8 @@ struct FlowLaw {
 class FlowMaterial {
  public:
   virtual ~FlowMaterial() = default;
-  virtual const FlowLaw& flowLaw() const = 0;
+  /// Null where it is no fluid: of a list of materials none may be one.
+  virtual const FlowLaw* flowLaw() const = 0;
 };
 
 }  // namespace pd

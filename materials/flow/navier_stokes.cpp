@@ -42,6 +42,12 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
               "Reach of gradients, divergence and convection, at most half of the horizon, which is the default. "
               "Viscosity has the horizon of the block.")
         .positive();
+    declare
+        .real("Flux Horizon", "m",
+              "Longest bond that moves volume from point to point, where a material carries a scalar along "
+              "(Bond_Flow); by default that of gradients. On lattices of squares and cubes 1.2 spacings, the nearest "
+              "neighbours alone, spread what is carried least.")
+        .positive();
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     BondFamily::declareSection(declare);
     declare.text("Volume Correction", "As of PDHE; by default none.")
@@ -57,7 +63,7 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
   // Incompressible, and without shear stiffness; Peridigm asks every material for these.
   double BulkModulus() const override { return 0.0; }
   double ShearModulus() const override { return 0.0; }
-  const FlowLaw& flowLaw() const override { return law_; }
+  const FlowLaw* flowLaw() const override { return &law_; }
   const FieldTable& fields() const override { return fields_; }
   std::vector<int> FieldIds() const override { return fields_.ids(); }
 
@@ -91,10 +97,17 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
       throw std::invalid_argument("material Navier Stokes: \"Gradient Horizon\" " + std::to_string(reach) +
                                   " m is more than half of the horizon, " + std::to_string(family.horizon) +
                                   " m; gradients of neighbours must lie within it");
-    return {params.get<double>("Density"), params.get<double>("Viscosity"),
+    const double flux = params.isParameter("Flux Horizon") ? params.get<double>("Flux Horizon") : reach;
+    if (flux > family.horizon)
+      throw std::invalid_argument("material Navier Stokes: \"Flux Horizon\" " + std::to_string(flux) +
+                                  " m is more than the horizon, " + std::to_string(family.horizon) + " m");
+    return {params.get<double>("Density"),
+            params.get<double>("Viscosity"),
             params.get<std::string>("Viscous Kernel") == "Laplacian" ? kernels::ViscousKernel::Laplacian
                                                                      : kernels::ViscousKernel::Transverse,
-            reach, family};
+            reach,
+            flux,
+            family};
   }
 
   /// Bonds of a point no longer than `reach`, and the neighbours at their ends.

@@ -52,6 +52,14 @@ inline Vector squareRoot(const Vector& x) {
 #endif
   return stdx::sqrt(x);
 }
+/// The next integer that is not below.
+inline Vector ceiling(const Vector& x) {
+#ifdef __AVX512F__
+  if constexpr (lanes == 8)
+    return Vector(_mm512_maskz_roundscale_pd(0xff, static_cast<__m512d>(x), _MM_FROUND_TO_POS_INF));
+#endif
+  return stdx::ceil(x);
+}
 inline double squareRoot(double x) { return std::sqrt(x); }
 inline double inverseSquareRoot(double x) { return 1.0 / std::sqrt(x); }
 

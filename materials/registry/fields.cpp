@@ -99,9 +99,6 @@ FieldHandle FieldTable::readsIfThere(const FieldDescription& field) {
 FieldHandle FieldTable::writes(const FieldDescription& field, Ghosts ghosts) {
   return use(field, FieldAccess::Writes, ghosts, false);
 }
-FieldHandle FieldTable::writesIfThere(const FieldDescription& field) {
-  return use(field, FieldAccess::Writes, Ghosts::None, true);
-}
 /// Solvers find rates by their names.
 FieldHandle FieldTable::adds(const FieldDescription& field) {
   if (!field.rateOf.empty() && field.label != fluxDivergenceField(field.rateOf))
@@ -314,6 +311,11 @@ FieldDescription interfaceAreaDensity() {
 }
 FieldDescription saltCoverage() {
   return pointScalar("Salt_Coverage", "1", "Share of the surface near a liquid point that salt covers.").state();
+}
+FieldDescription filmCoverage() {
+  return pointScalar("Film_Coverage", "1",
+                     "Share of the metal's surface near the point that a film keeps from "
+                     "dissolving.");
 }
 FieldDescription dissolutionDemand() {
   return pointScalar("Dissolution_Demand", "mol/(m2 s)",

@@ -129,7 +129,6 @@ class FieldTable {
   FieldHandle reads(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
   FieldHandle readsIfThere(const FieldDescription& field);
   FieldHandle writes(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
-  FieldHandle writesIfThere(const FieldDescription& field);
   FieldHandle adds(const FieldDescription& field);
   FieldHandle addsIfThere(const FieldDescription& field);
   FieldHandle worsens(const FieldDescription& field);
@@ -231,6 +230,7 @@ FieldDescription solidConcentration();
 FieldDescription saturationConcentration();
 FieldDescription interfaceAreaDensity();
 FieldDescription saltCoverage();
+FieldDescription filmCoverage();
 FieldDescription dissolutionDemand();
 FieldDescription dissolutionRate();
 FieldDescription dissolutionRateSlope();

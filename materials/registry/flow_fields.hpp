@@ -12,6 +12,19 @@ inline FieldDescription viscosity() {
 inline FieldDescription fluidShare() {
   return pointScalar("Fluid", "1", "1 at points of the flow, 0 beyond its walls, inlets and outflows.");
 }
+/// Of bonds that begin at a point of the flow.
+inline FieldDescription bondFlow() {
+  FieldDescription field = bondScalar(
+      "Bond_Flow", "1/s", "Volume that moves along the bond from its point, per second and volume of the point.");
+  field.temporal = PeridigmNS::PeridigmField::CONSTANT;
+  return field.state();
+}
+inline FieldDescription bondOpening() {
+  FieldDescription field =
+      bondScalar("Bond_Opening", "1", "Share of the bond up to a wall; 1 within the flow, 0 beyond an outflow.");
+  field.temporal = PeridigmNS::PeridigmField::CONSTANT;
+  return field.state();
+}
 
 }  // namespace pd::fields
 

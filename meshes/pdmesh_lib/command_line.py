@@ -14,6 +14,7 @@ from .errors import MeshError
 from .expressions import named, select, variables_of
 from .grains_command import add_grains
 from .mesh import read_mesh
+from .outline_command import add_outline
 from .points import export_points, read_node_set, read_points, report
 
 _EPILOG = """sample runs
@@ -27,6 +28,8 @@ _EPILOG = """sample runs
   pdmesh grid tube --radius 0.02 --inner-radius 0.01 --length 0.1 --spacing 0.001 -o tube.txt
   pdmesh grains plate.txt --size 2e-5 --width 1e-6 -o polycrystal.txt
       grains of block 1 in a Voronoi structure; their boundaries become block 2
+  pdmesh outline section.png --pixel 2e-6 -o voids.txt
+      outlines of the dark parts of an image, for `Voids` of a deck
   pdmesh info plate.txt top.txt bottom.txt --horizon 0.005
   pdmesh export plate.txt plate.vtu
 
@@ -58,10 +61,11 @@ class _Parser(argparse.ArgumentParser):
 def _parser():
     parser = _Parser(prog="pdmesh", description="Meshes for pdrun.", epilog=_EPILOG,
                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    commands = parser.add_subparsers(required=True, metavar="convert | grid | grains | info | export")
+    commands = parser.add_subparsers(required=True, metavar="convert | grid | grains | outline | info | export")
     _add_convert(commands)
     _add_grid(commands)
     add_grains(commands)
+    add_outline(commands)
     info = commands.add_parser("info", help="what a mesh or a text discretization holds")
     info.add_argument("mesh", help="text discretization (.txt) or any mesh that meshio reads")
     info.add_argument("node_sets", nargs="*", help="node set files to check against it")

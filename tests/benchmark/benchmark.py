@@ -9,6 +9,7 @@ tables of README.md (speed_table.py), and writes them beside its results.
   benchmark.py BUILD_FOLDER            everything, some minutes on an idle machine; into BUILD_FOLDER/benchmark.json
   PERIDIGM_EXECUTABLE=... benchmark.py BUILD_FOLDER    the same, with that Peridigm on the block beside pdrun
   benchmark.py BUILD_FOLDER --whole-crevice    72 h of the crevice at steps of 5 s too, ten minutes more
+  benchmark.py BUILD_FOLDER --fatigue-events    600 events of a plate of 90 k points that tires too, ten minutes more
   benchmark.py BUILD_FOLDER --quick    tiny bodies and few steps, to see that all of it runs: the figures mean nothing
 """
 import argparse
@@ -203,6 +204,28 @@ class Benchmark:
         broken = [line for line in report["solver"] if "further equilibria" in line]
         return seconds, int(broken[0].split()[1]) if broken else 0
 
+    def fatigue_events(self):
+        """A plate of 90 k points that tires: seconds for 600 events, the coarse level and all, on one rank, and what two
+        make of the first of them."""
+        counts, n_events = ((40, 40, 1), 6) if self.is_quick else ((300, 300, 1), 600)
+        for mesh, jitter in (("lattice", 0.0), ("jittered", 0.2)):
+            seconds, found = self._events(counts, jitter, n_events, 1)
+            self.add(f"fatigue_{mesh}_90k_600_events_s", seconds * n_events / found, "s")
+            self.add(f"fatigue_{mesh}_90k_events", found, "1")
+            times = [self._events(counts, jitter, n_events // 6, ranks)[0] for ranks in (1, 2)]
+            self.add(f"speedup_2_ranks_fatigue_{mesh}", times[0] / times[1], "1")
+
+    def _events(self, counts, jitter, n_events, ranks):
+        """(seconds, events) of a run until so many events may have been: two bonds and more break in one of a lattice."""
+        n_bonds = n_events * (1 if jitter > 0.0 else 2)
+        # Those that the notch cuts count, too: a run that may break none says how many they are.
+        report = self.own_run(counts, scenes.tiring_plate(counts, 1), jitter=jitter)
+        ended = next(line for line in report["solver"] if "Broken has reached" in line)
+        n_bonds += int(float(ended.split("reached")[1].split()[0]))
+        report = self.own_run(counts, scenes.tiring_plate(counts, n_bonds), jitter=jitter, ranks=ranks)
+        words = next(line for line in report["solver"] if "bonds broke in" in line).split()
+        return self._stepping_seconds(report), int(words[words.index("events,") - 1])
+
     def crevice(self):
         """The crevice by adaptive steps, and by those of its source: 5 s, for a tenth of its 72 h or for all of them."""
         folder = self.folder / "crevice"
@@ -294,6 +317,7 @@ def main():
     parser.add_argument("build", type=Path, help="where pdrun and kernels_benchmark were built")
     parser.add_argument("--quick", action="store_true", help="tiny bodies; the figures mean nothing")
     parser.add_argument("--whole-crevice", action="store_true", help="crevice_fixed_step_s, ten minutes more")
+    parser.add_argument("--fatigue-events", action="store_true", help="600 events of fatigue, ten minutes more")
     parser.add_argument("-o", "--output", type=Path, help="default: benchmark.json in the build folder")
     options = parser.parse_args()
     build = options.build.resolve()
@@ -301,8 +325,11 @@ def main():
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
         benchmark = Benchmark(build, Path(folder), options.quick, options.whole_crevice)
-        for part in (benchmark.block, benchmark.hydrogen_plate, benchmark.statics, benchmark.crevice, benchmark.mechanics,
-                     benchmark.speedup, benchmark.million_points, benchmark.kernels):
+        parts = [benchmark.block, benchmark.hydrogen_plate, benchmark.statics, benchmark.crevice, benchmark.mechanics,
+                 benchmark.speedup, benchmark.million_points, benchmark.kernels]
+        if options.fatigue_events:
+            parts.append(benchmark.fatigue_events)
+        for part in parts:
             try:
                 benchmark.measure_yardstick()
                 part()

@@ -92,6 +92,23 @@ def opened_plate(counts, opening):
                 conditions=conditions, filters=notch)
 
 
+def tiring_plate(counts, n_bonds):
+    """The plate of opened_plate() under cycles of load: bonds tire in front of the notch, one event after another, until
+    `n_bonds` are broken, those of the notch among them. Opened so little that none breaks at once."""
+    result = opened_plate(counts, 0.2)
+    # A life of some ten thousand cycles at the strains of a tip. It is the order of failures that counts here.
+    result["Damage Models"]["Breakage"] = {"Damage Model": "Remaining Life", "Growth Coefficient": 1e4,
+                                           "Growth Exponent": 2.0, "Critical Stretch": 1.0}
+    result["Boundary Conditions"]["Up"]["Value"] = f"{0.1 * SPACING!r}"
+    result["Boundary Conditions"]["Down"]["Value"] = f"{-0.1 * SPACING!r}"
+    result["Discretization"]["Bond Filters"]["Notch"]["Count In Damage"] = True
+    result["Solver"] = {"Final Time": 1e12,
+                        "Fatigue": {"Kinematics": "Small Strain", "Relative Tolerance": 1e-5,
+                                    "Stop When": {"Value": "Broken", "Reaches": n_bonds}}}
+    result["Compute Class Parameters"] = {"Broken": {"Compute Class": "Broken_Bonds", "Output Label": "Broken"}}
+    return result
+
+
 def diffusing_plate(counts, steps):
     """A plate, half of it full: `steps` steps of Euler's method. Its material has no stiffness, so no force is found."""
     conditions = {"Half Node Set": {"Expression": f"x < {0.5 * SPACING * counts[0]!r}"},

@@ -95,6 +95,10 @@ def _rows(f):
             yield (names, f"equilibrium of a plate of {size[:-1]} k points, horizon 4 spacings, to 1e-5, {text}",
                    plain(lambda names=names: f"{f.number(names[0]):.3f} s (jittered lattice: {f.number(names[1]):.3f} s)"),
                    aim)
+    names = [f"fatigue_{mesh}_90k_600_events_s" for mesh in ("lattice", "jittered")]
+    yield (names, "fatigue of the plate of 90 k points, 600 events (`--fatigue-events`)",
+           plain(lambda names=names: f"{f.number(names[0]):.0f} s (jittered lattice: {f.number(names[1]):.0f} s)"),
+           "75 s, 240 s")
     yield (["crevice_adaptive_s"], "crevice, 216 k points, 72 h of dissolution (`decks/crevice`), adaptive steps",
            plain(lambda: f"{f.number('crevice_adaptive_s'):.0f} s"), "45 s")
     yield (["crevice_fixed_step_s"], "the same by 51840 steps of 5 s",

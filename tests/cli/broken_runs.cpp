@@ -184,8 +184,17 @@ std::vector<Broken> brokenRuns() {
         "forces, as QuasiStatic does"}},
       {"LoadOutOfThePlane",
        {{"Type: Prescribed Concentration\n", "Type: Force\n    Coordinate: z\n"}},
-       {"deck.yaml:53:3: condition \"Charge\" pushes along z, but the points of this mesh are in one plane and move "
+       {"deck.yaml:53:3: condition \"Charge\" acts along z, but the points of this mesh are in one plane and move "
         "along x and y alone"}},
+      {"DisplacementOutOfThePlane",
+       {{"Coordinate: x\n    Value: {Table", "Coordinate: z\n    Value: {Table"}},
+       {"deck.yaml:48:3: condition \"Pull\" acts along z, but the points of this mesh are in one plane and move along "
+        "x "
+        "and y alone"}},
+      {"LoadOfHeldPoints",
+       {{"Type: Prescribed Concentration\n    Node Set: Top Node Set\n", "Type: Force\n    Node Set: Left Node Set\n"}},
+       {"deck.yaml:53:3: condition \"Charge\" moves nothing: the displacement of all of its points is prescribed along "
+        "it. Give its points to one of the two conditions alone"}},
       {"PressureWithoutDirection",
        {{"Type: Prescribed Concentration\n", "Type: Pressure\n    Area: 1.0e-5\n"}},
        {"deck.yaml:53:3: Boundary Conditions/Charge: give one of \"Normal\", \"Center\""}},

@@ -96,6 +96,28 @@ class FlowDecks(SceneTest):
             deck["Boundary Conditions"]["Lid"]["Velocity"] = [1e-6, 0.0, 1e-6]
         self.assert_refused(slant, 'condition "Lid"', "has a component along z")
 
+    def test_one_boundary_has_one_velocity(self):
+        def give_another(deck):
+            deck["Boundary Conditions"]["Second"] = {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set",
+                                                     "Velocity": [2e-6, 0.0], "Surface": "1 - y"}
+        self.assert_refused(give_another, 'conditions "Lid" and "Second" give the flow different values at one Surface where '
+                            "their node sets overlap")
+
+    def test_nothing_breaks_in_a_fluid(self):
+        def break_it(deck):
+            deck["Damage Models"] = {"Brittle": {"Damage Model": "Critical Stretch", "Critical Stretch": 0.01}}
+            deck["Blocks"]["Left"]["Damage Model"] = "Brittle"
+        self.assert_refused(break_it, "Blocks/Left: Damage Models/Brittle breaks bonds that deform, but no material of this "
+                            "block carries load")
+
+    def test_a_ring_through_a_wall(self):
+        def measure(deck):
+            deck["Compute Class Parameters"] = {"Drag": {
+                "Compute Class": "Flow_Force", "Center X": 0.5, "Center Y": 0.5, "Inner Radius": 0.3, "Outer Radius": 0.6,
+                "Output Label": "Drag"}}
+            deck["Output"]["Output Variables"].append("Drag")
+        self.assert_refused(measure, "points between \"Inner Radius\" and \"Outer Radius\" are not fluid")
+
     def test_computes_without_a_point(self):
         def go_past(deck):
             deck["Compute Class Parameters"] = {"Past": {"Compute Class": "Mass_Flow", "Point X": 2.0, "Normal X": 1.0,

@@ -104,6 +104,7 @@ void MaterialRun::fillInputs(SmallBody& body) {
   if (body.hasField("Velocity"))
     for (int i = 0; i < body.nPoints(); ++i)
       for (int k = 0; k < sample_.dimension; ++k) body.field("Velocity")[3 * i + k] = noise(body.globalId(i), 40 + k);
+  fillFlow(body);
   for (const int id : fieldIds_) {
     const FieldSpec spec = FieldManager::self().getFieldSpec(id);
     const bool isPointScalar = (spec.relation == PeridigmField::NODE || spec.relation == PeridigmField::ELEMENT) &&
@@ -112,6 +113,32 @@ void MaterialRun::fillInputs(SmallBody& body) {
     const double factor = spec.label == "Damage" ? 1.0 : 0.5;
     for (int i = 0; i < body.nPoints(); ++i)
       body.field(spec.label)[i] = std::min(1.0, factor * (1.0 + noise(body.globalId(i), spec.id)));
+  }
+}
+
+/// Of a material that a flow carries something for: all is fluid, bonds move volume, as much to one end as from the
+/// other.
+void MaterialRun::fillFlow(SmallBody& body) {
+  FieldManager& fields = FieldManager::self();
+  if (!fields.hasField("Bond_Flow") ||
+      std::count(fieldIds_.begin(), fieldIds_.end(), fields.getFieldId("Bond_Flow")) == 0)
+    return;
+  std::fill_n(body.field("Fluid"), body.nPoints(), 1.0);
+  for (std::size_t b = 0; b < body.blocks()->size(); ++b) {
+    const auto neighborhood = body.block(b).getNeighborhoodData();
+    const int* list = neighborhood->NeighborhoodList();
+    double *flow = body.field("Bond_Flow", b), *opening = body.field("Bond_Opening", b);
+    for (int p = 0; p < neighborhood->NumOwnedPoints(); ++p) {
+      const int i = neighborhood->OwnedIDs()[p];
+      for (int n = *list++; n > 0; --n) {
+        const int j = *list++;
+        const int low = std::min(body.globalId(i), body.globalId(j)),
+                  high = std::max(body.globalId(i), body.globalId(j));
+        const double moved = noise(1000 * low + high, 60) * (body.globalId(i) == low ? 1.0 : -1.0);
+        *flow++ = moved / body.field("Volume")[i];
+        *opening++ = 1.0;
+      }
+    }
   }
 }
 

@@ -53,6 +53,7 @@ class MaterialRun {
 
  private:
   void fillInputs(SmallBody& body);
+  void fillFlow(SmallBody& body);
   void damage();
   void synchronize(const std::vector<int>& fieldIds);
   void addSummed(Results& results, std::size_t rank, const std::string& label);

@@ -132,6 +132,11 @@ std::vector<Sample> materialSamples() {
          dimension == 2 ? withText(plate(water, "Plane Strain"), "Viscous Kernel", "Transverse") : water});
     samples.back().conserves = false;  // nor need walls
   }
+  Teuchos::ParameterList carried;
+  carried.set("Diffusivity", 0.4);
+  samples.push_back({"CarriedInThePlane", "Advection Diffusion", 2, plate(carried, "Plane Strain")});
+  samples.push_back({"CarriedByUpwindEnds", "Advection Diffusion", 3,
+                     with(withText(carried, "Scheme", "Upwind Biased"), "Upwind Share", 0.8)});
   const auto material = [](const std::vector<PartSample>& parts) {
     return combined("Materials", "Material Model", parts);
   };

@@ -47,6 +47,7 @@ class BoundaryConditionsTest : public ::testing::Test {
   }
   Model modelOf(const Deck& deck) const {
     Discretization points = Lattice{7, 1, 1, 1.0}.discretization(comm);
+    points.dimension = 2;  // a row of points of a plane
     points.nodeSets = {{"Left Node Set", {0, 1}}, {"Right Node Set", {5, 6}}, {"Middle Node Set", {1, 2, 3}}};
     return Model(deck, comm, points, {});
   }

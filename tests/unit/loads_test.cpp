@@ -169,8 +169,8 @@ TEST_F(LoadsTest, WhatDoesNotFitTheMeshIsAMistake) {
     EXPECT_NE(error.find(part), std::string::npos) << error;
   };
   expect(errorOf("Type: Force, Coordinate: z, Value: 1.0", square, isRight),
-         "test.yaml:10:3: condition \"Load\" pushes along z, but the points of this mesh are in one plane");
-  expect(errorOf("Type: Pressure, Normal: [1, 0, 1], Area: 1.0, Value: 1.0", square, isRight), "pushes along z");
+         "test.yaml:10:3: condition \"Load\" acts along z, but the points of this mesh are in one plane");
+  expect(errorOf("Type: Pressure, Normal: [1, 0, 1], Area: 1.0, Value: 1.0", square, isRight), "acts along z");
   expect(errorOf("Type: Pressure, Center: [6.3, 5.8, 0], Area: 4.7, Value: 1.0", square, isQuarter),
          "a node set that is a part of a round surface needs \"Closed: false\"");
   expect(errorOf("Type: Pressure, Center: [6, 5, 0], Area: 4.7, Value: 1.0", square,

@@ -85,6 +85,24 @@ class Springs : public ::testing::TestWithParam<Body> {
       }
   }
 
+  /// Two bonds of the point of this number.
+  void breakBondsOf(long long centre) {
+    const Discretization& points = model_.discretization();
+    PeridigmNS::Block& block = model_.blocks()->front();
+    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
+    double* damage = nullptr;
+    block.getData(id, PeridigmNS::PeridigmField::STEP_NP1)->ExtractView(&damage);
+    const int* list = points.neighborhoodList.data();
+    for (int i = 0; i < points.nOwned; ++i)
+      for (int count = *list++; count > 0; --count, ++list, ++damage) {
+        const auto a = points.globalIds[static_cast<std::size_t>(i)],
+                   b = points.globalIds[static_cast<std::size_t>(*list)];
+        if (std::min(a, b) != centre || std::max(a, b) > centre + 2 || *damage == 1.0) continue;
+        *damage = 1.0;
+        model_.field("Damage")[i] += 0.01;
+      }
+  }
+
   void healBonds() {
     PeridigmNS::Block& block = model_.blocks()->front();
     const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
@@ -177,6 +195,23 @@ TEST_P(Springs, ThatFollowBondsAreThoseOfAFreshStartToTheLastBit) {
   EXPECT_EQ(followed, fresh);
 }
 
+TEST_P(Springs, FindForcesAgainWhereBondsHaveBroken) {
+  const std::vector<double> u = someDisplacement(false);
+  std::vector<double> padded(3 * static_cast<std::size_t>(model_.nPoints()));
+  std::copy(u.begin(), u.end(), padded.begin());
+  std::vector<double> followed(padded.size()), fresh(padded.size());
+  SpringTangent following(model_);
+  following.force(padded.data(), followed.data());
+  breakBondsOf(model_.discretization().nGlobal / 2);
+  following.bondsHaveChanged();
+  following.force(padded.data(), followed.data());
+  SpringTangent afresh(model_);
+  afresh.force(padded.data(), fresh.data());
+  followed.resize(u.size());
+  fresh.resize(u.size());
+  EXPECT_LT(norm(difference(followed, fresh)), 1e-14 * norm(fresh));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Bodies, Springs,
     ::testing::Values(
@@ -240,6 +275,18 @@ INSTANTIATE_TEST_SUITE_P(
              0.1,
              "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.2, Plane Strain: true, Thickness: 1.0, "
              "Volume Correction: None}"},
+        // k_t = k_n: springs that resist alike along and across, whose constants do not follow from one of them.
+        Body{"LargeTwoParametersAlike",
+             {40, 30, 1, 3.2},
+             0.0,
+             0.1,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.0, Plane Stress: true, Thickness: 1.0, "
+             "Surface Correction: Volume Method}"},
+        Body{"LargeTwoParametersJittered",
+             {70, 40, 1, 4.01},
+             0.4,
+             0.05,
+             "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.29, Plane Stress: true, Thickness: 1.0}"},
         Body{"TwoParametersLinear",
              {24, 14, 1, 3.01},
              0.0,

@@ -220,6 +220,91 @@ class Pores(SceneTest):
             np.testing.assert_array_equal(rest.field(label), whole.field(label))
 
 
+class Surfaces(SceneTest):
+    """A pore as triangles in an STL file, in a body of 10 x 10 x 10 jittered points."""
+    SPACING = 1.0e-3
+    CENTER, HALF = np.array([5.2e-3, 4.7e-3, 5.1e-3]), np.array([2.1e-3, 1.3e-3, 1.6e-3])
+
+    def setUp(self):
+        super().setUp()
+        points = lattice([0.01, 0.01, 0.01], self.SPACING)
+        points += 0.2 * self.SPACING * np.random.default_rng(1).uniform(-1.0, 1.0, points.shape)
+        self.write_mesh(points, self.SPACING**3)
+
+    @staticmethod
+    def divided_octahedron(times):
+        """[n, 3, 3] triangles on the unit ball, corners against the clock from outside."""
+        faces = np.array([[[a, 0, 0], [0, b, 0], [0, 0, c]] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)], float)
+        turned = np.linalg.det(faces) < 0
+        faces[turned] = faces[turned][:, [0, 2, 1]]
+        for _ in range(times):
+            a, b, c = faces.transpose(1, 0, 2)
+            ab, bc, ca = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
+            faces = np.concatenate([np.stack(t, axis=1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+        return faces / np.linalg.norm(faces, axis=2, keepdims=True)
+
+    def write_stl(self, faces):
+        text = "solid pore\n"
+        for corners in faces:
+            text += "facet normal 0 0 0\nouter loop\n"
+            text += "".join(f"vertex {x!r} {y!r} {z!r}\n" for x, y, z in corners.tolist()) + "endloop\nendfacet\n"
+        with open(self.path("pore.stl"), "w") as file:
+            file.write(text + "endsolid pore\n")
+
+    def deck(self, pore, solver=SMALL_STRAIN, pull="1.0e-6", **output):
+        conditions = {"Top Node Set": {"Expression": "z > 7.6e-3"}, "Bottom Node Set": {"Expression": "z < 2.4e-3"},
+                      "Up": prescribed("Top Node Set", "z", pull), "Down": prescribed("Bottom Node Set", "z", 0.0),
+                      "Top X": prescribed("Top Node Set", "x", 0.0), "Bottom X": prescribed("Bottom Node Set", "x", 0.0),
+                      "Top Y": prescribed("Top Node Set", "y", 0.0), "Bottom Y": prescribed("Bottom Node Set", "y", 0.0)}
+        deck = plate_deck(1.5e-3, 1.0, conditions=conditions, solver=solver,
+                          damage={"Damage Model": "Critical Stretch", "Critical Stretch": 0.01},
+                          output={"Output Variables": ["Displacement", "Volume", "Damage"], **output})
+        deck["Materials"]["Steel"] = {"Material Model": "PDHE", "Young's Modulus": YOUNG, "Poisson's Ratio": 0.25,
+                                      "Density": 8000.0}
+        deck["Discretization"] = {"Type": "Text File", "Input Mesh File": "mesh.txt", "Voids": {"Pore": pore}}
+        return deck
+
+    SURFACE = {"Type": "Surface", "File Name": "pore.stl", "Scale": 1e-3, "Shift": [5.2e-3, 4.7e-3, 5.1e-3]}
+
+    def test_a_body_with_it_is_that_with_the_ellipsoid(self):
+        faces = self.divided_octahedron(3)
+        volume = np.sum(np.linalg.det(faces)) / 6
+        self.write_stl(faces * (4 / 3 * np.pi / volume)**(1 / 3) * self.HALF * 1e3)
+        pores = {"surface": self.SURFACE,
+                 "ellipsoid": {"Type": "Ellipsoid", "Center": self.CENTER.tolist(), "Half Axes": self.HALF.tolist()},
+                 "speck": {"Type": "Sphere", "Center": self.CENTER.tolist(), "Radius": 1e-8}}
+        results = {name: self.solve(self.deck(pore, **{"Output Filename": name})) for name, pore in pores.items()}
+        self.assertAlmostEqual(np.sum(results["surface"].field("Volume")) / np.sum(results["ellipsoid"].field("Volume")), 1.0,
+                               delta=2e-4)
+        n = len(results["ellipsoid"].field("Volume"))
+        self.assertEqual(len(results["surface"].field("Volume")), n)
+        u, v = (results[name].field("Displacement") for name in ("surface", "ellipsoid"))
+        self.assertLess(np.max(np.abs(u - v)), 4e-9)  # of 1e-6; at points with little material beside the pore
+        self.assertLess(n, len(results["speck"].field("Volume")))
+
+    def test_ranks_and_restarts(self):
+        # With a dent, so that it is not convex.
+        faces = self.divided_octahedron(2)
+        faces[faces[:, :, 0] > 0.8] *= 0.5
+        self.write_stl(faces * self.HALF * 1e3)
+        results = [self.solve(self.deck(self.SURFACE, **{"Output Filename": f"on_{n}"}), ranks=n) for n in (1, 2, 4)]
+        for other in results[1:]:
+            np.testing.assert_array_equal(results[0].field("Volume"), other.field("Volume"))
+            u, v = results[0].field("Displacement"), other.field("Displacement")
+            self.assertLess(np.max(np.abs(u - v)), 1e-6 * np.max(np.abs(u)))
+        steps = {"Final Time": 4e-6, "Verlet": {"Fixed dt": 1e-7}}
+        whole = self.solve(self.deck(self.SURFACE, steps, "20.0*t", **{"Output Frequency": 20, "Checkpoint Frequency": 20}))
+        self.assertGreater(np.max(whole.field("Damage")), 0.1)
+        half = self.deck(self.SURFACE, {**steps, "Final Time": 2e-6}, "20.0*t", **{"Output Frequency": 20, "Checkpoint Frequency": 20,
+                                                                        "Output Filename": "half"})
+        self.solve(half)
+        half["Solver"]["Final Time"] = 4e-6
+        half["Output"]["Output Filename"] = "rest"
+        rest = self.solve(half, arguments=["--restart", "half.checkpoint.h5"])
+        for label in ("Damage", "Displacement"):
+            np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
 class DamageOfCracks(SceneTest):
     def test_it_is_that_of_a_filter_but_at_the_tip(self):
         points = lattice([0.03, 0.03], 1e-3)

@@ -13,6 +13,7 @@ sys.path.insert(0, os.path.join(here, "../support"))
 sys.path.insert(0, os.path.join(here, "../../decks/fracture_energy"))
 from growth import CUTS, Growth  # noqa: E402
 from lattices import BODIES, lattice_points  # noqa: E402
+from pdplot_lib.results import Results  # noqa: E402
 from scene import SceneTest, lattice, pdrun_path, plate_deck  # noqa: E402
 
 E, FRACTURE_ENERGY, HORIZON, THICKNESS = 70e9, 8.0, 1.5e-3, 1e-3
@@ -143,11 +144,17 @@ class Beam(SceneTest):
         done = subprocess.run([pdrun_path(), "beam.yaml", "--quiet", *words], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_growth_at_the_fracture_energy(self):
+    def setUp(self):
+        super().setUp()
         deck = Path(here) / "../../decks/fracture_energy/beam.yaml"
         Path(self.path("beam.yaml")).write_text(deck.read_text())
-        points, volume = lattice_points(*BODIES["beam"], "square_3")
+
+    def write_points(self, lattice):
+        points, volume = lattice_points(*BODIES["beam"], lattice)
         self.write_mesh(np.column_stack([points, 0 * points[:, 0]]), volume, name="beam.txt")
+
+    def test_growth_at_the_fracture_energy(self):
+        self.write_points("square_3")
         for number, horizons in enumerate(CUTS):
             self.run_beam(f"beam_square_3_cut_{number}",
                           f"Discretization/Bond Filters/Pre-Crack/Bottom_Length={1.014 + horizons * HORIZON}",
@@ -158,6 +165,14 @@ class Beam(SceneTest):
         growth = Growth(Path(self.folder), "beam", "square_3", "Nodal")
         self.assertGreater(growth.needed(2.0), 0.9)
         self.assertLess(growth.needed(2.0), 1.1)
+
+    def test_pressed_arms_keep_the_crack_in_its_plane(self):
+        """Arms that pull along the crack make a straight one unstable in a continuum (Cotterell & Rice 1980), and this one turns by 26
+        degrees; pressed by more than that, it goes straight on although no row of points lies along it."""
+        self.write_points("turned_45")
+        self.run_beam("pressed", "Boundary Conditions/Press={Type: Force, Node Set: Left Node Set, Coordinate: x, Value: 270.0}",
+                      "Solver/QuasiStatic/Load Steps=20", "Solver/Final Time=1.6", "Output/Output Frequency=20")
+        self.assertLess(abs(Growth.direction(Results(self.path("pressed")), 14e-3)), 5.0)
 
 
 if __name__ == "__main__":

@@ -56,7 +56,14 @@ class Assembly {
       : stiffness_(stiffness), network_(stiffness.network()) {
     const auto nPoints = static_cast<std::size_t>(network_.points().nPoints);
     modes_.reserve(nPoints);
-    for (std::size_t point = 0; point < nPoints; ++point) modes_.push_back(space.modesAt(static_cast<int>(point)));
+    shapes_.resize(nPoints);
+    for (std::size_t point = 0; point < nPoints; ++point) {
+      modes_.push_back(space.modesAt(static_cast<int>(point)));
+      isWhole_.push_back(isWhole(modes_.back()) ? 1 : 0);
+      if (isWhole_.back() == 0) continue;
+      for (std::size_t c = 0; c < D; ++c)
+        for (std::size_t s = 0; s <= D; ++s) shapes_[point][c][s] = modes_.back().values[c][c * (D + 1) + s];
+    }
     diagonal_.assign(nPoints * nDiagonal, 0.0);
   }
 
@@ -104,7 +111,49 @@ class Assembly {
       }
   }
 
+  /// Most pieces have every shape for every component.
+  using Shapes = std::array<std::array<double, D + 1>, D>;
+  static bool isWhole(const Modes& modes) {
+    bool result = modes.piece.n == D * (D + 1) && !modes.isTurned;
+    for (int m = 0; m < modes.piece.n && result; ++m)
+      result = modes.component[static_cast<std::size_t>(m)] == m / (D + 1);
+    return result;
+  }
+  static void addWhole(double* block, double sign, const Shapes& a, const Shapes& b, const double* xi,
+                       const SpringConstants<double>& c) {
+    for (std::size_t d = 0; d < D; ++d)
+      for (std::size_t s = 0; s <= D; ++s, block += D * (D + 1))
+        for (std::size_t e = 0; e < D; ++e) {
+          const double factor = sign * (c.radial * xi[d] * xi[e] + (d == e ? c.across : 0.0)) * a[d][s];
+          for (std::size_t t = 0; t <= D; ++t) block[e * (D + 1) + t] += factor * b[e][t];
+        }
+  }
+  void addDiagonalOf(int point, const double* xi, const SpringConstants<double>& c) {
+    double* own = &diagonal_[static_cast<std::size_t>(point) * nDiagonal];
+    for (std::size_t d = 0; d < D; ++d)
+      for (std::size_t e = d; e < D; ++e) *own++ += c.radial * xi[d] * xi[e] + (d == e ? c.across : 0.0);
+  }
+  void addSpringOfWholes(int i, int j, const double* xi, const SpringConstants<double>& c) {
+    const Piece &a = modesOf(i).piece, &b = modesOf(j).piece;
+    const Shapes &atI = shapes_[static_cast<std::size_t>(i)], &atJ = shapes_[static_cast<std::size_t>(j)];
+    if (a.number == b.number) {
+      Shapes difference = atI;
+      for (std::size_t d = 0; d < D; ++d)
+        for (std::size_t s = 0; s <= D; ++s) difference[d][s] -= atJ[d][s];
+      addWhole(matrix_.of(a, a), 1.0, difference, difference, xi, c);
+      return;
+    }
+    if (a.number < b.number)
+      addWhole(matrix_.of(a, b), -1.0, atI, atJ, xi, c);
+    else
+      addWhole(matrix_.of(b, a), -1.0, atJ, atI, xi, c);
+    addDiagonalOf(i, xi, c);
+    addDiagonalOf(j, xi, c);
+  }
+
   void addSpring(int i, int j, const double* xi, const SpringConstants<double>& c) {
+    if (isWhole_[static_cast<std::size_t>(i)] != 0 && isWhole_[static_cast<std::size_t>(j)] != 0)
+      return addSpringOfWholes(i, j, xi, c);
     const Modes &a = modesOf(i), &b = modesOf(j);
     if (a.piece.number == b.piece.number) {
       // What the modes differ by at both ends.
@@ -118,11 +167,7 @@ class Assembly {
     const bool isInOrder = a.piece.number < b.piece.number;
     const Modes &low = isInOrder ? a : b, &high = isInOrder ? b : a;
     add(matrix_.of(low.piece, high.piece), -1.0, low, resisted(high, xi, c), high.piece.n);
-    for (const int point : {i, j}) {
-      double* own = &diagonal_[static_cast<std::size_t>(point) * nDiagonal];
-      for (std::size_t d = 0; d < D; ++d)
-        for (std::size_t e = d; e < D; ++e) *own++ += c.radial * xi[d] * xi[e] + (d == e ? c.across : 0.0);
-    }
+    for (const int point : {i, j}) addDiagonalOf(point, xi, c);
   }
 
   void addDiagonal() {
@@ -216,6 +261,8 @@ class Assembly {
   const SpringOperator& stiffness_;
   const SpringNetwork& network_;
   std::vector<Modes> modes_;
+  std::vector<Shapes> shapes_;  ///< [points] of those whose piece isWhole()
+  std::vector<char> isWhole_;
   std::vector<double> diagonal_;  ///< [points] upper triangle of what springs to other pieces resist
   BlockMatrix matrix_;
 };

@@ -44,33 +44,37 @@ struct Measure {
   }
 };
 
-template <class Real, int D, Family family, bool hasAcross>
+/// `isProportional`: SpringShape::acrossPerRadial is not 0.
+template <class Real, int D, Family family, bool hasAcross, bool isProportional>
 class Loops {
  public:
-  explicit Loops(const SpringNetwork& network) : network_(network) {}
+  explicit Loops(const SpringNetwork& network)
+      : network_(network), ratio_(static_cast<Real>(network.acrossPerRadial())) {}
 
   void addFamilies(const PointVector<Real>& x, PointVector<Real>& s) const {
     forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
       addFamiliesOfBlock<decltype(width)::value>(first, pattern, x, s);
     });
-    forEachBlockOfStrips([&](int first, int count, std::size_t column, const SpringStrip& strip) {
-      addFamiliesOfStrip(first, count, column, strip, x, s);
+    forEachBlockOfStrips([&](auto width, int first, int count, std::size_t column, const SpringStrip& strip) {
+      addFamiliesOfStrip<decltype(width)::value>(first, count, column, strip, x, s);
     });
     addFamiliesOfList<true>(network_.pairs(), x, s);
     addFamiliesOfList<false>(network_.singles(), x, s);
-    addFamiliesOfList<false>(network_.corrections(), x, s);
+    addFamiliesOfList<true>(network_.corrections(), x, s);
+    addFamiliesOfList<false>(network_.singleCorrections(), x, s);
   }
   void forces(const PointVector<Real>& x, const PointVector<Real>& t, PointVector<Real>& y) const {
     y.zero();
     forEachBlockOfRuns([&](auto width, int first, const SpringPattern& pattern) {
       forcesOfBlock<decltype(width)::value>(first, pattern, x, t, y);
     });
-    forEachBlockOfStrips([&](int first, int count, std::size_t column, const SpringStrip& strip) {
-      forcesOfStrip(first, count, column, strip, x, t, y);
+    forEachBlockOfStrips([&](auto width, int first, int count, std::size_t column, const SpringStrip& strip) {
+      forcesOfStrip<decltype(width)::value>(first, count, column, strip, x, t, y);
     });
     addForcesOfList<true>(network_.pairs(), x, t, y);
     addForcesOfList<false>(network_.singles(), x, t, y);
-    addForcesOfList<false>(network_.corrections(), x, t, y);
+    addForcesOfList<true>(network_.corrections(), x, t, y);
+    addForcesOfList<false>(network_.singleCorrections(), x, t, y);
   }
 
  private:
@@ -170,78 +174,154 @@ class Loops {
       for (int d = 0; d < D; ++d) (-sum[w][d]).copy_to(y[d] + first + w * lanes, stdx::element_aligned);
   }
 
-  /// work(first point, number of points, first column, strip)
+  /// work(number of vectors, first point, number of points, first column, strip)
   template <class Work>
   void forEachBlockOfStrips(const Work& work) const {
+    constexpr int most = D < 3 ? 2 : 1;
+    static_assert(most * lanes <= 2 * SpringStrip::lanes);
     for (const SpringStrip& strip : network_.strips())
-      for (int at = 0; at < strip.count; at += lanes)
-        work(strip.first + at, std::min(lanes, strip.count - at), static_cast<std::size_t>(at), strip);
+      for (int at = 0; at < strip.count;) {
+        const int left = strip.count - at, first = strip.first + at;
+        if (most > 1 && left > lanes) {
+          work(std::integral_constant<int, most>(), first, std::min(most * lanes, left), static_cast<std::size_t>(at),
+               strip);
+          at += most * lanes;
+        } else {
+          work(std::integral_constant<int, 1>(), first, std::min(lanes, left), static_cast<std::size_t>(at), strip);
+          at += lanes;
+        }
+      }
   }
   /// Lanes beyond `count` belong to other points.
   static void store(const Vector& value, Real* to, int count) {
-    if (count == lanes) return value.copy_to(to, stdx::element_aligned);
+    if (count >= lanes) return value.copy_to(to, stdx::element_aligned);
     std::array<Real, static_cast<std::size_t>(lanes)> all;
     value.copy_to(all.data(), stdx::element_aligned);
-    std::copy_n(all.begin(), count, to);
+    std::copy_n(all.begin(), std::max(count, 0), to);
   }
 
+  /// Writes xi and eta of the neighbours of `lanes` points from `first` on.
+  void findBonds(int first, int offset, const PointVector<Real>& x, const Vector* place, const Vector* own, Vector* xi,
+                 Vector* eta) const {
+    const PointVector<Real>& places = network_.places<Real>();
+    for (int d = 0; d < D; ++d) {
+      xi[d] = load(places[d] + first + offset) - place[d];
+      eta[d] = load(x[d] + first + offset) - own[d];
+    }
+  }
+  /// What a spring across resists by, over Ratio.
+  static Vector perRatio(const Vector& radial, const Vector* xi) {
+    Vector length2 = xi[0] * xi[0];
+    for (int d = 1; d < D; ++d) length2 += xi[d] * xi[d];
+    return radial * length2;
+  }
+
+  template <int width>
   void addFamiliesOfStrip(int first, int count, std::size_t column, const SpringStrip& strip,
                           const PointVector<Real>& x, PointVector<Real>& s) const {
     if constexpr (M::width > 0) {
       const PointVector<Real>& places = network_.places<Real>();
-      Vector own[D], place[D], sum[nArrays];
-      for (int d = 0; d < D; ++d) own[d] = load(x[d] + first);
-      for (int d = 0; d < D; ++d) place[d] = load(places[d] + first);
-      for (int m = 0; m < M::width; ++m) sum[m] = Real(0);
-      const Real* gives = strip.in<Real>().own.data() + column;
+      Vector own[width][D], place[width][D], sum[width][nArrays];
+      for (int w = 0; w < width; ++w) {
+        for (int d = 0; d < D; ++d) own[w][d] = load(x[d] + first + w * lanes);
+        for (int d = 0; d < D; ++d) place[w][d] = load(places[d] + first + w * lanes);
+        for (int m = 0; m < M::width; ++m) sum[w][m] = Real(0);
+      }
+      const SpringColumns<Real>& c = strip.in<Real>();
+      const Real* gives = (isProportional ? c.radial : c.own).data() + column;
       for (const int offset : strip.offsets) {
-        Vector xi[D], eta[D];
-        const Vector share = load(gives);
-        for (int d = 0; d < D; ++d) {
-          xi[d] = share * (load(places[d] + first + offset) - place[d]);
-          eta[d] = load(x[d] + first + offset) - own[d];
+        for (int w = 0; w < width; ++w) {
+          Vector xi[D], eta[D];
+          findBonds(first + w * lanes, offset, x, place[w], own[w], xi, eta);
+          Vector share = load(gives + w * lanes);
+          if constexpr (isProportional) share = perRatio(share, xi);
+          for (int d = 0; d < D; ++d) xi[d] *= share;
+          M::add(xi, eta, sum[w]);
         }
-        M::add(xi, eta, sum);
         gives += strip.count;
       }
-      for (int m = 0; m < M::width; ++m) store(sum[m], s[m] + first, count);
+      const Real factor = isProportional ? Real(0.5) * ratio_ : Real(1);
+      for (int w = 0; w < width; ++w)
+        for (int m = 0; m < M::width; ++m) store(factor * sum[w][m], s[m] + first + w * lanes, count - w * lanes);
     }
   }
 
+  template <int width>
   void forcesOfStrip(int first, int count, std::size_t column, const SpringStrip& strip, const PointVector<Real>& x,
                      const PointVector<Real>& t, PointVector<Real>& y) const {
     const PointVector<Real>& places = network_.places<Real>();
     const SpringColumns<Real>& c = strip.in<Real>();
-    Vector own[D], place[D], sum[D], ownResponse[nArrays];
-    for (int d = 0; d < D; ++d) {
-      own[d] = load(x[d] + first);
-      place[d] = load(places[d] + first);
-      sum[d] = Real(0);
+    Vector own[width][D], place[width][D], sum[width][D], turned[width][D], ownResponse[width][nArrays];
+    for (int w = 0; w < width; ++w) {
+      const int at = first + w * lanes;
+      for (int d = 0; d < D; ++d) {
+        own[w][d] = load(x[d] + at);
+        place[w][d] = load(places[d] + at);
+        sum[w][d] = turned[w][d] = Real(0);
+      }
+      for (int m = 0; m < M::width; ++m) ownResponse[w][m] = load(t[m] + at);
     }
-    for (int m = 0; m < M::width; ++m) ownResponse[m] = load(t[m] + first);
     std::size_t k = column;
     for (const int offset : strip.offsets) {
-      Vector xi[D], eta[D], along = Real(0);
-      for (int d = 0; d < D; ++d) {
-        xi[d] = load(places[d] + first + offset) - place[d];
-        eta[d] = load(x[d] + first + offset) - own[d];
-        along += xi[d] * eta[d];
-      }
-      along *= load(c.radial.data() + k);
-      for (int d = 0; d < D; ++d) sum[d] += along * xi[d];
-      if constexpr (hasAcross) {
-        const Vector across = load(c.across.data() + k);
-        for (int d = 0; d < D; ++d) sum[d] += across * eta[d];
-      }
-      if constexpr (M::width > 0) {
-        const Vector gives = load(c.own.data() + k), takes = load(c.others.data() + k);
-        Vector response[nArrays];
-        for (int m = 0; m < M::width; ++m) response[m] = gives * ownResponse[m] + takes * load(t[m] + first + offset);
-        M::addGradient(xi, response, sum);
+      for (int w = 0; w < width; ++w) {
+        const int at = first + w * lanes;
+        const std::size_t kw = k + static_cast<std::size_t>(w * lanes);
+        Vector xi[D], eta[D], force[D], along = Real(0);
+        findBonds(at, offset, x, place[w], own[w], xi, eta);
+        const Vector radial = load(c.radial.data() + kw);
+        for (int d = 0; d < D; ++d) along += xi[d] * eta[d];
+        along *= radial;
+        for (int d = 0; d < D; ++d) force[d] = along * xi[d];
+        if constexpr (isProportional) {
+          const Vector unit = perRatio(radial, xi), across = ratio_ * unit;
+          for (int d = 0; d < D; ++d) force[d] += across * eta[d];
+          if constexpr (M::width > 0) {
+            Vector response[nArrays];
+            for (int m = 0; m < M::width; ++m) response[m] = unit * (ownResponse[w][m] + load(t[m] + at + offset));
+            M::addGradient(xi, response, turned[w]);
+          }
+        } else {
+          if constexpr (hasAcross) {
+            const Vector across = load(c.across.data() + kw);
+            for (int d = 0; d < D; ++d) force[d] += across * eta[d];
+          }
+          if constexpr (M::width > 0) {
+            const Vector gives = load(c.own.data() + kw), takes = load(c.others.data() + kw);
+            Vector response[nArrays];
+            for (int m = 0; m < M::width; ++m)
+              response[m] = gives * ownResponse[w][m] + takes * load(t[m] + at + offset);
+            M::addGradient(xi, response, turned[w]);
+          }
+        }
+        for (int d = 0; d < D; ++d) sum[w][d] += force[d];
       }
       k += static_cast<std::size_t>(strip.count);
     }
-    for (int d = 0; d < D; ++d) store(-sum[d], y[d] + first, count);
+    const Real factor = isProportional ? Real(-0.5) * ratio_ : Real(-1);
+    for (int w = 0; w < width; ++w)
+      for (int d = 0; d < D; ++d)
+        store(M::width > 0 ? factor * turned[w][d] - sum[w][d] : -sum[w][d], y[d] + first + w * lanes,
+              count - w * lanes);
+  }
+
+  /// Of a spring of a list that leads to j over xi: what it resists across by, and gives to the families of both ends.
+  struct Sideways {
+    Real across, own, others;
+  };
+  Sideways sidewaysOf(const SpringColumns<Real>& c, std::size_t k, const std::array<Real, D>& xi, bool hasOther) const {
+    if constexpr (isProportional) {
+      Real length2 = 0;
+      for (int d = 0; d < D; ++d) length2 += xi[d] * xi[d];
+      const Real across = ratio_ * c.radial[k] * length2;
+      return {across, hasOther ? Real(0.5) * across : across, hasOther ? Real(0.5) * across : Real(0)};
+    }
+    Sideways result{};
+    if constexpr (hasAcross) result.across = c.across[k];
+    if constexpr (M::width > 0) {
+      result.own = c.own[k];
+      result.others = hasOther ? c.others[k] : Real(0);
+    }
+    return result;
   }
 
   template <bool actsOnBoth>
@@ -257,14 +337,15 @@ class Loops {
           const int j = list.other[k];
           std::array<Real, D> xi, eta;
           for (int d = 0; d < D; ++d) {
-            xi[d] = list.alive[k] * (places[d][j] - places[d][i]);
-            eta[d] = x[d][j] - x[d][i];
+            xi[d] = places[d][j] - places[d][i];
+            eta[d] = list.alive[k] * (x[d][j] - x[d][i]);
           }
+          const Sideways gives = sidewaysOf(c, k, xi, j < nOwned);
           std::array<Real, nArrays> bond{};
           M::add(xi.data(), eta.data(), bond.data());
-          for (int m = 0; m < M::width; ++m) sum[m] += c.own[k] * bond[m];
+          for (int m = 0; m < M::width; ++m) sum[m] += gives.own * bond[m];
           if (actsOnBoth && j < nOwned)
-            for (int m = 0; m < M::width; ++m) s[m][j] += c.others[k] * bond[m];
+            for (int m = 0; m < M::width; ++m) s[m][j] += gives.others * bond[m];
         }
         for (int m = 0; m < M::width; ++m) s[m][i] += sum[m];
       }
@@ -291,13 +372,14 @@ class Loops {
         }
         along *= c.radial[k];
         for (int d = 0; d < D; ++d) force[d] = along * xi[d];
+        const bool hasOther = j < nOwned;
+        const Sideways gives = sidewaysOf(c, k, xi, hasOther);
         if constexpr (hasAcross)
-          for (int d = 0; d < D; ++d) force[d] += c.across[k] * eta[d];
+          for (int d = 0; d < D; ++d) force[d] += gives.across * eta[d];
         if constexpr (M::width > 0) {
           std::array<Real, nArrays> response;
-          const bool hasOther = j < nOwned;
           for (int m = 0; m < M::width; ++m)
-            response[m] = c.own[k] * t[m][i] + (hasOther ? c.others[k] * t[m][j] : Real(0));
+            response[m] = gives.own * t[m][i] + (hasOther ? gives.others * t[m][j] : Real(0));
           M::addGradient(xi.data(), response.data(), force.data());
         }
         for (int d = 0; d < D; ++d) {
@@ -311,19 +393,23 @@ class Loops {
   }
 
   const SpringNetwork& network_;
+  const Real ratio_;  ///< SpringShape::acrossPerRadial
 };
 
 /// work(loops of this network).
 template <class Real, int D, class Work>
 void inDimension(const SpringNetwork& network, const Work& work) {
-  if (network.family() == Family::Rotation && D > 1)
-    work(Loops<Real, D, Family::Rotation, true>(network));
+  const bool isProportional = network.acrossPerRadial() != 0.0;
+  if (network.family() == Family::Rotation && D > 1 && isProportional)
+    work(Loops<Real, D, Family::Rotation, true, true>(network));
+  else if (network.family() == Family::Rotation && D > 1)
+    work(Loops<Real, D, Family::Rotation, true, false>(network));
   else if (network.family() == Family::Dilatation)
-    work(Loops<Real, D, Family::Dilatation, false>(network));
+    work(Loops<Real, D, Family::Dilatation, false, false>(network));
   else if (network.hasAcross())
-    work(Loops<Real, D, Family::None, true>(network));
+    work(Loops<Real, D, Family::None, true, false>(network));
   else
-    work(Loops<Real, D, Family::None, false>(network));
+    work(Loops<Real, D, Family::None, false, false>(network));
 }
 
 template <class Real, class Work>
@@ -349,8 +435,13 @@ void springForces(const SpringNetwork& network, const PointVector<Real>& x, cons
 template <class Real>
 void stiffSpringForces(const SpringNetwork& network, const PointVector<Real>& x, PointVector<Real>& y) {
   const PointVector<Real> none;
-  if (network.dimension() == 2) return Loops<Real, 2, Family::None, true>(network).forces(x, none, y);
-  Loops<Real, 3, Family::None, true>(network).forces(x, none, y);
+  const auto inDimension = [&](auto dimension) {
+    constexpr int D = decltype(dimension)::value;
+    if (network.acrossPerRadial() != 0.0) return Loops<Real, D, Family::None, true, true>(network).forces(x, none, y);
+    Loops<Real, D, Family::None, true, false>(network).forces(x, none, y);
+  };
+  if (network.dimension() == 2) return inDimension(std::integral_constant<int, 2>());
+  inDimension(std::integral_constant<int, 3>());
 }
 
 template void stiffSpringForces(const SpringNetwork&, const PointVector<float>&, PointVector<float>&);

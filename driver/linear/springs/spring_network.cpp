@@ -15,23 +15,23 @@ constexpr int shortestRun = 16;
 constexpr double patternTolerance = 1e-10;
 // Patterns that a new run is compared with.
 constexpr std::size_t nRemembered = 64;
-// Strips of so many points, of whose places so large a part holds springs, are faster than lists; they are larger, and
-// therefore stand beside runs alone.
+// Strips of so many points, of whose places so large a part holds springs, are faster than lists. They are larger:
+// where springs have several constants, that eats up what they gain, but beside runs.
 constexpr int longestStrip = 2 * SpringStrip::lanes, shortestStrip = 4;
-constexpr double leastFilled = 0.7;
+constexpr double leastFilled = 0.55;
 
 }  // namespace
 
-void SpringList::add(int point, int neighbor, float unbroken, const SpringConstants<double>& c, bool hasAcross,
-                     bool hasFamily) {
+void SpringList::add(int point, int neighbor, float unbroken, const SpringConstants<double>& c,
+                     const SpringShape& shape) {
   if (rows.empty() || rows.back() != point) {
     rows.push_back(point);
     start.push_back(other.size());
   }
   other.push_back(neighbor);
   alive.push_back(unbroken);
-  std::get<0>(columns).add(c, hasAcross, hasFamily);
-  std::get<1>(columns).add(c, hasAcross, hasFamily);
+  std::get<0>(columns).add(c, shape);
+  std::get<1>(columns).add(c, shape);
   start.back() = other.size();
 }
 
@@ -124,12 +124,12 @@ SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& poi
                              const std::vector<double>& dilatational, bool findsRuns)
     : points_(points),
       family_(points.dimension == 1 ? Family::None : family),
-      hasAcross_(!across.empty()),
+      shape_{!across.empty(), family_ != Family::None, 0.0},
       dilatational_(dilatational) {
   lengthUnit_ = points.shortestBond > 0.0 ? points.shortestBond : 1.0;
   stiffnessUnit_ = 0.0;
   for (std::size_t b = 0; b < along.size(); ++b) {
-    const double least = hasAcross_ ? std::min(along[b], across[b]) : along[b];
+    const double least = shape_.hasAcross ? std::min(along[b], across[b]) : along[b];
     stiffnessUnit_ = std::max(stiffnessUnit_, std::abs(along[b]));
     hasNegative_ = hasNegative_ || least < 0.0;
   }
@@ -150,11 +150,46 @@ SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& poi
   const auto nOwned = static_cast<std::size_t>(points.nOwned);
   isComplete_.assign(nOwned, 0);
   aliveOfPoint_.resize(nOwned);
+  if (family_ == Family::Rotation) findProportion(comm, RowReader(*this, along, across));
   if (findsRuns) {
     findRuns(RowReader(*this, along, across));
     findStrips(RowReader(*this, along, across));
   }
   makeLists(RowReader(*this, along, across));
+}
+
+/// Whether all springs resist across in proportion to what they resist along, and give half of it to either family.
+void SpringNetwork::findProportion(const Communicator& comm, RowReader reader) {
+  constexpr double tolerance = 1e-12, least = 1e-3;
+  const auto d = static_cast<std::size_t>(dimension());
+  double ratio = 0.0;
+  bool isOne = shape_.hasAcross;
+  for (int i = 0; i < points_.nOwned && isOne; ++i) {
+    const Row& row = reader.next();
+    for (std::size_t k = 0; k < row.constants.size() && isOne; ++k) {
+      const SpringConstants<double>& c = row.constants[k];
+      if (!c.acts()) continue;
+      double length2 = 0.0;
+      for (std::size_t a = 0; a < d; ++a) length2 += row.xi[k * d + a] * row.xi[k * d + a];
+      const double radial = c.radial * length2, bound = tolerance * std::abs(radial + c.across);
+      if (ratio == 0.0 && std::abs(radial) > least * std::abs(radial + c.across)) ratio = c.across / radial;
+      const bool isShared = neighbors(i)[k] >= points_.nOwned || std::abs(c.own - c.others) <= bound;
+      isOne = isShared && std::abs(ratio * radial - c.across) <= bound;
+    }
+  }
+  const double largest = comm.max(ratio), smallest = -comm.max(-ratio);
+  if (!comm.any(!isOne)) shape_.acrossPerRadial = largest > -smallest ? largest : smallest;
+}
+
+SpringConstants<double> SpringNetwork::constantsOf(const SpringColumns<double>& columns, std::size_t k,
+                                                   const std::array<double, 3>& xi, int j) const {
+  const auto value = [&](const std::vector<double>& column) { return column.empty() ? 0.0 : column[k]; };
+  if (shape_.acrossPerRadial == 0.0)
+    return {columns.radial[k], value(columns.across), value(columns.own), value(columns.others)};
+  const double length2 = xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2];
+  const double across = shape_.acrossPerRadial * columns.radial[k] * length2;
+  if (j >= points_.nOwned) return {columns.radial[k], across, across, 0.0};
+  return {columns.radial[k], across, 0.5 * across, 0.5 * across};
 }
 
 bool SpringNetwork::follows(const Row& row, const SpringPattern& pattern) const {
@@ -246,9 +281,8 @@ void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
                         end + strip.offsets.back() <= nPoints;
   if (strip.count >= shortestStrip && isInside) {
     const std::size_t size = strip.offsets.size() * rows.size() + SpringStrip::lanes;
-    const bool hasFamily = family_ != Family::None;
-    std::get<0>(strip.columns).resize(size, hasAcross_, hasFamily);
-    std::get<1>(strip.columns).resize(size, hasAcross_, hasFamily);
+    std::get<0>(strip.columns).resize(size, shape_);
+    std::get<1>(strip.columns).resize(size, shape_);
     for (const Row& row : rows)
       for (std::size_t k = 0, offset = 0; k < row.constants.size(); ++k) {
         while (strip.offsets[offset] < neighbors(row.point)[k] - row.point) ++offset;
@@ -263,8 +297,9 @@ void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
 }
 
 void SpringNetwork::findStrips(RowReader reader) {
+  const bool hasOneConstant = shape_.acrossPerRadial != 0.0 || (!shape_.hasAcross && !shape_.hasFamily);
   const auto inRuns = std::count(isComplete_.begin(), isComplete_.end(), 1);
-  if (2 * inRuns < points_.nOwned) return;
+  if (2 * inRuns < points_.nOwned && !hasOneConstant) return;
   SpringStrip strip{};
   std::vector<Row> rows;
   std::size_t nSprings = 0;
@@ -367,23 +402,28 @@ void SpringNetwork::setAlive(SpringList& list, int row, int point) {
   }
 }
 
+void SpringNetwork::addCorrection(int i, int j, float left, const SpringConstants<double>& c) {
+  if (left == 1.0F || !c.acts()) return;
+  if (!isComplete(j))
+    add(singleCorrections_, i, j, left - 1.0F, c);
+  else if (j > i)
+    add(corrections_, i, j, left - 1.0F, c);
+}
+
 void SpringNetwork::makeCorrections() {
-  corrections_ = {};
+  corrections_ = singleCorrections_ = {};
   for (const SpringRun& run : runs_) {
     const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-    for (int i = run.first; i < run.first + run.count; ++i) {
-      if (aliveOfPoint_[static_cast<std::size_t>(i)].empty()) continue;
-      for (std::size_t k = 0; k < pattern.offsets.size(); ++k)
-        if (const float left = alive(i, static_cast<int>(k)); left != 1.0F && pattern.constants[k].acts())
-          add(corrections_, i, i + pattern.offsets[k], left - 1.0F, pattern.constants[k]);
-    }
+    for (int i = run.first; i < run.first + run.count; ++i)
+      for (std::size_t k = 0; k < pattern.offsets.size() && isDamaged(i); ++k)
+        addCorrection(i, i + pattern.offsets[k], alive(i, static_cast<int>(k)), pattern.constants[k]);
   }
   for (const SpringStrip& strip : strips_)
     forEachOf(
         strip, [&](int i) { return isDamaged(i); },
         [&](int i, int k, std::size_t at) {
-          if (const float left = alive(i, k); left != 1.0F)
-            add(corrections_, i, neighbors(i)[k], left - 1.0F, strip.in<double>().at(at));
+          const int j = neighbors(i)[k];
+          addCorrection(i, j, alive(i, k), constantsOf(strip.in<double>(), at, difference(i, j), j));
         });
 }
 
@@ -397,7 +437,7 @@ std::vector<char> SpringNetwork::around(const std::vector<int>& points) const {
 }
 
 std::size_t SpringNetwork::bytes() const {
-  std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes();
+  std::size_t sum = pairs_.bytes() + singles_.bytes() + corrections_.bytes() + singleCorrections_.bytes();
   for (const SpringStrip& strip : strips_)
     sum += strip.offsets.size() * sizeof(int) + strip.in<double>().bytes() + strip.in<float>().bytes();
   for (const SpringPattern& pattern : patterns_)

@@ -22,21 +22,27 @@ struct SpringConstants {
   bool acts() const { return radial != 0 || across != 0 || own != 0 || others != 0; }
 };
 
+/// Which constants the columns of a network hold.
+struct SpringShape {
+  bool hasAcross = false, hasFamily = false;
+  /// Where every spring resists across in one proportion, and gives both families half of that: across is this, times
+  /// radial |xi|^2, and only radial is held. 0: otherwise.
+  double acrossPerRadial = 0.0;
+};
+
 /// The same of many springs; columns that nothing needs are empty.
 template <class Real>
 struct SpringColumns {
   std::vector<Real> radial, across, own, others;
-  void add(const SpringConstants<double>& c, bool hasAcross, bool hasFamily) {
-    radial.push_back(static_cast<Real>(c.radial));
-    if (hasAcross) across.push_back(static_cast<Real>(c.across));
-    if (!hasFamily) return;
-    own.push_back(static_cast<Real>(c.own));
-    others.push_back(static_cast<Real>(c.others));
+  void add(const SpringConstants<double>& c, const SpringShape& shape) {
+    resize(radial.size() + 1, shape);
+    set(radial.size() - 1, c);
   }
-  void resize(std::size_t size, bool hasAcross, bool hasFamily) {
+  void resize(std::size_t size, const SpringShape& shape) {
     radial.resize(size, Real(0));
-    if (hasAcross) across.resize(size, Real(0));
-    if (!hasFamily) return;
+    if (shape.acrossPerRadial != 0.0) return;
+    if (shape.hasAcross) across.resize(size, Real(0));
+    if (!shape.hasFamily) return;
     own.resize(size, Real(0));
     others.resize(size, Real(0));
   }
@@ -47,10 +53,10 @@ struct SpringColumns {
     own[k] = static_cast<Real>(c.own);
     others[k] = static_cast<Real>(c.others);
   }
-  std::size_t bytes() const { return (radial.size() + across.size() + own.size() + others.size()) * sizeof(Real); }
-  SpringConstants<double> at(std::size_t k) const {
-    return {radial[k], across.empty() ? 0.0 : across[k], own.empty() ? 0.0 : own[k], own.empty() ? 0.0 : others[k]};
+  bool acts(std::size_t k) const {
+    return radial[k] != 0 || (!across.empty() && across[k] != 0) || (!own.empty() && (own[k] != 0 || others[k] != 0));
   }
+  std::size_t bytes() const { return (radial.size() + across.size() + own.size() + others.size()) * sizeof(Real); }
 };
 
 /// Springs at the points of `rows`: those of row r lead to other[k], start[r] <= k < start[r + 1].
@@ -64,7 +70,7 @@ struct SpringList {
   const SpringColumns<Real>& in() const {
     return std::get<SpringColumns<Real>>(columns);
   }
-  void add(int point, int neighbor, float unbroken, const SpringConstants<double>& c, bool hasAcross, bool hasFamily);
+  void add(int point, int neighbor, float unbroken, const SpringConstants<double>& c, const SpringShape& shape);
   std::size_t bytes() const;
 };
 
@@ -88,8 +94,8 @@ struct SpringRun {
   int first, count, pattern;
 };
 
-/// Consecutive points whose springs differ, as near the faces of a lattice: a spring of each point to each of the
-/// offsets, without constants where it has none.
+/// Consecutive points whose springs differ, as near the faces of a lattice or in one whose points have moved: a spring
+/// of each point to each of the offsets, without constants where it has none.
 struct SpringStrip {
   static constexpr int lanes = 16;  ///< that a loop may read from a column on, whatever it makes of them
   int first, count;
@@ -108,7 +114,8 @@ struct SpringStrip {
 /// Every bond between two owned points is here once: in the runs and strips, seen from a point that belongs to one, and
 /// else in `pairs`, which act on both ends. Between a point of neither and one of either a `single` acts on the former.
 /// A bond to a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs
-/// and strips, `corrections` take away: they act on their rows alone.
+/// and strips, `corrections` take away, from both ends, and where the other end is in neither, `singleCorrections` from
+/// their rows alone.
 ///
 /// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
 /// whatever it is made of.
@@ -133,10 +140,11 @@ class SpringNetwork {
   int familyWidth() const {
     return family_ == Family::None ? 0 : (family_ == Family::Rotation && dimension() == 3 ? 3 : 1);
   }
-  bool hasAcross() const { return hasAcross_; }
-  bool hasNegative() const { return hasNegative_; }        ///< some spring pushes where it should pull
-  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m, the same on all ranks
-  double lengthUnit() const { return lengthUnit_; }        ///< m
+  bool hasAcross() const { return shape_.hasAcross; }
+  double acrossPerRadial() const { return shape_.acrossPerRadial; }  ///< of SpringShape
+  bool hasNegative() const { return hasNegative_; }                  ///< some spring pushes where it should pull
+  double stiffnessUnit() const { return stiffnessUnit_; }            ///< N/m, the same on all ranks
+  double lengthUnit() const { return lengthUnit_; }                  ///< m
   const std::vector<double>& dilatational() const { return dilatational_; }
 
   const std::vector<SpringRun>& runs() const { return runs_; }
@@ -145,6 +153,7 @@ class SpringNetwork {
   const SpringList& pairs() const { return pairs_; }
   const SpringList& singles() const { return singles_; }
   const SpringList& corrections() const { return corrections_; }
+  const SpringList& singleCorrections() const { return singleCorrections_; }
   /// Whether a run or a strip has all springs of the point.
   bool isComplete(int point) const { return isComplete_[static_cast<std::size_t>(point)] != 0; }
   /// Of all local points, in units of length.
@@ -177,12 +186,16 @@ class SpringNetwork {
   struct Row;
   class RowReader;
   void add(SpringList& list, int i, int j, float unbroken, const SpringConstants<double>& c) const {
-    list.add(i, j, unbroken, c, hasAcross_, family_ != Family::None);
+    list.add(i, j, unbroken, c, shape_);
   }
   std::size_t listStart(int point) const {
     return static_cast<std::size_t>(points_.neighborhoodStart[static_cast<std::size_t>(point)]);
   }
   bool follows(const Row& row, const SpringPattern& pattern) const;
+  void findProportion(const Communicator& comm, RowReader reader);
+  /// Of spring k of these columns, which leads to j over xi.
+  SpringConstants<double> constantsOf(const SpringColumns<double>& columns, std::size_t k,
+                                      const std::array<double, 3>& xi, int j) const;
   void endRun(SpringRun& run, SpringPattern& pattern);
   void findRuns(RowReader reader);
   void findStrips(RowReader reader);
@@ -200,11 +213,13 @@ class SpringNetwork {
   }
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
+  void addCorrection(int i, int j, float left, const SpringConstants<double>& c);
   bool areJoined(int i, int j);
 
   const Discretization& points_;
   Family family_;
-  bool hasAcross_, hasNegative_ = false;
+  SpringShape shape_;
+  bool hasNegative_ = false;
   double stiffnessUnit_ = 1.0, lengthUnit_ = 1.0;
   std::tuple<PointVector<double>, PointVector<float>> places_;
   std::vector<double> dilatational_;
@@ -212,7 +227,7 @@ class SpringNetwork {
   std::vector<SpringPattern> patterns_;
   std::vector<SpringStrip> strips_;
   std::vector<char> isComplete_;  ///< [nOwned]
-  SpringList pairs_, singles_, corrections_;
+  SpringList pairs_, singles_, corrections_, singleCorrections_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
   bool hasKeptTogether_ = true;
@@ -228,7 +243,7 @@ void SpringNetwork::forEachOf(const SpringStrip& strip, const IsWanted& isWanted
     for (int k = 0; k < nNeighbors(i); ++k) {
       while (strip.offsets[offset] < neighbors(i)[k] - i) ++offset;
       const std::size_t at = strip.at(offset, i);
-      if (strip.in<double>().at(at).acts()) visit(i, k, at);
+      if (strip.in<double>().acts(at)) visit(i, k, at);
     }
   }
 }
@@ -257,7 +272,7 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
       const int j = neighbors(i)[k];
       if ((j < i && isComplete(j)) || alive(i, k) == 0.0F) return;
       const auto xi = difference(i, j);
-      visit(i, j, xi.data(), scaled(strip.in<double>().at(at), alive(i, k)));
+      visit(i, j, xi.data(), scaled(constantsOf(strip.in<double>(), at, xi, j), alive(i, k)));
     });
   for (std::size_t r = 0; r < pairs_.rows.size(); ++r) {
     if (!isWanted(pairs_.rows[r])) continue;
@@ -265,7 +280,7 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
       if (pairs_.alive[k] == 0.0F) continue;
       const int i = pairs_.rows[r], j = pairs_.other[k];
       const auto xi = difference(i, j);
-      visit(i, j, xi.data(), scaled(pairs_.in<double>().at(k), pairs_.alive[k]));
+      visit(i, j, xi.data(), scaled(constantsOf(pairs_.in<double>(), k, xi, j), pairs_.alive[k]));
     }
   }
 }

@@ -153,6 +153,97 @@ void SpringOperator::applyToAll(PointVector<Real>& x, PointVector<Real>& y) {
   exportFrom(y);
 }
 
+namespace {
+
+using Vector3 = std::array<double, 3>;
+
+/// Of components that a point has, 0 in the others.
+Vector3 at(const PointVector<double>& x, int point) {
+  Vector3 value{};
+  for (int c = 0; c < x.nComponents(); ++c) value[static_cast<std::size_t>(c)] = x[c][point];
+  return value;
+}
+Vector3 difference(const PointVector<double>& x, int i, int j) {
+  const Vector3 a = at(x, i), b = at(x, j);
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// As many components as a family has: of a rotation in a plane the third alone.
+Vector3 familyVector(const PointVector<double>& t, int point) {
+  const Vector3 value = at(t, point);
+  return t.nComponents() == 1 ? Vector3{0.0, 0.0, value[0]} : value;
+}
+
+}  // namespace
+
+void SpringOperator::updateResponses(const std::vector<int>& changed, const PointVector<double>& x,
+                                     PointVector<double>& responses) const {
+  const int nOwned = network_.points().nOwned, width = network_.familyWidth();
+  std::vector<char> isChanged(static_cast<std::size_t>(network_.points().nPoints), 0);
+  for (const int i : changed) isChanged[static_cast<std::size_t>(i)] = 1;
+  const std::vector<char> isAround = network_.around(changed);
+  std::vector<Vector3> s(isChanged.size());
+  network_.forEachSpringIn(
+      [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+      [&](int i, int j, const double*, const SpringConstants<double>& c) {
+        const Vector3 xi = difference(network_.places<double>(), i, j), eta = difference(x, i, j);
+        const Vector3 bond = network_.family() == Family::Rotation ? cross(xi, eta) : Vector3{0.0, 0.0, dot(xi, eta)};
+        for (std::size_t d = 0; d < 3; ++d) {
+          s[static_cast<std::size_t>(i)][d] += c.own * bond[d];
+          if (j < nOwned) s[static_cast<std::size_t>(j)][d] += c.others * bond[d];
+        }
+      });
+  const PointVector<double>& r = response<double>();
+  for (const int i : changed) {
+    const Vector3& own = s[static_cast<std::size_t>(i)];
+    if (width == 1) {
+      responses[0][i] = r[0][i] * own[2];
+      continue;
+    }
+    responses[0][i] = r[0][i] * own[0] + r[1][i] * own[1] + r[2][i] * own[2];
+    responses[1][i] = r[1][i] * own[0] + r[3][i] * own[1] + r[4][i] * own[2];
+    responses[2][i] = r[2][i] * own[0] + r[4][i] * own[1] + r[5][i] * own[2];
+  }
+}
+
+void SpringOperator::updateAll(const std::vector<int>& changed, const PointVector<double>& x,
+                               PointVector<double>& responses, PointVector<double>& y) const {
+  const int nOwned = network_.points().nOwned;
+  const bool hasFamily = network_.familyWidth() > 0;
+  if (hasFamily) updateResponses(changed, x, responses);
+  // Neighbours feel what their families' members turn by.
+  const std::vector<char> isFelt = network_.around(changed);
+  std::vector<int> felt;
+  for (int i = 0; i < nOwned; ++i)
+    if (isFelt[static_cast<std::size_t>(i)] != 0) felt.push_back(i);
+  for (const int i : felt)
+    for (int c = 0; c < y.nComponents(); ++c) y[c][i] = 0.0;
+  const std::vector<char> isAround = network_.around(felt);
+  network_.forEachSpringIn(
+      [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+      [&](int i, int j, const double*, const SpringConstants<double>& spring) {
+        const Vector3 xi = difference(network_.places<double>(), i, j), eta = difference(x, i, j);
+        const double along = spring.radial * dot(xi, eta);
+        Vector3 force{};
+        for (std::size_t d = 0; d < 3; ++d) force[d] = along * xi[d] + spring.across * eta[d];
+        if (hasFamily) {
+          const Vector3 a = familyVector(responses, i), b = familyVector(responses, j);
+          const Vector3 t{spring.own * a[0] + spring.others * b[0], spring.own * a[1] + spring.others * b[1],
+                          spring.own * a[2] + spring.others * b[2]};
+          const Vector3 turn =
+              network_.family() == Family::Rotation ? cross(t, xi) : Vector3{t[2] * xi[0], t[2] * xi[1], t[2] * xi[2]};
+          for (std::size_t d = 0; d < 3; ++d) force[d] += turn[d];
+        }
+        for (int c = 0; c < y.nComponents(); ++c) {
+          if (isFelt[static_cast<std::size_t>(i)] != 0) y[c][i] -= force[static_cast<std::size_t>(c)];
+          if (isFelt[static_cast<std::size_t>(j)] != 0) y[c][j] += force[static_cast<std::size_t>(c)];
+        }
+      });
+}
+
 template <class Real>
 void SpringOperator::addAdditions(const PointVector<Real>& x, PointVector<Real>& y) const {
   for (const Addition& addition : additions_)

@@ -47,6 +47,13 @@ class SpringOperator {
   template <class Real>
   void apply(PointVector<Real>& x, PointVector<Real>& y);
 
+  /// What the families made of their s in the last applyToAll() in double precision.
+  const PointVector<double>& responses() const { return std::get<PointVector<double>>(families_); }
+  /// Brings y = K x up to date where only bonds of the owned points `changed` have changed since it was found by
+  /// applyToAll(), which left `responses`, in one piece: not distributed. Both are written.
+  void updateAll(const std::vector<int>& changed, const PointVector<double>& x, PointVector<double>& responses,
+                 PointVector<double>& y) const;
+
   /// The same for a smoother of what is short: there families hardly turn, and are taken not to, which saves a loop.
   void applyStiffly(PointVector<float>& x, PointVector<float>& y);
 
@@ -62,6 +69,8 @@ class SpringOperator {
   void exportFrom(PointVector<Real>& y);
 
   void findResponse(const std::vector<int>& changed);
+  void updateResponses(const std::vector<int>& changed, const PointVector<double>& x,
+                       PointVector<double>& responses) const;
 
   const SpringNetwork& network_;
   const PointExchange& exchange_;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "../methods/sparse_factor.hpp"
 #include "coarse_matrix.hpp"
 #include "spring_diagonal.hpp"
 
@@ -146,10 +145,7 @@ void TwoLevel::rebuild() {
   space_->exchange(stiffness_);
   const CoarseMatrix matrix = makeCoarseMatrix(comm_, stiffness_, *space_);
   factor_.reset();
-  if (space_->nUnknowns() > 0) {
-    factor_ = std::make_unique<SparseFactor>(matrix.rowStart, matrix.columns, matrix.values);
-    if (!factor_->isFactored()) factor_.reset();
-  }
+  if (space_->nUnknowns() > 0) factor_ = std::make_unique<CoarseFactor>(matrix);
   right_.assign(static_cast<std::size_t>(space_->nUnknowns()), 0.0);
   solution_ = right_;
   counts_.resize(static_cast<std::size_t>(comm_.size()));
@@ -193,7 +189,7 @@ void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
   if (comm_.size() > 1)
     MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, right_.data(), counts_.data(), starts_.data(), MPI_DOUBLE,
                    comm_.mpi());
-  if (!factor_->solve(right_.data(), solution_.data())) return;
+  factor_->solve(right_.data(), solution_.data());
   direction_.zero();
   space_->addTo(direction_, solution_.data() + starts_[rank]);
   stiffness_.zeroHeld(direction_);  // points without springs may be held since the level was made

@@ -5,11 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "coarse_factor.hpp"
 #include "coarse_space.hpp"
 
 namespace pd {
-
-class SparseFactor;
 
 /// z ~ K^-1 r, in single precision: smoothing, correction among the modes of a CoarseSpace, smoothing. Symmetric, and
 /// positive definite where K is. With pieces of some sixty points conjugate gradients then need about ten iterations,
@@ -47,7 +46,7 @@ class TwoLevel {
   PointVector<float> inverse_;    ///< [upper triangle][nOwned]
   float largest_ = 2.0F;          ///< bound of the eigenvalues of D^-1 K
   std::unique_ptr<CoarseSpace> space_;
-  std::unique_ptr<SparseFactor> factor_;
+  std::unique_ptr<CoarseFactor> factor_;
   std::vector<double> right_, solution_;  ///< of all ranks
   std::vector<int> counts_, starts_;
   PointVector<float> rest_, sum_, direction_, product_, scaled_, left_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "../declarations.hpp"
+#include "../diffusion/scalar_unknown.hpp"
 #include "dissolve_loose_metal.hpp"
 #include "field_names.hpp"
 #include "transport_methods.hpp"
@@ -93,6 +94,9 @@ Corrosion::Corrosion(const Teuchos::ParameterList& given) {
   rateField_ = fluxDivergenceField(field_);
   fields_ = Fields(field_);
   transport_ = makeTransportStep(parameters);
+  const auto method = parameters.get<std::string>("Method");
+  isByNewton_ = (method == "Backward Euler" || method == "SDIRK2") &&
+                parameters.get<std::string>("Nonlinear Solver") == "Newton Krylov";
   nIncrements_ = parameters.get<int>("Load Steps");
   if (parameters.isParameter("Fixed dt")) fixedStep_ = parameters.get<double>("Fixed dt");
   tolerance_ = parameters.get<double>("Relative Tolerance");
@@ -111,6 +115,9 @@ double Corrosion::leastSteps(double t0, double t1) const {
 void Corrosion::initialize(Simulation& simulation) {
   Model& model = simulation.model;
   requireDissolution(model, field_);
+  if (rateIsAsymmetric(model, field_) && !isByNewton_)
+    throw RunError("Corrosion: a flow carries \"" + field_ +
+                   "\", which takes \"Method: Backward Euler\" or SDIRK2 with \"Nonlinear Solver: Newton Krylov\"");
   requireConcentrations(model, field_, transport_->fullest(), slack_);
   initialMetal_ = metal(simulation);
 }

@@ -62,6 +62,7 @@ class Corrosion : public Solver {
   std::string field_, rateField_;
   Fields fields_;
   int nIncrements_;
+  bool isByNewton_ = true;
   double fixedStep_ = 0.0, tolerance_, slack_, frontLimit_, largestStep_;
   std::unique_ptr<TransportStep> transport_;
   SurfaceRecord surface_;

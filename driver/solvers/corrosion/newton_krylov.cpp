@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../diffusion/scalar_unknown.hpp"
+
 namespace pd {
 
 namespace {
@@ -78,10 +80,8 @@ void NewtonKrylov::makePreconditioner(const StageEquation& equation) {
   ++nPreconditioners_;
 }
 
-/// step_ from the residual. The preconditioner is made where plain iterations are slow, and again where the iterations
-/// that an old one has cost are worth a new one.
+/// step_ from the residual.
 bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
-  constexpr int patience = 15;  // iterations that a preconditioner costs, about
   const std::vector<int>& ids = equation.ids();
   double* concentration = equation.fields().concentration;
   std::vector<double> present(ids.size());
@@ -91,6 +91,27 @@ bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
   }
   equation.fields().coverWithSalt(ids, 1.0);
   std::fill(step_.begin(), step_.end(), 0.0);
+  int taken = isAsymmetric_ ? solveAsymmetric(equation, target) : solveSymmetric(equation, target);
+  for (std::size_t k = 0; k < ids.size(); ++k) concentration[ids[k]] = present[k];
+  if (taken < 0) trouble_ = fmt::format("the linear system of a stage of {:.3g} s is not solved", equation.h());
+  return taken >= 0;
+}
+
+int NewtonKrylov::solveAsymmetric(StageEquation& equation, double target) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < equation.ids().size(); ++k)
+    if (equation.isFree()[k] != 0)
+      largest = std::max(largest, std::abs(equation.residual()[k]) / equation.fields().saturation[equation.ids()[k]]);
+  largest = equation.model().comm().max(largest);
+  // Residuals differ from point to point: that of all is to be smaller by some more.
+  const double tolerance = largest > 0.0 ? std::clamp(0.1 * target / largest, 1e-13, 0.1) : 0.1;
+  return assembled_.solve(equation, slope_, tolerance, step_) ? 0 : -1;
+}
+
+/// The preconditioner is made where plain iterations are slow, and again where the iterations that an old one has cost
+/// are worth a new one.
+int NewtonKrylov::solveSymmetric(StageEquation& equation, double target) {
+  constexpr int patience = 15;  // iterations that a preconditioner costs, about
   if (preconditioner_.isBuilt() && (equation.h() != builtFor_ || excess_ > patience)) makePreconditioner(equation);
   const int most = !preconditioner_.isBuilt()                            ? patience
                    : leastIterations_ == std::numeric_limits<int>::max() ? maximumLinearIterations_
@@ -110,9 +131,7 @@ bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
     leastIterations_ = std::min(leastIterations_, taken);
     excess_ += taken - leastIterations_;
   }
-  for (std::size_t k = 0; k < ids.size(); ++k) concentration[ids[k]] = present[k];
-  if (taken < 0) trouble_ = fmt::format("the linear system of a stage of {:.3g} s is not solved", equation.h());
-  return taken >= 0;
+  return taken;
 }
 
 bool NewtonKrylov::solve(StageEquation& equation) {
@@ -122,13 +141,15 @@ bool NewtonKrylov::solve(StageEquation& equation) {
   trouble_.clear();
   step_.resize(equation.ids().size());
   slope_.resize(equation.ids().size());
-  double before = 0.0;
+  isAsymmetric_ = rateIsAsymmetric(equation.model(), equation.fields().label);
+  double before = 0.0, part = 1.0;
   for (int iteration = 0; iteration < maximumIterations; ++iteration) {
     double largest = equation.evaluate();
     // What rounding leaves of terms that cancel.
-    const double roundOff = preconditioner_.isBuilt()
-                                ? 8.0 * std::numeric_limits<double>::epsilon() * preconditioner_.largestDiagonal()
-                                : 0.0;
+    const double diagonal = isAsymmetric_               ? assembled_.largestDiagonal()
+                            : preconditioner_.isBuilt() ? preconditioner_.largestDiagonal()
+                                                        : 0.0;
+    const double roundOff = 8.0 * std::numeric_limits<double>::epsilon() * diagonal;
     const double tolerance = std::max(tolerance_, roundOff);
     const bool isReleased = equation.release(tolerance), isHeld = equation.hold(tolerance);
     if (isReleased || isHeld)
@@ -138,15 +159,20 @@ bool NewtonKrylov::solve(StageEquation& equation) {
     if (!std::isfinite(largest)) return false;
     const double ratio = before > 0.0 ? largest / before : 1.0;
     const double share = std::clamp(std::min(0.9 * ratio * ratio, 0.1 * largest), tightest, loosest);
+    // What a flow carries has kinks, which may lead to and fro: then what lies between is better.
+    if (isAsymmetric_) part = ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part) : std::min(1.0, 2.0 * part);
     before = largest;
     if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
-    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += step_[k];
+    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += part * step_[k];
     ++nIterations_;
   }
   return false;
 }
 
 std::string NewtonKrylov::work() const {
+  if (isAsymmetric_)
+    return fmt::format("{} Newton iterations, {} of GMRES with {} factors", nIterations_, assembled_.nIterations(),
+                       assembled_.nFactors());
   return fmt::format("{} Newton and {} linear iterations with {} preconditioners", nIterations_, nLinearIterations_,
                      nPreconditioners_);
 }

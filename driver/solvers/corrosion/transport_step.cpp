@@ -53,6 +53,7 @@ void TransportStep::begin(Simulation& simulation, const Fields& fields, double e
 
 void TransportStep::setBoundary(Simulation& simulation, double time) {
   simulation.conditions.applyPrescribedValue(label_, time);
+  simulation.conditions.applyPrescribedValue(fields::filmCoverage().label, time);
   const BoundaryConditions::FarField& far = simulation.conditions.farField(label_, time);
   exchange_.assign(ids_.size(), 0.0);
   farValue_.assign(ids_.size(), 0.0);

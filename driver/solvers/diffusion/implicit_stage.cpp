@@ -78,7 +78,7 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
   const std::vector<double> volumes(model.field("Volume"), model.field("Volume") + model.nOwned());
   const double volume = normOverRanks(model.comm(), volumes);
   bool matrixIsNew = false;
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity(), part = 1.0;
   for (int iteration = 0;; ++iteration) {
     const double now = residual(simulation, rate, h, right);
     const double largest = std::max(rate.largestValue(), std::numeric_limits<double>::min());
@@ -99,6 +99,8 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
       assemble(simulation, rate.field(), h);
       matrixIsNew = true;
     }
+    // Fluxes with kinks may lead to and fro: then what lies between is better.
+    part = !(now > 0.5 * before) ? std::min(1.0, 2.0 * part) : std::max(0.25, 0.7 * part);
     before = now;
     const Timers::Scope timer(model.timers(), "linear solve");
     step_.assign(right.size(), 0.0);
@@ -109,8 +111,9 @@ void ImplicitStage::solve(Simulation& simulation, ScalarRate& rate, double t, do
     ++nSolves_;
     double* values = rate.values();
     for (std::size_t i = 0; i < right.size(); ++i)
-      if (!isHeld_[i]) values[i] += step_[i];
+      if (!isHeld_[i]) values[i] += part * step_[i];
     model.importGhosts(rate.field());
+    matrixIsNew = false;
   }
 }
 

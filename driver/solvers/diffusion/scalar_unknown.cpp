@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../model/rates.hpp"
+#include "asymmetric_rate.hpp"
 
 namespace pd {
 
@@ -37,6 +38,13 @@ void requireFluxDivergence(Model& model, const std::string& field, const std::st
   if (std::find(given.begin(), given.end(), field) == given.end())
     throw RunError(solver + ": no material of this run gives a flux divergence of \"" + field +
                    "\"; give a block a material that diffuses it, or name another Field");
+}
+
+bool rateIsAsymmetric(Model& model, const std::string& field) {
+  return std::any_of(model.blocks()->begin(), model.blocks()->end(), [&](PeridigmNS::Block& block) {
+    const auto* rate = dynamic_cast<const AsymmetricRate*>(block.getMaterialModel().get());
+    return rate != nullptr && rate->isAsymmetric(field);
+  });
 }
 
 }  // namespace pd

@@ -39,6 +39,10 @@ double normOverRanks(const Communicator& comm, const std::vector<double>& values
 /// Throws RunError where no material of the run gives a flux divergence of the field. `solver`: its name.
 void requireFluxDivergence(Model& model, const std::string& field, const std::string& solver);
 
+/// Whether some material's rate of the field is no symmetric function of it, as where a flow carries it: CG and
+/// explicit methods, whose stability limits are of symmetric rates, do not do.
+bool rateIsAsymmetric(Model& model, const std::string& field);
+
 }  // namespace pd
 
 #endif

@@ -98,7 +98,7 @@ CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, doubl
   if (!isUsed_) return {peak, ""};
   Model& model = simulation.model;
   model.updateCoordinates();
-  simulation.output.evaluate(model, 0);
+  simulation.output.evaluateGlobals(model);
   Outcome outcome{peak, ""};
   if (peak_ != nullptr) {
     const double a = lengthOf(model);

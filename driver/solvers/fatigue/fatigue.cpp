@@ -257,6 +257,7 @@ RestartState Fatigue::restartState() const {
                         {"broken bonds", static_cast<double>(nBroken_)},
                         {"halved blocks", static_cast<double>(nHalved_)},
                         {"passes", static_cast<double>(nPasses_)},
+                        {"misjudged life", misjudgedLife_},
                         {"cycles to the first break", firstBreak_},
                         {"x of the first break", firstPlace_[0]},
                         {"y of the first break", firstPlace_[1]},
@@ -273,6 +274,7 @@ void Fatigue::setRestartState(const RestartState& state) {
   nBroken_ = static_cast<long long>(state["broken bonds"]);
   nHalved_ = static_cast<long long>(state["halved blocks"]);
   nPasses_ = static_cast<long long>(state["passes"]);
+  misjudgedLife_ = state["misjudged life"];
   firstBreak_ = state["cycles to the first break"];
   firstPlace_ = {state["x of the first break"], state["y of the first break"], state["z of the first break"]};
   equilibrium_.setRestartState(state.part("equilibrium"));

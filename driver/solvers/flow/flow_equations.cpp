@@ -6,10 +6,10 @@
 namespace pd {
 
 FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
-                             double smoothing)
+                             double smoothing, const std::vector<char>& isSolid)
     : simulation_(simulation),
       model_(simulation.model),
-      geometry_(simulation, law, flowBlocks),
+      geometry_(simulation, law, flowBlocks, isSolid),
       smoothing_(smoothing),
       density_(law.density),
       viscosity_(law.viscosity),
@@ -17,13 +17,18 @@ FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const s
   unit_ = HUGE_VAL;
   for (const int point : geometry_.fluid()) unit_ = std::min(unit_, geometry_.spacingOf(point));
   unit_ = model_.comm().min(unit_);
+  markFluid();
 }
 
-void FlowEquations::setTime(double t) {
+/// For computes, which may look at it before the first flow.
+void FlowEquations::markFluid() {
   double* fluid = model_.field("Fluid");
   std::fill_n(fluid, model_.nPoints(), 0.0);
   for (const int point : geometry_.fluid()) fluid[point] = 1.0;
   model_.importGhosts("Fluid");
+}
+
+void FlowEquations::setTime(double t) {
   rows_ = makeFlowRows(geometry_, model_.comm(), t);
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();
@@ -35,10 +40,11 @@ void FlowEquations::numberUnknowns() {
   ownPockets_.clear();
   for (std::size_t k = 0; k < pockets_.pockets.size(); ++k)
     if (!pockets_.pockets[k].isOpen && pockets_.pockets[k].firstPoint >= 0) ownPockets_.push_back(static_cast<int>(k));
-  const long long own = static_cast<long long>(geometry_.fluid().size() * (n_ + 1) + ownPockets_.size());
+  const long long own = static_cast<long long>(nOfPoints() + ownPockets_.size());
   long long first = 0;
   MPI_Exscan(&own, &first, 1, MPI_LONG_LONG, MPI_SUM, model_.comm().mpi());
   if (model_.comm().isRoot()) first = 0;
+  firstUnknown_ = first;
   firstColumn_.assign(static_cast<std::size_t>(model_.nPoints()), -1.0);
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row)
     firstColumn_[index(geometry_.fluid()[row])] = static_cast<double>(first) + static_cast<double>(place(row, 0));
@@ -46,8 +52,7 @@ void FlowEquations::numberUnknowns() {
   pocketColumn_.assign(pockets_.pockets.size(), -1);
   lambda_.resize(pockets_.pockets.size(), 0.0);
   for (std::size_t k = 0; k < ownPockets_.size(); ++k)
-    pocketColumn_[static_cast<std::size_t>(ownPockets_[k])] =
-        first + static_cast<long long>(place(geometry_.fluid().size(), 0) + k);
+    pocketColumn_[static_cast<std::size_t>(ownPockets_[k])] = first + static_cast<long long>(nOfPoints() + k);
   MPI_Allreduce(MPI_IN_PLACE, pocketColumn_.data(), static_cast<int>(pocketColumn_.size()), MPI_LONG_LONG, MPI_MAX,
                 model_.comm().mpi());
 }
@@ -82,7 +87,7 @@ std::array<double, 9> FlowEquations::gradientAt(std::size_t row) const {
 std::vector<double> FlowEquations::residual(bool hasConvection) const {
   const double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
   const double ofMomentum = unit_ * unit_ / viscosity_;
-  std::vector<double> result(place(geometry_.fluid().size(), 0) + ownPockets_.size(), 0.0);
+  std::vector<double> result(nOfPoints() + ownPockets_.size(), 0.0);
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     const int point = geometry_.fluid()[row];
     double* own = &result[place(row, 0)];
@@ -112,7 +117,7 @@ std::vector<double> FlowEquations::residual(bool hasConvection) const {
     if (pocketColumn_[pocket] >= 0) mass += lambda_[pocket];
   }
   for (std::size_t k = 0; k < ownPockets_.size(); ++k)
-    result[place(geometry_.fluid().size(), 0) + k] =
+    result[nOfPoints() + k] =
         pressure[pockets_.pockets[static_cast<std::size_t>(ownPockets_[k])].firstPoint] * unit_ / viscosity_;
   return result;
 }
@@ -122,7 +127,14 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
   const double ofMomentum = unit_ * unit_ / viscosity_, ofPressure = viscosity_ / unit_;
   SparseRows result;
   std::vector<std::pair<long long, double>> entries;
+  const auto addIdentityUpTo = [&](std::size_t unknown) {
+    while (result.count() < unknown) {
+      entries = {{firstUnknown_ + static_cast<long long>(result.count()), 1.0}};
+      result.addRow(entries);
+    }
+  };
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    addIdentityUpTo(place(row, 0));
     const int point = geometry_.fluid()[row];
     const std::array<double, 9> gradient = hasConvection ? gradientAt(row) : std::array<double, 9>{};
     for (std::size_t a = 0; a < n_; ++a) {
@@ -153,6 +165,7 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
     if (pocketColumn_[pocket] >= 0) entries.emplace_back(pocketColumn_[pocket], 1.0);
     result.addRow(entries);
   }
+  addIdentityUpTo(nOfPoints());
   for (const int pocket : ownPockets_) {
     entries = {{column(pockets_.pockets[static_cast<std::size_t>(pocket)].firstPoint, n_), 1.0}};
     result.addRow(entries);
@@ -169,7 +182,7 @@ void FlowEquations::add(double factor, const std::vector<double>& change) {
   }
   std::vector<double> ofPockets(lambda_.size(), 0.0);
   for (std::size_t k = 0; k < ownPockets_.size(); ++k)
-    ofPockets[static_cast<std::size_t>(ownPockets_[k])] = factor * change[place(geometry_.fluid().size(), 0) + k];
+    ofPockets[static_cast<std::size_t>(ownPockets_[k])] = factor * change[nOfPoints() + k];
   MPI_Allreduce(MPI_IN_PLACE, ofPockets.data(), static_cast<int>(ofPockets.size()), MPI_DOUBLE, MPI_SUM,
                 model_.comm().mpi());
   for (std::size_t k = 0; k < lambda_.size(); ++k) lambda_[k] += ofPockets[k];

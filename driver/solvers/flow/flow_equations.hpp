@@ -19,11 +19,13 @@ namespace pd {
 /// the operators alone; there the pressure of one point is zero.
 ///
 /// Unknowns and residuals are velocities: pressures times h/mu, momentum times h^2/mu, divergence times h, h the
-/// spacing of the finest points.
+/// spacing of the finest points. Points that are solid, but may dissolve, have unknowns, too, whose equations say that
+/// they are zero: so a factor of the matrix fits when they have.
 class FlowEquations {
  public:
-  /// `smoothing`: c. Collective.
-  FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks, double smoothing);
+  /// `smoothing`: c; `isSolid`: as of solidPoints(). Collective.
+  FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks, double smoothing,
+                const std::vector<char>& isSolid);
 
   /// The operators with the boundaries' values at the solver's time t. Collective.
   void setTime(double t);
@@ -38,6 +40,7 @@ class FlowEquations {
   /// Pressures of closed pockets get zero mean, and points that are not fluid the boundary's values. Collective.
   void settle(double t);
 
+  const FlowGeometry& geometry() const { return geometry_; }
   const FlowRows& rows() const { return rows_; }
   const FlowPockets& pockets() const { return pockets_; }
   double largestSpeed() const;         ///< of fluid points, all ranks, m/s
@@ -48,8 +51,12 @@ class FlowEquations {
   double largestDivergence() const;  ///< |div v|, all ranks, 1/s
 
  private:
+  void markFluid();
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
-  std::size_t place(std::size_t row, std::size_t component) const { return row * (n_ + 1) + component; }
+  std::size_t place(std::size_t row, std::size_t component) const {
+    return index(geometry_.possibleOf()[row]) * (n_ + 1) + component;
+  }
+  std::size_t nOfPoints() const { return index(geometry_.nPossible()) * (n_ + 1); }  ///< unknowns, but for pockets
   long long column(int point, std::size_t component) const;
   void numberUnknowns();
   std::array<double, 9> gradientAt(std::size_t row) const;
@@ -59,8 +66,9 @@ class FlowEquations {
   Model& model_;
   FlowGeometry geometry_;
   const double smoothing_, density_, viscosity_;
-  const std::size_t n_;  ///< components of the velocity
-  double unit_ = 0.0;    ///< h of the units, m
+  const std::size_t n_;         ///< components of the velocity
+  double unit_ = 0.0;           ///< h of the units, m
+  long long firstUnknown_ = 0;  ///< of this rank
   FlowRows rows_;
   FlowPockets pockets_;
   std::vector<double> firstColumn_;      ///< [points] of the unknowns of fluid points

@@ -10,8 +10,18 @@
 
 namespace pd {
 
-FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks)
-    : simulation_(simulation), mesh_(simulation.model.discretization()), law_(law) {
+std::vector<char> solidPoints(Model& model) {
+  std::vector<char> isSolid(static_cast<std::size_t>(model.nPoints()), 0);
+  const std::string metal = fields::saturationConcentration().label, dissolved = fields::damage().label;
+  if (!model.hasField(metal) || !model.hasField(dissolved)) return isSolid;
+  const double *saturation = model.field(metal), *damage = model.field(dissolved);
+  for (std::size_t i = 0; i < isSolid.size(); ++i) isSolid[i] = saturation[i] > 0.0 && damage[i] < 1.0 ? 1 : 0;
+  return isSolid;
+}
+
+FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
+                           std::vector<char> isSolid)
+    : simulation_(simulation), mesh_(simulation.model.discretization()), law_(law), isSolid_(std::move(isSolid)) {
   for (const auto& condition : simulation.conditions.all()) {
     const auto* boundary = dynamic_cast<const FlowBoundary*>(condition.get());
     if (boundary == nullptr) continue;
@@ -39,8 +49,16 @@ void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {
         boundaryOf_[index(point)] = static_cast<int>(b);
       }
     }
-  for (int point = 0; point < mesh_.nOwned; ++point)
-    if (isFluid(point)) fluid_.push_back(point);
+  for (int point = 0; point < mesh_.nOwned; ++point) {
+    if (!isFluid(point)) continue;
+    if (isSolid_[index(point)] == 0) {
+      fluid_.push_back(point);
+      possibleOf_.push_back(nPossible_);
+    }
+    ++nPossible_;
+  }
+  for (std::size_t i = 0; i < nPoints; ++i)
+    if (isSolid_[i] != 0) kind_[i] = Kind::Wall;
   for (int point = 0; point < mesh_.nPoints; ++point) hasCells_ = hasCells_ || isCell(point);
 }
 

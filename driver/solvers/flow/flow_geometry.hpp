@@ -12,7 +12,11 @@
 
 namespace pd {
 
-/// Points of blocks with a flow material whose velocity is not prescribed, and that lie before the outflows, are fluid.
+/// By local id, 1 at points of metal that has not dissolved (field Damage below 1): walls. Ghosts agree with owners.
+std::vector<char> solidPoints(Model& model);
+
+/// Points of blocks with a flow material whose velocity is not prescribed, that lie before the outflows and are not
+/// solid, are fluid.
 /// A bond that meets a wall ends there; without a Surface of the wall where the points of the wall are nearest: half
 /// way to a row of them.
 class FlowGeometry {
@@ -33,7 +37,8 @@ class FlowGeometry {
   };
 
   /// Throws DeckError where points lie on the wrong side of a surface, or nothing is fluid. Collective.
-  FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks);
+  FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
+               std::vector<char> isSolid);
 
   const FlowLaw& law() const { return law_; }
   const Discretization& mesh() const { return mesh_; }
@@ -41,11 +46,18 @@ class FlowGeometry {
   bool isFluid(int point) const { return kindOf(point) == Kind::Fluid; }
   double spacingOf(int point) const { return law_.family.spacing(mesh_.volume[index(point)]); }
   const std::vector<int>& fluid() const { return fluid_; }  ///< owned points
+  /// Owned points that are fluid or will be when they have dissolved, and which of them fluid() are.
+  int nPossible() const { return nPossible_; }
+  const std::vector<int>& possibleOf() const { return possibleOf_; }
 
   /// Of an owned fluid point, to all neighbours.
   std::vector<End> endsOf(int point) const;
   /// Of any fluid point of this rank, to `candidates` within the reach of gradients.
   std::vector<End> compactEndsOf(int point, const std::vector<int>& candidates) const;
+  End endOf(int point, int neighbor, const std::vector<int>& candidates) const;
+  /// The last boundary that has the point; -1: none.
+  int boundaryOf(int point) const { return boundaryOf_[index(mesh_.sourceOf(point))]; }
+  bool isBeyondOutflow(int point) const { return kindOf(point) == Kind::Beyond; }
   /// Local ids of the neighbours of an owned point.
   std::vector<int> neighborsOf(int point) const;
 
@@ -71,7 +83,6 @@ class FlowGeometry {
   void findKinds(const std::vector<int>& flowBlocks);
   void checkSides() const;
   void findNearBoundary();
-  End endOf(int point, int neighbor, const std::vector<int>& candidates) const;
   void meetBoundaries(int point, const std::vector<int>& candidates, End& end) const;
   void meetCells(int point, const std::vector<int>& candidates, End& end) const;
   double crossing(const FlowBoundary& boundary, const double* from, const End& end) const;
@@ -85,7 +96,9 @@ class FlowGeometry {
   std::vector<int> boundaryOf_;           ///< [points] the last one that has the point; -1: none
   std::vector<Kind> kind_;                ///< [points]
   std::vector<double> isNear_;            ///< [points] 1 where a neighbour is not fluid
-  std::vector<int> fluid_;
+  std::vector<char> isSolid_;             ///< [points]
+  std::vector<int> fluid_, possibleOf_;   ///< possibleOf_: [fluid_] their numbers among possible points
+  int nPossible_ = 0;
   bool hasCells_ = false;  ///< walls without a surface
 };
 

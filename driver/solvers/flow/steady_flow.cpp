@@ -39,14 +39,14 @@ FlowBlocks findFlowBlocks(Model& model) {
   std::string first;
   for (PeridigmNS::Block& block : *model.blocks()) {
     const auto* material = dynamic_cast<const FlowMaterial*>(block.getMaterialModel().get());
-    if (material == nullptr) continue;
-    const FlowLaw& law = material->flowLaw();
+    if (material == nullptr || material->flowLaw() == nullptr) continue;
+    const FlowLaw& law = *material->flowLaw();
     if (found.law == nullptr) {
       found.law = &law;
       first = block.getName();
     } else if (law.density != found.law->density || law.viscosity != found.law->viscosity ||
                law.viscousKernel != found.law->viscousKernel || law.gradientHorizon != found.law->gradientHorizon ||
-               law.family.horizon != found.law->family.horizon) {
+               law.fluxHorizon != found.law->fluxHorizon || law.family.horizon != found.law->family.horizon) {
       throw RunError("Steady Flow: the fluids of the blocks \"" + first + "\" and \"" + block.getName() +
                      "\" differ; give both one material and one Horizon");
     }
@@ -83,17 +83,29 @@ SteadyFlow::SteadyFlow(const Teuchos::ParameterList& given)
 void SteadyFlow::initialize(Simulation& simulation) {
   Model& model = simulation.model;
   const FlowBlocks blocks = findFlowBlocks(model);
-  if (blocks.law == nullptr)
-    throw RunError(
-        "Steady Flow: no block has a material for flows alone, as Navier Stokes is one; it does not go into a list of "
-        "materials");
+  if (blocks.law == nullptr) throw RunError("Steady Flow: no block has a material for flows, as Navier Stokes is one");
   if (!model.discretization().symmetry.isAlongAxes())
     throw RunError("Steady Flow: planes of symmetry must be perpendicular to x, y or z");
   nComponents_ = static_cast<std::size_t>(model.discretization().dimension);
   if (nComponents_ < 2) throw RunError("Steady Flow: a flow needs two or three dimensions");
-  equations_ = std::make_unique<FlowEquations>(simulation, *blocks.law, blocks.numbers,
-                                               parameters_.get<double>("Pressure Smoothing"));
+  law_ = blocks.law;
+  flowBlocks_ = blocks.numbers;
   system_ = std::make_unique<RowSystem>(model.comm());
+  for (PeridigmNS::Block& block : *model.blocks())
+    for (const FieldHandle& field : {fields_.flow, fields_.opening})
+      wantsFlows_ = wantsFlows_ || block.hasData(field.id(), PeridigmNS::PeridigmField::STEP_NONE);
+  takeUpPhases(simulation);
+}
+
+/// At first, and where metal has dissolved since.
+void SteadyFlow::takeUpPhases(Simulation& simulation) {
+  Model& model = simulation.model;
+  const std::vector<char> isSolid = solidPoints(model);
+  if (equations_ && !model.comm().any(isSolid != isSolid_)) return;
+  isSolid_ = isSolid;
+  equations_ = std::make_unique<FlowEquations>(simulation, *law_, flowBlocks_,
+                                               parameters_.get<double>("Pressure Smoothing"), isSolid_);
+  if (wantsFlows_) flows_ = std::make_unique<BondFlows>(simulation, equations_->geometry(), law_->fluxHorizon);
 }
 
 void SteadyFlow::rehearse(Simulation& simulation, double t, double dt) {
@@ -103,10 +115,10 @@ void SteadyFlow::rehearse(Simulation& simulation, double t, double dt) {
 
 double SteadyFlow::largestVelocity(const std::vector<double>& change) const {
   double largest = 0.0;
-  const std::size_t nPoints = equations_->rows().divergence.constants.size();
-  for (std::size_t row = 0; row < nPoints; ++row)
+  const auto nPoints = static_cast<std::size_t>(equations_->geometry().nPossible());
+  for (std::size_t point = 0; point < nPoints; ++point)
     for (std::size_t a = 0; a < nComponents_; ++a)
-      largest = std::max(largest, std::abs(change[row * (nComponents_ + 1) + a]));
+      largest = std::max(largest, std::abs(change[point * (nComponents_ + 1) + a]));
   return largest;
 }
 
@@ -164,6 +176,7 @@ void SteadyFlow::giveUp(double t, int iterations, double change, const std::stri
 void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
   Model& model = simulation.model;
   ++nLoadSteps_;
+  takeUpPhases(simulation);
   simulation.conditions.applyPrescribed(t + dt);
   model.importGhosts("Velocity");
   model.importGhosts("Pressure");
@@ -206,6 +219,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
         "Outflow, or velocities that let out what they let in",
         nLoadSteps_, t + dt, netFlow));
   equations_->settle(t + dt);
+  if (flows_) flows_->update(t + dt);
   cellReynolds_ = equations_->largestCellReynolds();
   leakage_ = equations_->leakage();
   divergence_ = equations_->largestDivergence();
@@ -226,6 +240,10 @@ std::vector<std::string> SteadyFlow::summary() const {
         "Steady Flow: at the end rho |v| h/mu of the spacing h is at most {:.3g}; largest divergence {:.3g} 1/s; what "
         "walls of closed pockets let through {:.3g} 1/s; {} points beside jumps of the walls' velocity",
         cellReynolds_, divergence_, leakage_, equations_->rows().nAtJumps));
+  if (nLoadSteps_ > 0 && flows_)
+    lines.push_back(fmt::format(
+        "Steady Flow: flows of bonds are balanced to {:.2g} of what passes a point; that took {:.2g} of the largest",
+        flows_->largestImbalance(), flows_->largestCorrection()));
   return lines;
 }
 

@@ -8,6 +8,7 @@
 
 #include "../load_steps.hpp"
 #include "../solver.hpp"
+#include "bond_flows.hpp"
 #include "flow_equations.hpp"
 #include "flow_fields.hpp"
 
@@ -25,6 +26,8 @@ class SteadyFlow : public Solver {
     FieldHandle pressure = writes(pd::fields::pressure());
     FieldHandle fluid = writes(pd::fields::fluidShare());
     FieldHandle viscosity = reads(pd::fields::viscosity());
+    FieldHandle flow = writesIfThere(pd::fields::bondFlow());
+    FieldHandle opening = writesIfThere(pd::fields::bondOpening());
   };
   static void declareParameters(ParameterDeclarations& declare);
   explicit SteadyFlow(const Teuchos::ParameterList& given);
@@ -41,6 +44,7 @@ class SteadyFlow : public Solver {
   std::vector<std::string> summary() const override;
 
  private:
+  void takeUpPhases(Simulation& simulation);
   double solveLinear(Simulation& simulation, const SparseRows& matrix, const std::vector<double>& residual,
                      bool mayKeepFactor, std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
@@ -53,8 +57,13 @@ class SteadyFlow : public Solver {
   double tolerance_;
   int maximumIterations_;
 
+  const FlowLaw* law_ = nullptr;
+  std::vector<int> flowBlocks_;
+  std::vector<char> isSolid_;  ///< [points] of equations_
+  bool wantsFlows_ = false;
   std::unique_ptr<FlowEquations> equations_;
   std::unique_ptr<RowSystem> system_;
+  std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;
   long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
   double largestResidual_ = 0.0, largestFactor_ = 0.0, cellReynolds_ = 0.0, leakage_ = 0.0, divergence_ = 0.0;

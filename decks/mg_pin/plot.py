@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""loss.png, flow.png, shape.png: the wire against measurements; plot.py [RESULTS]"""
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
+
+import numpy as np  # noqa: E402
+from pdplot_lib import figures  # noqa: E402
+from pdplot_lib.results import Results, read_history  # noqa: E402
+from scipy.interpolate import griddata  # noqa: E402
+
+RADIUS, SPEED, FILM = 40.0, 1.494, 4340 / 3600  # um, um/h = i/(zF C_solid) of 5.73 A/m2, h
+FIRST_SCAN = 0.687  # h
+hours, measured, deviation = np.loadtxt(Path(__file__).parent / "measured.csv", delimiter=",", skiprows=3).T
+folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+
+
+def exact_radius(t, speed=SPEED, film=FILM):
+    """Of a round wire, um."""
+    return RADIUS - speed * (t - film * (1 - np.exp(-t / film)) if film > 0 else t)
+
+
+def losses(name):
+    """Hours, volume loss in % of the pristine wire and of the first scan, radius of a disc of its first area, um."""
+    history = read_history(folder / f"{name}.csv")
+    results = Results(str(folder / name))
+    solid = results.field("Concentration", results.steps[0]) > 1000
+    x = results.x[solid]
+    area = np.count_nonzero(solid) * np.min(np.diff(np.unique(np.round(x[:, 0], 9))))**2
+    share = history["Volume_Loss"] / area
+    t = history["time"] / 3600
+    left = np.interp(FIRST_SCAN, t, 1 - share)
+    whole = area if x[:, 1].min() < 0 else 2 * area
+    return t, 100 * share, 100 * (1 - (1 - share) / left), 1e6 * np.sqrt(whole / np.pi)
+
+
+def draw_loss():
+    figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
+    axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
+    constant = (1.304, 0.0)
+    for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", (SPEED, FILM)),
+                                    ("still", "C2--", "the same in fluid at rest", (SPEED, FILM)),
+                                    ("no_film", "C1-", "5.0 A/m² from the start", constant)):
+        if not (folder / f"{name}.csv").exists():
+            continue
+        t, pristine, first, radius = losses(name)
+        shown = t >= FIRST_SCAN - 0.05
+        axis.plot(t[shown], first[shown], style, label=label)
+        off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
+        left = 1 - (RADIUS - exact_radius(t, *law)) / radius
+        error = np.max(np.abs(pristine - 100 * (1 - left**2)))
+        print(f"{name}: {' '.join(f'{d:+.2f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
+              f"{pristine[-1]:.1f} % of the pristine wire; off a round wire's by at most {error:.2f} points")
+    axis.set_xlabel("time (h)")
+    axis.set_ylabel("volume loss (% of the first scan)")
+    axis.set_xlim(0, 9.2)
+    axis.legend(fontsize=8)
+    figure.savefig(folder / "loss.png", dpi=110)
+    print(folder / "loss.png")
+
+
+def whole(results, step, label, sign=1.0):
+    """x, y in um and the field of both halves; `sign` of the mirror image."""
+    x, values = results.x[:, :2] * 1e6, results.field(label, step)
+    return np.vstack([x, x * [1, -1]]), np.concatenate([values, sign * values])
+
+
+def draw_flow():
+    results = Results(str(folder / "mg_pin"))
+    figure, axes = figures.plt.subplots(2, 2, figsize=(11, 7), constrained_layout=True)
+    grid = np.meshgrid(np.linspace(-150, 350, 251), np.linspace(-200, 200, 201))
+    for row, step in zip(axes, (results.steps[1], results.steps[-1])):
+        fluid = whole(results, step, "Fluid")[1] == 1
+        x, velocity = whole(results, step, "Velocity", np.array([1.0, -1.0, 1.0]))
+        concentration = whole(results, step, "Concentration")[1]
+        solid = x[(whole(results, step, "Damage")[1] < 1) & (np.abs(x[:, 1]) < 100)]
+        beyond = np.min(np.hypot(grid[0][..., None] - solid[:, 0], grid[1][..., None] - solid[:, 1]), axis=-1) < 3.6
+        u, w, c = (np.where(beyond, np.nan, griddata(x[fluid], values[fluid], tuple(grid), "linear"))
+                   for values in (velocity[:, 0], velocity[:, 1], concentration))
+        for axis, field, label, scale in ((row[0], np.hypot(u, w), "speed (m/s)", "viridis"),
+                                          (row[1], c, "Mg²⁺ (mol/m³)", "magma")):
+            shown = axis.pcolormesh(*grid, field, cmap=scale, vmin=0, vmax=np.nanpercentile(field, 99.9))
+            figure.colorbar(shown, ax=axis, label=label)
+            axis.plot(solid[:, 0], solid[:, 1], "s", color="0.6", markersize=2)
+            axis.set_aspect("equal")
+            axis.set(xlim=(-150, 350), ylim=(-200, 200))
+            axis.set_title(f"{results.time(step) / 3600:.2f} h", fontsize=9)
+            axis.set_xlabel("x (µm)")
+        row[0].streamplot(grid[0], grid[1], u, w, color="w", linewidth=0.5, density=1.2, arrowsize=0.6)
+        print(f"{results.time(step) / 3600:.2f} h: largest Mg {concentration[fluid].max():.3f} mol/m3")
+    figure.savefig(folder / "flow.png", dpi=110)
+    print(folder / "flow.png")
+
+
+def draw_shape():
+    results = Results(str(folder / "mg_pin"))
+    figure, axis = figures.plt.subplots(figsize=(4.6, 4.2), constrained_layout=True)
+    x, damage = whole(results, results.steps[-1], "Damage")
+    near = np.hypot(*x.T) < 60
+    shown = axis.scatter(x[near, 0], x[near, 1], c=1 - damage[near], s=50, marker="s", cmap="Greys", vmin=0, vmax=1,
+                         linewidths=0)
+    figure.colorbar(shown, ax=axis, label="metal left after 9 h")
+    angle = np.linspace(0, 2 * np.pi, 200)
+    for radius, style in ((RADIUS, "C1--"), (exact_radius(9.0), "C0-")):
+        axis.plot(radius * np.cos(angle), radius * np.sin(angle), style, linewidth=1)
+    axis.set_aspect("equal")
+    axis.set_xlabel("x (µm)")
+    figure.savefig(folder / "shape.png", dpi=110)
+    print(folder / "shape.png")
+
+
+draw_loss()
+draw_flow()
+draw_shape()

@@ -1,0 +1,200 @@
+#include "bond_flows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow_fields.hpp"
+
+namespace pd {
+
+namespace {
+
+constexpr int balancePasses = 2;  // the second for what rounding leaves of the first
+constexpr double balanceTolerance = 1e-12;
+constexpr int balanceIterations = 50;
+/// Part of a point's conductances that ties its potential to zero, lest a pocket without an outflow makes the matrix
+/// singular.
+constexpr double tie = 1e-12;
+
+double* viewOfBonds(PeridigmNS::Block& block, int id) {
+  double* values = nullptr;
+  block.getData(id, PeridigmNS::PeridigmField::STEP_NONE)->ExtractView(&values);
+  return values;
+}
+
+}  // namespace
+
+BondFlows::BondFlows(Simulation& simulation, const FlowGeometry& geometry, double reach)
+    : simulation_(simulation), geometry_(geometry), reach_(reach * (1.0 + 1e-9)) {
+  findFamilyVolumes();
+}
+
+void BondFlows::findFamilyVolumes() {
+  const Discretization& mesh = geometry_.mesh();
+  familyVolume_.assign(static_cast<std::size_t>(mesh.nPoints), 0.0);
+  for (int point = 0; point < mesh.nOwned; ++point)
+    for (const int neighbor : geometry_.neighborsOf(point))
+      if (ReferenceBond(mesh.x.data(), point, neighbor).length <= reach_)
+        familyVolume_[index(point)] += mesh.volume[index(neighbor)];
+  simulation_.model.exchange().import(familyVolume_.data(), 1, Reflection::Even);
+}
+
+void BondFlows::update(double t) {
+  rows_.clear();
+  for (const int point : geometry_.fluid()) rows_.push_back(rowOf(point, t));
+  balance();
+  write();
+}
+
+BondFlows::Row BondFlows::rowOf(int point, double t) const {
+  const Discretization& mesh = geometry_.mesh();
+  const double dimension = geometry_.dimension();
+  const std::vector<int> neighbors = geometry_.neighborsOf(point);
+  Row row{point, {}, std::vector<double>(neighbors.size(), 0.0)};
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const int neighbor = neighbors[k];
+    const FlowGeometry::End end = geometry_.endOf(point, neighbor, neighbors);
+    const bool isOut = end.openFraction <= 1.0;
+    if (end.volume > 0.0 && !isOut) row.openings[k] = end.fraction;
+    if (end.length > reach_) continue;
+    const bool isFluid = geometry_.isFluid(neighbor) && !isOut && end.kind == FlowGeometry::Kind::Fluid;
+    if (isOut && !geometry_.isBeyondOutflow(neighbor)) continue;
+    const double flow = flowOf(point, end, neighbor, t);
+    if (!isFluid && !isOut && flow == 0.0) continue;
+    const double whole =
+        isFluid ? 0.5 * (familyVolume_[index(point)] + familyVolume_[index(neighbor)]) : familyVolume_[index(point)];
+    const double conductance = 2.0 * dimension * mesh.volume[index(neighbor)] / (whole * end.length * end.length);
+    row.bonds.push_back({neighbor, isFluid || isOut, conductance * end.length * flow, conductance, k});
+  }
+  return row;
+}
+
+/// The velocity along the bond, m/s.
+double BondFlows::flowOf(int point, const FlowGeometry::End& end, int neighbor, double t) const {
+  const double* velocity = simulation_.model.field("Velocity");
+  const auto along = [&](const double* v) {
+    return (v[0] * end.xi[0] + v[1] * end.xi[1] + v[2] * end.xi[2]) / end.length;
+  };
+  if (end.openFraction <= 1.0) return along(velocity + 3 * point);
+  if (end.kind == FlowGeometry::Kind::Fluid)
+    return 0.5 * (along(velocity + 3 * point) + along(velocity + 3 * neighbor));
+  if (end.boundary < 0 || geometry_.boundaryOf(neighbor) != end.boundary) return 0.0;
+  const std::array<double, 3> place = geometry_.placeOn(point, end, end.fraction);
+  const std::array<double, 3> ofWall = geometry_.wallVelocity(end.boundary, place, t);
+  const std::array<double, 3> normal = geometry_.normalAt(end.boundary, place);
+  if (normal == std::array<double, 3>{}) return along(ofWall.data());
+  const double through = ofWall[0] * normal[0] + ofWall[1] * normal[1] + ofWall[2] * normal[2];
+  return through * along(normal.data());
+}
+
+/// Takes the mean out of what leaves the points of components that nothing can leave.
+void BondFlows::removeNetFlow(std::vector<double>& excess) const {
+  bool isOpen = false;
+  double net = 0.0, volume = 0.0;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const Bond& bond : rows_[r].bonds) isOpen = isOpen || (bond.isOpen && !geometry_.isFluid(bond.neighbor));
+    const double own = geometry_.mesh().volume[index(rows_[r].point)];
+    net += excess[r] * own;
+    volume += own;
+  }
+  const Communicator& comm = simulation_.model.comm();
+  if (comm.any(isOpen)) return;
+  net = comm.sum(net);
+  volume = comm.sum(volume);
+  for (double& value : excess) value -= net / volume;
+}
+
+void BondFlows::balance() {
+  Model& model = simulation_.model;
+  const Discretization& mesh = geometry_.mesh();
+  const Timers::Scope timer(model.timers(), "bond flows");
+  const long long own = static_cast<long long>(rows_.size());
+  long long first = 0;
+  MPI_Exscan(&own, &first, 1, MPI_LONG_LONG, MPI_SUM, model.comm().mpi());
+  if (model.comm().isRoot()) first = 0;
+  std::vector<double> column(index(mesh.nPoints), -1.0), potential(index(mesh.nPoints), 0.0);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    column[index(rows_[r].point)] = static_cast<double>(first) + static_cast<double>(r);
+  model.exchange().import(column.data(), 1, Reflection::Even);
+
+  SparseRows matrix;
+  std::vector<std::pair<long long, double>> entries;
+  double largestFlow = 0.0;
+  for (const Row& row : rows_) {
+    entries.clear();
+    double sum = 0.0;
+    for (const Bond& bond : row.bonds) {
+      largestFlow = std::max(largestFlow, std::abs(bond.flow));
+      if (!bond.isOpen) continue;
+      sum += bond.conductance;
+      const double there = column[index(bond.neighbor)];
+      if (geometry_.isFluid(bond.neighbor)) entries.emplace_back(static_cast<long long>(there), -bond.conductance);
+    }
+    const auto diagonal = static_cast<long long>(column[index(row.point)]);
+    entries.emplace_back(diagonal, sum > 0.0 ? (1.0 + tie) * sum : 1.0);
+    matrix.addRow(entries);
+  }
+  largestFlow = model.comm().max(largestFlow);
+  RowSystem system(model.comm());
+  system.setMatrix(matrix);
+  if (const std::string trouble = system.factor(); !trouble.empty())
+    throw RunError("Steady Flow: the flows of bonds are not balanced: " + trouble);
+
+  largestCorrection_ = 0.0;
+  for (int pass = 0; pass < balancePasses; ++pass) {
+    std::vector<double> excess(rows_.size(), 0.0), solution(rows_.size(), 0.0);
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      for (const Bond& bond : rows_[r].bonds) excess[r] += bond.flow;
+    removeNetFlow(excess);
+    system.solve(excess, solution, balanceTolerance, balanceIterations);
+    for (std::size_t r = 0; r < rows_.size(); ++r) potential[index(rows_[r].point)] = solution[r];
+    model.exchange().import(potential.data(), 1, Reflection::Even);
+    for (Row& row : rows_)
+      for (Bond& bond : row.bonds) {
+        if (!bond.isOpen) continue;
+        const double change = bond.conductance * (potential[index(row.point)] - potential[index(bond.neighbor)]);
+        bond.flow -= change;
+        largestCorrection_ = std::max(largestCorrection_, std::abs(change));
+      }
+  }
+  largestCorrection_ = largestFlow > 0.0 ? model.comm().max(largestCorrection_) / largestFlow : 0.0;
+  largestImbalance_ = 0.0;
+  for (const Row& row : rows_) {
+    double sum = 0.0, passed = 0.0;
+    for (const Bond& bond : row.bonds) {
+      sum += bond.flow;
+      passed += std::abs(bond.flow);
+    }
+    if (passed > 1e-6 * largestFlow) largestImbalance_ = std::max(largestImbalance_, 2.0 * std::abs(sum) / passed);
+  }
+  largestImbalance_ = model.comm().max(largestImbalance_);
+}
+
+void BondFlows::write() const {
+  const int flowId = fields::bondFlow().id(), openingId = fields::bondOpening().id();
+  std::vector<const Row*> rowOfPoint(index(geometry_.mesh().nOwned), nullptr);
+  for (const Row& row : rows_) rowOfPoint[index(row.point)] = &row;
+  for (PeridigmNS::Block& block : *simulation_.model.blocks()) {
+    const auto has = [&](int id) { return block.hasData(id, PeridigmNS::PeridigmField::STEP_NONE); };
+    const auto neighborhood = block.getNeighborhoodData();
+    double* flow = has(flowId) ? viewOfBonds(block, flowId) : nullptr;
+    double* opening = has(openingId) ? viewOfBonds(block, openingId) : nullptr;
+    std::size_t bond = 0;
+    for (int p = 0; p < neighborhood->NumOwnedPoints(); ++p) {
+      const int point = neighborhood->OwnedIDs()[p];
+      const std::size_t count = geometry_.neighborsOf(point).size();
+      const Row* row = rowOfPoint[index(point)];
+      for (std::size_t k = 0; k < count; ++k) {
+        if (flow != nullptr) flow[bond + k] = 0.0;
+        if (opening != nullptr) opening[bond + k] = row == nullptr ? 0.0 : row->openings[k];
+      }
+      if (row != nullptr && flow != nullptr)
+        for (const Bond& own : row->bonds) flow[bond + own.place] = own.flow;
+      bond += count;
+    }
+  }
+}
+
+}  // namespace pd

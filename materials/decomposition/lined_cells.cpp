@@ -1,0 +1,147 @@
+#include "lined_cells.hpp"
+
+#include <algorithm>
+
+namespace pd::decomposition {
+
+namespace {
+
+constexpr std::size_t mostLines = 1000000;  ///< that LinedCells remembers: some 30 MB
+
+double alongness(const Cell& cell, const Place& direction, std::size_t axis) {
+  return std::abs(dot(direction, cell.edges[axis])) / lengthOf(cell.edges[axis]);
+}
+
+/// The first axis that is better than those before it.
+template <class IsBetter>
+std::size_t bestAxis(const Cell& cell, const Place& direction, IsBetter isBetter) {
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(cell.dimension); ++k)
+    if (isBetter(alongness(cell, direction, k), alongness(cell, direction, axis))) axis = k;
+  return axis;
+}
+
+bool isInAny(const std::vector<const Void*>& voids, const Place& place) {
+  return std::any_of(voids.begin(), voids.end(), [&](const Void* v) { return v->contains(place); });
+}
+
+Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
+                 const NearDiscontinuities& within) {
+  const LineGrid grid(cell, axis, n);
+  const Lines lines = linesOf(grid);
+  std::vector<std::vector<Range>> ofLine(lines.size());
+  const auto add = [&](std::size_t line, const Range& range) {
+    const Range measured{measure.upTo(range.low), measure.upTo(range.high)};
+    if (range.low < range.high && measured.low < measured.high) ofLine[line].push_back(measured);
+  };
+  std::vector<Range> ranges;
+  for (std::size_t r = 0; r < lines.size(); ++r) {
+    ranges.clear();
+    for (const Void* v : within.voids)
+      v->addWithin({lines.start[0][r], lines.start[1][r], lines.start[2][r]}, lines.step, ranges);
+    for (const Range& range : ranges) add(r, range);
+  }
+  // Of a point in a void nobody knows on which side it is.
+  if (!isInAny(within.voids, cell.center)) {
+    std::vector<double> from(lines.size()), to(lines.size());
+    for (const Screen* screen : within.screens) {
+      screen->hide(cell.center, lines, from.data(), to.data());
+      for (std::size_t r = 0; r < lines.size(); ++r) add(r, {from[r], to[r]});
+    }
+  }
+  Taken taken;
+  taken.start.push_back(0);
+  for (auto& ofOne : ofLine) {
+    taken.sum += joined(ofOne);
+    taken.most = std::max(taken.most, static_cast<int>(ofOne.size()));
+    taken.ranges.insert(taken.ranges.end(), ofOne.begin(), ofOne.end());
+    taken.start.push_back(static_cast<int>(taken.ranges.size()));
+  }
+  return taken.ranges.empty() ? Taken() : taken;
+}
+
+}  // namespace
+
+LineGrid::LineGrid(const Cell& cell, std::size_t axis, int nParts)
+    : step(cell.edges[axis]), strides{}, n(nParts), nOther(cell.dimension == 3 ? nParts : 1) {
+  const auto dimension = static_cast<std::size_t>(cell.dimension);
+  first = plus(cell.center, step, -0.5);
+  for (std::size_t k = 0; k + 1 < dimension; ++k) {
+    const Place& edge = cell.edges[(axis + 1 + k) % dimension];
+    strides[k] = plus({}, edge, 1.0 / n);
+    first = plus(first, edge, 0.5 / n - 0.5);
+  }
+}
+
+Lines linesOf(const LineGrid& grid) {
+  Lines lines;
+  lines.step = grid.step;
+  for (int r = 0; r < grid.size(); ++r) {
+    const Place start = grid.start(r);
+    for (std::size_t d = 0; d < 3; ++d) lines.start[d].push_back(start[d]);
+  }
+  return lines;
+}
+
+std::size_t axisAcross(const Cell& cell, const Place& direction) {
+  return bestAxis(cell, direction, [](double a, double b) { return a < (1.0 - 1e-9) * b; });
+}
+
+std::size_t axisAlong(const Cell& cell, const Place& direction) {
+  return bestAxis(cell, direction, [](double a, double b) { return a > (1.0 + 1e-9) * b; });
+}
+
+double joined(std::vector<Range>& ranges) {
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
+  std::size_t n = 0;
+  for (const Range& range : ranges) {
+    if (n > 0 && range.low <= ranges[n - 1].high)
+      ranges[n - 1].high = std::max(ranges[n - 1].high, range.high);
+    else if (range.low < range.high)
+      ranges[n++] = range;
+  }
+  ranges.resize(n);
+  double sum = 0.0;
+  for (const Range& range : ranges) sum += range.high - range.low;
+  return sum;
+}
+
+bool Taken::covers(int line, double s) const {
+  for (int k = 0; k < number(line); ++k)
+    if (of(line)[k].low <= s && s < of(line)[k].high) return true;
+  return false;
+}
+
+const Taken& LinedCells::taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
+                               const NearDiscontinuities& near) {
+  static const Taken nothing;
+  Within& found = within(id, cell, near);
+  if (found.of.empty()) return nothing;
+  const auto [entry, isNew] = found.taken.try_emplace({static_cast<int>(axis), n, measure.nParts});
+  if (isNew) {
+    entry->second = takenByAll(cell, axis, n, measure, found.of);
+    nLines_ += static_cast<std::size_t>(LineGrid(cell, axis, n).size());
+  }
+  return entry->second;
+}
+
+void LinedCells::forgetMany() {
+  if (nLines_ < mostLines) return;
+  cells_.clear();
+  nLines_ = 0;
+}
+
+LinedCells::Within& LinedCells::within(int id, const Cell& cell, const NearDiscontinuities& near) {
+  const auto [entry, isNew] = cells_.try_emplace(id);
+  if (isNew) {
+    nLines_ += 4;
+    const Box box = boxAround(cell, cell);
+    for (const Screen* screen : near.screens)
+      if (screen->box().meets(box) && screen->isBetween(cell, cell)) entry->second.of.screens.push_back(screen);
+    for (const Void* v : near.voids)
+      if (v->box().meets(box)) entry->second.of.voids.push_back(v);
+  }
+  return entry->second;
+}
+
+}  // namespace pd::decomposition

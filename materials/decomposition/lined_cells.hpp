@@ -1,0 +1,92 @@
+// Cells by parallel lines, and what of them counts.
+#ifndef PD_LINED_CELLS_HPP
+#define PD_LINED_CELLS_HPP
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "discontinuities.hpp"
+
+namespace pd::decomposition {
+
+/// What of the discontinuities is near a bond or a cell.
+struct NearDiscontinuities {
+  std::vector<const Screen*> screens;
+  std::vector<const Void*> voids;
+  bool empty() const { return screens.empty() && voids.empty(); }
+};
+
+/// How lines are measured: by the number of the middles of n equal parts on them, or by their length, which is 1.
+struct LineMeasure {
+  int nParts;  ///< 0: by length
+  bool counts() const { return nParts > 0; }
+  double whole() const { return counts() ? nParts : 1.0; }
+  /// Of the range of a line from 0 to s.
+  double upTo(double s) const { return counts() ? std::ceil(nParts * s - 0.5) : s; }
+};
+
+/// n^(D-1) lines along an edge of a cell, through the middles of n equal parts of the others: line m nOther + l begins
+/// at first + m strides[0] + l strides[1].
+struct LineGrid {
+  LineGrid() = default;
+  LineGrid(const Cell& cell, std::size_t axis, int n);
+  int size() const { return n * nOther; }
+  Place start(int line) const { return plus(plus(first, strides[0], line / nOther), strides[1], line % nOther); }
+
+  Place first{}, step{};
+  std::array<Place, 2> strides{};
+  int n = 0, nOther = 1;
+};
+Lines linesOf(const LineGrid& grid);
+
+/// The edge of a cell that is most across a direction, or most along it; of several the first.
+std::size_t axisAcross(const Cell& cell, const Place& direction);
+std::size_t axisAlong(const Cell& cell, const Place& direction);
+
+/// Sorts ranges, joins those that overlap, and returns their length together.
+double joined(std::vector<Range>& ranges);
+
+/// What of a cell's lines does not count, by a measure: what is in voids, or on the other side of a crack than the
+/// cell's point.
+struct Taken {
+  std::vector<Range> ranges;  ///< apart from each other
+  std::vector<int> start;     ///< [lines + 1] where those of a line begin; empty where everything counts
+  int most = 0;               ///< ranges of one line
+  double sum = 0.0;           ///< over all lines
+
+  int number(int line) const { return start.empty() ? 0 : start[line + 1] - start[line]; }
+  const Range* of(int line) const { return ranges.data() + start[line]; }
+  bool covers(int line, double s) const;
+};
+
+/// What discontinuities take of cells, and remembers it.
+class LinedCells {
+ public:
+  /// `id`: that of the cell; `near`: all that is near it, and always the same. What is returned is good until
+  /// forgetMany().
+  const Taken& taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
+                     const NearDiscontinuities& near);
+  /// Whether a screen may pass through the cell.
+  bool isCut(int id, const Cell& cell, const NearDiscontinuities& near) {
+    return !within(id, cell, near).of.screens.empty();
+  }
+  /// Forgets all where that is much.
+  void forgetMany();
+
+ private:
+  struct Within {
+    NearDiscontinuities of;
+    std::map<std::array<int, 3>, Taken> taken;  ///< by axis, n, and whether middles are counted
+  };
+  Within& within(int id, const Cell& cell, const NearDiscontinuities& near);
+
+  std::unordered_map<int, Within> cells_;
+  std::size_t nLines_ = 0;
+};
+
+}  // namespace pd::decomposition
+
+#endif

@@ -1,0 +1,220 @@
+#!/usr/bin/python3
+"""A scalar that a steady flow carries: the material Advection Diffusion with Steady Flow."""
+import sys
+import unittest
+
+import numpy as np
+from scipy import sparse
+from scipy.sparse.linalg import splu
+
+sys.path.insert(0, sys.path[0] + "/../support")
+from flow_scene import RATIO, plane_lattice  # noqa: E402
+from scene import SceneTest  # noqa: E402
+
+
+def graetz(pe, length, rows=400, steps=4000):
+    """Mean of C over the flow after `length`, walls at C = 0, between plates 1 apart; marched without axial diffusion."""
+    y = (np.arange(rows) + 0.5) / rows
+    u = 6 * y * (1 - y)
+    diagonal = np.full(rows, -2.0)
+    diagonal[[0, -1]] = -3.0
+    diffusion = sparse.diags([np.ones(rows - 1), diagonal, np.ones(rows - 1)], [-1, 0, 1]) * rows**2 / pe
+    step = splu((sparse.diags(u * steps / length) - diffusion).tocsc())
+    c = np.ones(rows)
+    for _ in range(steps):
+        c = step.solve(u * steps / length * c)
+    return np.sum(u * c) / np.sum(u)
+
+
+class Transport(SceneTest):
+    def deck(self, spacing, length=2.0, velocity="1.0", walls="1.0", diffusivity=1e-4, solver=None, **scalar):
+        """A channel of height 1; the flow enters with `velocity` between walls that move with `walls`."""
+        steady = {"ImplicitDiffusion": {"Field": "Concentration", "Linear Solver": "GMRES", "Preconditioner": "ILU",
+                                        "Relative Tolerance": 1e-8, "Maximum Solver Iterations": 120}}
+        side = "y < 0 || y > 1"
+        return {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+            "Materials": {
+                "Fluid": {"Material Model": "Navier Stokes", "Plane Strain": True, "Density": 1.0, "Viscosity": 0.05,
+                          **({"Flux Horizon": scalar.pop("flux") * spacing} if "flux" in scalar else {})},
+                "Salt": {"Material Model": "Advection Diffusion", "Plane Strain": True, "Diffusivity": diffusivity,
+                         **scalar.pop("material", {})}},
+            "Blocks": {"Channel": {"Block Names": "block_1", "Material": ["Fluid", "Salt"],
+                                   "Horizon": RATIO * spacing},
+                       "Sides": {"Block Names": "block_2", "Material": "Fluid", "Horizon": RATIO * spacing}},
+            "Boundary Conditions": {
+                "Side Node Set": {"Expression": side}, "In Node Set": {"Expression": f"x < 0 && !({side})"},
+                "Out Node Set": {"Expression": f"x > {length}"},
+                "End Node Set": {"Expression": f"x > {length} && !({side})"},
+                "Inside Node Set": {"Expression": f"x > 0 && x < {length} && !({side})"},
+                "Sides": {"Type": "Prescribed Velocity", "Node Set": "Side Node Set", "Velocity": [walls, 0.0],
+                          "Surface": "min(y, 1 - y)"},
+                "In": {"Type": "Prescribed Velocity", "Node Set": "In Node Set", "Velocity": [velocity, 0.0],
+                       "Surface": "x"},
+                "Out": {"Type": "Outflow", "Node Set": "Out Node Set", "Surface": f"{length} - x"},
+                "Salt In": {"Type": "Prescribed Concentration", "Node Set": "In Node Set",
+                            "Value": scalar.pop("inflow", 1.0)},
+                "Salt Out": {"Type": "Prescribed Concentration", "Node Set": "End Node Set", "Value": 0.0},
+                **scalar.pop("conditions", {})},
+            "Solver1": {"Final Time": 1.0, "Steady Flow": {}},
+            "Solver2": {"Initial Time": 1.0, "Final Time": 2.0, **(solver or steady)},
+            "Output": {"Output Filename": "result", "Output Frequency": 1,
+                       "Output Variables": ["Velocity", "Fluid", "Concentration", "Concentration_Flux_Divergence"]}}
+
+    def mesh(self, spacing, length=2.0, shift=(0.5, 0.5), angle=0.0, jitter=0.0):
+        points = plane_lattice((0.0, 0.0), (length, 1.0), spacing, shift, angle)
+        points[:, :2] += jitter * spacing * np.random.default_rng(5).uniform(-1, 1, (len(points), 2))
+        beyond = (points[:, 1] < 0) | (points[:, 1] > 1)
+        self.write_mesh(points, spacing**2, block=np.where(beyond, 2, 1))
+        return points
+
+    def test_walls_that_take_up_what_flows_past(self):
+        # Graetz' problem at Peclet number 200: within 1 %, of which 0.4 % are diffusion along the channel.
+        points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.05, (0.5, 0.5))
+        self.write_mesh(points, 0.05**2)
+        deck = self.deck(0.05, velocity="6*y*(1 - y)", walls="0.0", diffusivity=1 / 200, flux=1.2,
+                         conditions={"Take": {"Type": "Prescribed Concentration", "Value": 0.0,
+                                              "Node Set": "Side Node Set"}})
+        deck["Blocks"] = {"Channel": deck["Blocks"]["Channel"]}
+        result = self.solve(deck)
+        c, v = result.field("Concentration"), result.field("Velocity")[:, 0]
+        last = np.isclose(points[:, 0], 1.975) & (result.field("Fluid") == 1)
+        mean = np.sum(c[last] * v[last]) / np.sum(v[last])
+        self.assertLess(abs(np.log(mean) / np.log(graetz(200, 1.975)) - 1), 0.01)
+
+    def test_no_wiggles_where_nothing_diffuses(self):
+        # U h/D = 1e4; a step at the inlet crosses lattices that are turned, of triangles or jittered, and keeps within
+        # its bounds; as much leaves as enters.
+        h = 0.0625
+        for angle, jitter in ((0.0, 0.0), (30.0, 0.0), (0.0, 0.2)):
+            points = self.mesh(h, 1.0, (0.37, 0.41), angle, jitter)
+            deck = self.deck(h, 1.0, diffusivity=h / 1e4, inflow="0.5 + 0.5*sign(y - 0.5)")
+            deck["Solver2"]["ImplicitDiffusion"]["Relative Tolerance"] = 1e-6  # kinks of the limiter: slow from there on
+            result = self.solve(deck)
+            c, rate = result.field("Concentration"), result.field("Concentration_Flux_Divergence")
+            fluid = result.field("Fluid") == 1
+            self.assertGreater(c[fluid].min(), -1e-5)
+            self.assertLess(c[fluid].max(), 1 + 1e-5)
+            middle = c[fluid & (np.abs(points[:, 0] - 0.5) < h) & (np.abs(points[:, 1] - 0.5) > 0.25)]
+            self.assertLess(np.min(middle), 1e-2)
+            self.assertGreater(np.max(middle), 1 - 1e-2)
+            held = ~fluid & (np.abs(points[:, 1] - 0.5) < 0.5)
+            self.assertLess(abs(rate[held].sum()), 1e-5 * np.abs(rate[held]).sum())
+
+    def test_a_constant_stays_one(self):
+        # Flows of bonds are balanced, however the points lie.
+        for angle, jitter, flux in ((0.0, 0.2, 1.5), (20.0, 0.0, 1.2)):
+            self.mesh(0.1, 1.0, (0.37, 0.81), angle, jitter)
+            result = self.solve(self.deck(0.1, 1.0, velocity="6*y*(1 - y)", walls="0.0", flux=flux))
+            c = result.field("Concentration")[result.field("Fluid") == 1]
+            np.testing.assert_allclose(c, 1.0, atol=1e-7)
+
+    def pulse_error(self, n, **material):
+        """L2 of a bell that has travelled half of the channel."""
+        points = self.mesh(1 / n, 1.5)
+        bell = "exp(-((x - {}))^2/0.02)"
+        start = {"Start": {"Type": "Initial Concentration", "Node Set": "Inside Node Set", "Value": bell.format(0.5)}}
+        solver = {"Final Time": 1.5, "Diffusion": {"Method": "TR-BDF2", "Sub Steps": n, "Linear Solver": "GMRES",
+                                                   "Preconditioner": "ILU"}}
+        result = self.solve(self.deck(1 / n, 1.5, diffusivity=0.0, inflow=0.0, conditions=start, solver=solver,
+                                      flux=1.2, material=material))
+        fluid = result.field("Fluid") == 1
+        exact = np.exp(-(points[fluid, 0] - 1.0)**2 / 0.02)
+        return np.sqrt(np.mean((result.field("Concentration")[fluid] - exact)**2) / np.mean(exact**2))
+
+    def test_order_of_a_travelling_bell(self):
+        limited = [self.pulse_error(n) for n in (20, 40)]
+        self.assertGreater(np.log2(limited[0] / limited[1]), 1.5)
+        upwind = self.pulse_error(40, Scheme="Upwind Biased")
+        self.assertGreater(upwind, 3 * limited[1])
+
+    def test_ranks_make_no_difference(self):
+        self.mesh(0.125, 1.0, (0.3, 0.1), 20.0)
+        deck = self.deck(0.125, 1.0, velocity="6*y*(1 - y)", walls="0.0", diffusivity=1e-3, inflow="y")
+        one = self.solve(deck).field("Concentration")
+        for ranks in (2, 4):
+            np.testing.assert_allclose(self.solve(deck, ranks=ranks).field("Concentration"), one, atol=1e-7)
+
+    def test_conjugate_gradients_and_explicit_steps_are_refused(self):
+        self.mesh(0.125, 1.0)
+        for solver in ({"ImplicitDiffusion": {"Field": "Concentration"}}, {"Diffusion": {"Method": "RKL"}}):
+            result = self.run_deck(self.deck(0.125, 1.0, solver=solver))
+            self.assertNotEqual(result.code, 0)
+            self.assertIn("a flow carries \"Concentration\"", result.text)
+
+
+class DissolvingPin(SceneTest):
+    """A wire of magnesium across a channel."""
+    SPACING, RADIUS, HALF = 10e-6, 40e-6, 100e-6
+
+    def deck(self, film="exp(-t/3600)"):
+        side = f"abs(y) > {self.HALF}"
+        fluid, wire = "x < 1", f"x^2 + y^2 < {self.RADIUS}^2"
+        steady = {"Steady Flow": {}, "When": {"Field": "Damage", "Has Changed By": 5e-10, "Measure": "Volume",
+                                              "At Start": True}}
+        plane = {"Plane Strain": True}
+        return {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
+            "Materials": {
+                "Fluid": {"Material Model": "Navier Stokes", **plane, "Density": 1000.0, "Viscosity": 1e-3,
+                          "Flux Horizon": 1.2 * self.SPACING},
+                "Ions": {"Material Model": "Advection Diffusion", **plane, "Scheme": "Upwind Biased"},
+                "Wire": {"Material Model": "Corrosion Dissolution", **plane, "Diffusivity": 1e-9,
+                         "Solid Concentration": 71508.0, "Saturation Concentration": 20.0, "Charge Number": 2.0,
+                         "Current Density": "5.73"}},
+            "Damage Models": {"Phases": {"Damage Model": "Dissolution"}},
+            "Blocks": {"Channel": {"Block Names": "block_1", "Material": ["Fluid", "Ions", "Wire"],
+                                   "Damage Model": "Phases", "Horizon": RATIO * self.SPACING},
+                       "Sides": {"Block Names": "block_2", "Material": "Fluid", "Horizon": RATIO * self.SPACING}},
+            "Boundary Conditions": {
+                "All Node Set": {"Expression": fluid}, "Wire Node Set": {"Expression": wire},
+                "Side Node Set": {"Expression": side}, "In Node Set": {"Expression": f"x < -100e-6 && !({side})"},
+                "Out Node Set": {"Expression": "x > 160e-6"},
+                "End Node Set": {"Expression": f"x > 160e-6 && !({side})"},
+                "Metal": {"Type": "Initial Concentration", "Node Set": "Wire Node Set", "Value": 71508.0},
+                "Film": {"Type": "Film Coverage", "Node Set": "All Node Set", "Value": film},
+                "Sides": {"Type": "Prescribed Velocity", "Node Set": "Side Node Set",
+                          "Surface": f"{self.HALF} - abs(y)"},
+                "In": {"Type": "Prescribed Velocity", "Node Set": "In Node Set", "Surface": "x + 100e-6",
+                       "Velocity": [f"0.02*(1 - (y/{self.HALF})^2)", 0.0]},
+                "Out": {"Type": "Outflow", "Node Set": "Out Node Set", "Surface": "160e-6 - x"},
+                "Fresh": {"Type": "Prescribed Concentration", "Node Set": "In Node Set", "Value": 0.0},
+                "Drain": {"Type": "Prescribed Concentration", "Node Set": "End Node Set", "Value": 0.0}},
+            "Solver": {"Final Time": 28800.0, "Staggered": {"Load Steps": 4, "Solvers": {
+                "Flow": steady, "Dissolution": {"Corrosion": {"Maximum dt": 3600.0}}}}},
+            "Compute Class Parameters": {"Loss": {"Compute Class": "Volume_Loss", "Output Label": "Loss"}},
+            "Output": {"Output Filename": "result", "Output Frequency": 1,
+                       "Output Variables": ["Velocity", "Concentration", "Damage", "Fluid", "Loss"]}}
+
+    def test_metal_is_kept_and_the_film_slows_its_loss(self):
+        h = self.SPACING
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), h, (0.2, 0.5))
+        self.write_mesh(points, h * h, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        results = self.solve(self.deck()), self.solve(self.deck(), ranks=2)
+        for result in results:
+            line = next(line for line in result.report["solver"] if "the balance is off by" in line)
+            self.assertLess(float(line.split("off by")[1].split()[0]), 1e-12)
+        one, two = (result.history()["Loss"] for result in results)
+        np.testing.assert_allclose(two, one, rtol=1e-8)
+        # A round wire under i (1 - F), the film of the end of each step of up to 3600 s.
+        n = np.count_nonzero(np.hypot(points[:, 0], points[:, 1]) < self.RADIUS)
+        first = np.sqrt(n * h * h / np.pi)
+        gone = 5.73 / (2 * 96485.33 * 71508.0) * (28800 - 3600 * (1 - np.exp(-8.0)))
+        self.assertLess(abs(one[-1] / (np.pi * (first**2 - (first - gone)**2)) - 1), 0.08)
+        # What has dissolved flows.
+        result = results[0]
+        turned = (result.field("Fluid") == 1) & (np.hypot(points[:, 0], points[:, 1]) < self.RADIUS)
+        self.assertGreater(np.count_nonzero(turned), 0)
+        self.assertGreater(np.min(np.abs(result.field("Velocity")[turned, 0])), 0.0)
+        self.assertGreater(result.field("Concentration")[result.field("Fluid") == 1].min(), -1e-9)
+
+    def test_what_is_no_share_is_refused(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        result = self.run_deck(self.deck(film="2.0"))
+        self.assertNotEqual(result.code, 0)
+        self.assertIn("a share lies between 0 and 1", result.text)
+
+
+if __name__ == "__main__":
+    unittest.main()
