@@ -19,7 +19,7 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
 def graetz(diffusivity, rows=600, steps=6000):
-    """x, mean of C over the flow and Sherwood number of both walls, marched by finite differences, no axial diffusion."""
+    """x, mean of C over the flow, Sherwood number of the walls: by finite differences, without axial diffusion."""
     y = (np.arange(rows) + 0.5) / rows * HEIGHT
     u = 6 * VELOCITY * y / HEIGHT * (1 - y / HEIGHT)
     dx, dy = LENGTH / steps, HEIGHT / rows
@@ -85,8 +85,8 @@ def print_errors():
             local = [sherwood[np.argmin(np.abs(columns - s * HEIGHT))] for s in (1, 2, 3)]
             there = [columns[np.argmin(np.abs(columns - s * HEIGHT))] for s in (1, 2, 3)]
             errors = [100 * (s / np.interp(c, x, exact) - 1) for s, c in zip(local, there)]
-            print(f"{title}, {points} points: mean Sherwood number {100 * (1 / whole - 1):+.2f} %, local at x/H = 1, 2, 3 "
-                  + " ".join(f"{e:+.2f}" for e in errors) + " %")
+            print(f"{title}, {points} points: mean Sherwood number {100 * (1 / whole - 1):+.2f} %, "
+                  "local at x/H = 1, 2, 3 " + " ".join(f"{e:+.2f}" for e in errors) + " %")
 
 
 def draw_concentration():

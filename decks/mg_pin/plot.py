@@ -40,8 +40,9 @@ def draw_loss():
     figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
     axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
     constant = (1.304, 0.0)
-    for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", (SPEED, FILM)),
-                                    ("still", "C2--", "the same in fluid at rest", (SPEED, FILM)),
+    breaking = (SPEED, FILM)
+    for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", breaking),
+                                    ("still", "C2--", "the same in fluid at rest", breaking),
                                     ("no_film", "C1-", "5.0 A/m² from the start", constant)):
         if not (folder / f"{name}.csv").exists():
             continue

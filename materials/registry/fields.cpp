@@ -99,6 +99,9 @@ FieldHandle FieldTable::readsIfThere(const FieldDescription& field) {
 FieldHandle FieldTable::writes(const FieldDescription& field, Ghosts ghosts) {
   return use(field, FieldAccess::Writes, ghosts, false);
 }
+FieldHandle FieldTable::writesIfThere(const FieldDescription& field) {
+  return use(field, FieldAccess::Writes, Ghosts::None, true);
+}
 /// Solvers find rates by their names.
 FieldHandle FieldTable::adds(const FieldDescription& field) {
   if (!field.rateOf.empty() && field.label != fluxDivergenceField(field.rateOf))

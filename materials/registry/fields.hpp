@@ -129,6 +129,7 @@ class FieldTable {
   FieldHandle reads(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
   FieldHandle readsIfThere(const FieldDescription& field);
   FieldHandle writes(const FieldDescription& field, Ghosts ghosts = Ghosts::None);
+  FieldHandle writesIfThere(const FieldDescription& field);
   FieldHandle adds(const FieldDescription& field);
   FieldHandle addsIfThere(const FieldDescription& field);
   FieldHandle worsens(const FieldDescription& field);

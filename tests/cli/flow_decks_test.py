@@ -138,5 +138,39 @@ class FlowDecks(SceneTest):
         self.assertIn("Give it an Outflow", result.text)
 
 
+    def carry(self, deck, **more):
+        deck["Materials"]["Salt"] = {"Material Model": "Advection Diffusion", "Plane Strain": True, **more}
+        for name in ("Left", "Right"):
+            deck["Blocks"][name]["Material"] = ["Water", "Salt"]
+        deck["Solver1"] = {"Final Time": 1.0, "Steady Flow": {}}
+        deck["Solver2"] = {"Initial Time": 1.0, "Final Time": 2.0,
+                           "ImplicitDiffusion": {"Field": "Concentration", "Linear Solver": "GMRES"}}
+        deck["Boundary Conditions"]["Lid Salt"] = {"Type": "Prescribed Concentration", "Node Set": "Lid Node Set",
+                                                   "Value": 1.0}
+        deck.pop("Solver")
+
+    def test_what_a_flow_carries_needs_a_flow(self):
+        self.assertEqual(self.check(lambda deck: self.carry(deck, Diffusivity=1e-6)).code, 0)
+
+        def rest(deck):
+            self.carry(deck)
+            deck["Solver"] = deck.pop("Solver2")
+            deck["Solver"].pop("Initial Time")
+            deck.pop("Solver1")
+            for name in ("Walls", "Lid"):
+                deck["Boundary Conditions"].pop(name)
+            deck["Output"]["Output Variables"] = ["Concentration"]
+        self.assert_refused(rest, "Bond_Flow")
+
+    def test_keys_of_what_a_flow_carries(self):
+        self.assert_refused(lambda deck: self.carry(deck, **{"Upwind Share": 0.5}), "Upwind Share", "Upwind Biased")
+        self.assert_refused(lambda deck: self.carry(deck, **{"Gradient Horizon": 0.2}), "Gradient Horizon", "half")
+        self.assert_refused(lambda deck: deck["Materials"]["Water"].update({"Flux Horizon": 0.4}), "Flux Horizon")
+
+    def test_films_need_metal_that_dissolves(self):
+        film = {"Type": "Film Coverage", "Node Set": "Walls Node Set", "Value": 0.5}
+        self.assert_refused(lambda deck: deck["Boundary Conditions"].update(Film=film), "dissolves metal")
+
+
 if __name__ == "__main__":
     unittest.main()

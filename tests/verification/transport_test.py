@@ -13,7 +13,7 @@ from scene import SceneTest  # noqa: E402
 
 
 def graetz(pe, length, rows=400, steps=4000):
-    """Mean of C over the flow after `length`, walls at C = 0, between plates 1 apart; marched without axial diffusion."""
+    """Mean of C over the flow after `length`, between plates 1 apart with C = 0; without axial diffusion."""
     y = (np.arange(rows) + 0.5) / rows
     u = 6 * y * (1 - y)
     diagonal = np.full(rows, -2.0)
@@ -89,7 +89,7 @@ class Transport(SceneTest):
         for angle, jitter in ((0.0, 0.0), (30.0, 0.0), (0.0, 0.2)):
             points = self.mesh(h, 1.0, (0.37, 0.41), angle, jitter)
             deck = self.deck(h, 1.0, diffusivity=h / 1e4, inflow="0.5 + 0.5*sign(y - 0.5)")
-            deck["Solver2"]["ImplicitDiffusion"]["Relative Tolerance"] = 1e-6  # kinks of the limiter: slow from there on
+            deck["Solver2"]["ImplicitDiffusion"]["Relative Tolerance"] = 1e-6  # then slow, by kinks
             result = self.solve(deck)
             c, rate = result.field("Concentration"), result.field("Concentration_Flux_Divergence")
             fluid = result.field("Fluid") == 1
@@ -207,6 +207,32 @@ class DissolvingPin(SceneTest):
         self.assertGreater(np.count_nonzero(turned), 0)
         self.assertGreater(np.min(np.abs(result.field("Velocity")[turned, 0])), 0.0)
         self.assertGreater(result.field("Concentration")[result.field("Fluid") == 1].min(), -1e-9)
+
+    def test_goes_on_from_a_checkpoint(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        deck = self.deck()
+        deck["Output2"] = {"Output Filename": "early", "Final Output Step": 2, "Checkpoint Frequency": 2,
+                           "Output Variables": ["Damage"]}
+        whole = self.solve(deck)
+        fields = {label: whole.field(label) for label in ("Concentration", "Damage", "Velocity")}
+        later = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+        for label, values in fields.items():
+            np.testing.assert_array_equal(later.field(label), values)
+
+    def test_a_pin_that_dissolves_wholly_leaves_the_tube_empty(self):
+        points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))
+        self.write_mesh(points, self.SPACING**2, block=np.where(np.abs(points[:, 1]) > self.HALF, 2, 1))
+        deck = self.deck(film="0.0")
+        deck["Materials"]["Wire"]["Current Density"] = "40.0"
+        result = self.solve(deck)
+        wire = np.hypot(points[:, 0], points[:, 1]) < self.RADIUS
+        self.assertTrue(np.all(result.field("Fluid")[wire] == 1))
+        # The parabola is back, within what walls between the rows leave of it, and nothing is dissolved in it.
+        np.testing.assert_allclose(result.field("Velocity")[wire, 0],
+                                   0.02 * (1 - (points[wire, 1] / self.HALF)**2), rtol=1e-3)
+        self.assertLess(result.field("Concentration")[wire].max(), 1e-6)
+        self.assertLess(abs(result.history()["Loss"][-1] / (np.count_nonzero(wire) * self.SPACING**2) - 1), 1e-9)
 
     def test_what_is_no_share_is_refused(self):
         points = plane_lattice((-100e-6, -self.HALF), (160e-6, self.HALF), self.SPACING, (0.2, 0.5))

@@ -163,7 +163,8 @@ bool NewtonKrylov::solve(StageEquation& equation) {
     if (isAsymmetric_) part = ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part) : std::min(1.0, 2.0 * part);
     before = largest;
     if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
-    for (std::size_t k = 0; k < step_.size(); ++k) equation.fields().concentration[equation.ids()[k]] += part * step_[k];
+    for (std::size_t k = 0; k < step_.size(); ++k)
+      equation.fields().concentration[equation.ids()[k]] += part * step_[k];
     ++nIterations_;
   }
   return false;

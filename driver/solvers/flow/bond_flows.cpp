@@ -106,27 +106,25 @@ void BondFlows::removeNetFlow(std::vector<double>& excess) const {
   for (double& value : excess) value -= net / volume;
 }
 
-void BondFlows::balance() {
-  Model& model = simulation_.model;
+/// Of the potential: what it moves out of each point.
+SparseRows BondFlows::potentialMatrix() const {
+  const Model& model = simulation_.model;
   const Discretization& mesh = geometry_.mesh();
-  const Timers::Scope timer(model.timers(), "bond flows");
   const long long own = static_cast<long long>(rows_.size());
   long long first = 0;
   MPI_Exscan(&own, &first, 1, MPI_LONG_LONG, MPI_SUM, model.comm().mpi());
   if (model.comm().isRoot()) first = 0;
-  std::vector<double> column(index(mesh.nPoints), -1.0), potential(index(mesh.nPoints), 0.0);
+  std::vector<double> column(index(mesh.nPoints), -1.0);
   for (std::size_t r = 0; r < rows_.size(); ++r)
     column[index(rows_[r].point)] = static_cast<double>(first) + static_cast<double>(r);
   model.exchange().import(column.data(), 1, Reflection::Even);
 
   SparseRows matrix;
   std::vector<std::pair<long long, double>> entries;
-  double largestFlow = 0.0;
   for (const Row& row : rows_) {
     entries.clear();
     double sum = 0.0;
     for (const Bond& bond : row.bonds) {
-      largestFlow = std::max(largestFlow, std::abs(bond.flow));
       if (!bond.isOpen) continue;
       sum += bond.conductance;
       const double there = column[index(bond.neighbor)];
@@ -136,12 +134,18 @@ void BondFlows::balance() {
     entries.emplace_back(diagonal, sum > 0.0 ? (1.0 + tie) * sum : 1.0);
     matrix.addRow(entries);
   }
-  largestFlow = model.comm().max(largestFlow);
+  return matrix;
+}
+
+void BondFlows::balance() {
+  Model& model = simulation_.model;
+  const Timers::Scope timer(model.timers(), "bond flows");
   RowSystem system(model.comm());
-  system.setMatrix(matrix);
+  system.setMatrix(potentialMatrix());
   if (const std::string trouble = system.factor(); !trouble.empty())
     throw RunError("Steady Flow: the flows of bonds are not balanced: " + trouble);
 
+  std::vector<double> potential(index(geometry_.mesh().nPoints), 0.0);
   largestCorrection_ = 0.0;
   for (int pass = 0; pass < balancePasses; ++pass) {
     std::vector<double> excess(rows_.size(), 0.0), solution(rows_.size(), 0.0);
@@ -159,7 +163,17 @@ void BondFlows::balance() {
         largestCorrection_ = std::max(largestCorrection_, std::abs(change));
       }
   }
-  largestCorrection_ = largestFlow > 0.0 ? model.comm().max(largestCorrection_) / largestFlow : 0.0;
+  measure();
+}
+
+/// What is left, and what it took.
+void BondFlows::measure() {
+  const Communicator& comm = simulation_.model.comm();
+  double largestFlow = 0.0;
+  for (const Row& row : rows_)
+    for (const Bond& bond : row.bonds) largestFlow = std::max(largestFlow, std::abs(bond.flow));
+  largestFlow = comm.max(largestFlow);
+  largestCorrection_ = largestFlow > 0.0 ? comm.max(largestCorrection_) / largestFlow : 0.0;
   largestImbalance_ = 0.0;
   for (const Row& row : rows_) {
     double sum = 0.0, passed = 0.0;
@@ -169,7 +183,7 @@ void BondFlows::balance() {
     }
     if (passed > 1e-6 * largestFlow) largestImbalance_ = std::max(largestImbalance_, 2.0 * std::abs(sum) / passed);
   }
-  largestImbalance_ = model.comm().max(largestImbalance_);
+  largestImbalance_ = comm.max(largestImbalance_);
 }
 
 void BondFlows::write() const {

@@ -45,7 +45,9 @@ class BondFlows {
   void findFamilyVolumes();
   Row rowOf(int point, double t) const;
   double flowOf(int point, const FlowGeometry::End& end, int neighbor, double t) const;
+  SparseRows potentialMatrix() const;
   void balance();
+  void measure();
   void removeNetFlow(std::vector<double>& excess) const;
   void write() const;
 

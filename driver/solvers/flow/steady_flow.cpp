@@ -97,11 +97,13 @@ void SteadyFlow::initialize(Simulation& simulation) {
   takeUpPhases(simulation);
 }
 
-/// At first, and where metal has dissolved since.
+/// At first, where metal has dissolved since, and after a checkpoint, which holds no factors.
 void SteadyFlow::takeUpPhases(Simulation& simulation) {
   Model& model = simulation.model;
   const std::vector<char> isSolid = solidPoints(model);
-  if (equations_ && !model.comm().any(isSolid != isSolid_)) return;
+  if (mustRenew_) system_ = std::make_unique<RowSystem>(model.comm());
+  if (equations_ && !mustRenew_ && !model.comm().any(isSolid != isSolid_)) return;
+  mustRenew_ = false;
   isSolid_ = isSolid;
   equations_ = std::make_unique<FlowEquations>(simulation, *law_, flowBlocks_,
                                                parameters_.get<double>("Pressure Smoothing"), isSolid_);

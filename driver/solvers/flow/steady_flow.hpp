@@ -42,6 +42,7 @@ class SteadyFlow : public Solver {
   }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
+  void checkpointWritten() override { mustRenew_ = true; }
 
  private:
   void takeUpPhases(Simulation& simulation);
@@ -60,7 +61,7 @@ class SteadyFlow : public Solver {
   const FlowLaw* law_ = nullptr;
   std::vector<int> flowBlocks_;
   std::vector<char> isSolid_;  ///< [points] of equations_
-  bool wantsFlows_ = false;
+  bool wantsFlows_ = false, mustRenew_ = false;
   std::unique_ptr<FlowEquations> equations_;
   std::unique_ptr<RowSystem> system_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
