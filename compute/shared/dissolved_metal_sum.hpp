@@ -34,6 +34,16 @@ class DissolvedMetalSum : public TabledCompute {
     setGlobal(blocks, fields().result, factor * sumOverRanks(*epetraComm, sum));
   }
 
+  /// m3, at the start. Collective.
+  double volumeOfMetal(const Blocks& blocks) const {
+    std::vector<DissolvedMetal::View> metal;
+    for (PeridigmNS::Block& block : *blocks) metal.push_back(metal_.of(block));
+    double volume = 0.0;
+    points_.forEach(blocks,
+                    [&](std::size_t b, int id) { volume += metal[b].wasMetal(id) ? metal[b].volume(id) : 0.0; });
+    return sumOverRanks(*epetraComm, volume);
+  }
+
  private:
   PointSelection points_;
   DissolvedMetal metal_;

@@ -184,7 +184,8 @@ class DissolvingPin(SceneTest):
                 "Flow": steady, "Dissolution": {"Corrosion": {"Maximum dt": 3600.0}}}}},
             "Compute Class Parameters": {"Loss": {"Compute Class": "Volume_Loss", "Output Label": "Loss"}},
             "Output": {"Output Filename": "result", "Output Frequency": 1,
-                       "Output Variables": ["Velocity", "Concentration", "Damage", "Fluid", "Loss"]}}
+                       "Output Variables": ["Velocity", "Concentration", "Damage", "Fluid", "Loss",
+                                            "Relative_Volume_Loss"]}}
 
     def test_metal_is_kept_and_the_film_slows_its_loss(self):
         h = self.SPACING
@@ -199,6 +200,7 @@ class DissolvingPin(SceneTest):
         # A round wire under i (1 - F), the film of the end of each step of up to 3600 s.
         n = np.count_nonzero(np.hypot(points[:, 0], points[:, 1]) < self.RADIUS)
         first = np.sqrt(n * h * h / np.pi)
+        np.testing.assert_allclose(results[0].history()["Relative_Volume_Loss"], 100 * one / (n * h * h), rtol=1e-12)
         gone = 5.73 / (2 * 96485.33 * 71508.0) * (28800 - 3600 * (1 - np.exp(-8.0)))
         self.assertLess(abs(one[-1] / (np.pi * (first**2 - (first - gone)**2)) - 1), 0.08)
         # What has dissolved flows.
