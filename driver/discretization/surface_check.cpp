@@ -10,7 +10,6 @@
 namespace pd {
 
 using decomposition::crossed;
-using decomposition::dot;
 using decomposition::minus;
 using decomposition::Place;
 using decomposition::TriangleSurface;
@@ -29,9 +28,11 @@ std::vector<SurfaceFault> emptyTriangles(const TriangleSurface& surface) {
     const Corners& c = surface.triangles[t];
     const Place &a = surface.vertices[c[0]], &b = surface.vertices[c[1]], &p = surface.vertices[c[2]];
     const double longest2 =
-        std::max({dot(minus(b, a), minus(b, a)), dot(minus(p, b), minus(p, b)), dot(minus(a, p), minus(a, p))});
+        std::max({decomposition::dot(minus(b, a), minus(b, a)), decomposition::dot(minus(p, b), minus(p, b)),
+                  decomposition::dot(minus(a, p), minus(a, p))});
     const Place normal = crossed(minus(b, a), minus(p, a));
-    if (!(dot(normal, normal) > 1e-24 * longest2 * longest2)) faults.push_back({t, "this triangle has no area"});
+    if (!(decomposition::dot(normal, normal) > 1e-24 * longest2 * longest2))
+      faults.push_back({t, "this triangle has no area"});
   }
   return faults;
 }
@@ -89,9 +90,10 @@ std::vector<SurfaceFault> turnedParts(const TriangleSurface& surface) {
     }
     const Place& origin = surface.vertices[surface.triangles[first[part[t]]][0]];
     const Corners& c = surface.triangles[t];
-    volume[part[t]] += dot(minus(surface.vertices[c[0]], origin),
+    volume[part[t]] +=
+        decomposition::dot(minus(surface.vertices[c[0]], origin),
                            crossed(minus(surface.vertices[c[1]], origin), minus(surface.vertices[c[2]], origin))) /
-                       6.0;
+        6.0;
   }
   std::vector<SurfaceFault> faults;
   for (std::size_t p = 0; p < volume.size(); ++p)
@@ -106,13 +108,15 @@ std::vector<SurfaceFault> turnedParts(const TriangleSurface& surface) {
 /// Does the segment from p to q pass through the inside of the triangle?
 bool passesThrough(const Place& p, const Place& q, const std::array<Place, 3>& triangle) {
   const Place normal = crossed(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
-  const double tolerance = 1e-9 * std::pow(dot(normal, normal), 0.75);
-  const double ofP = dot(minus(p, triangle[0]), normal), ofQ = dot(minus(q, triangle[0]), normal);
+  const double tolerance = 1e-9 * std::pow(decomposition::dot(normal, normal), 0.75);
+  const double ofP = decomposition::dot(minus(p, triangle[0]), normal),
+               ofQ = decomposition::dot(minus(q, triangle[0]), normal);
   if (std::abs(ofP) <= tolerance || std::abs(ofQ) <= tolerance || (ofP > 0.0) == (ofQ > 0.0)) return false;
   const Place at = decomposition::plus(p, minus(q, p), ofP / (ofP - ofQ));
   for (std::size_t k = 0; k < 3; ++k) {
     const Place side = minus(triangle[(k + 1) % 3], triangle[k]);
-    if (dot(crossed(side, minus(at, triangle[k])), normal) <= 1e-9 * dot(normal, normal)) return false;
+    if (decomposition::dot(crossed(side, minus(at, triangle[k])), normal) <= 1e-9 * decomposition::dot(normal, normal))
+      return false;
   }
   return true;
 }
