@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Every deck of decks/ is one that `pdrun --check` finds good, with the mesh that its scene makes and the options of its
-scene's first run of it. The run.sh of each scene runs in a copy in which programs that make meshes write down what they were
+scene's first run of it. The run*.sh of each scene run in a copy in which programs that make meshes write down what they were
 asked for, which is done when a deck is checked, and those that draw and measure do nothing."""
 import os
 import shutil
@@ -83,7 +83,7 @@ class Decks(unittest.TestCase):
 [[ "$(grep -c mixed_mode '{self.log}')" == 2 ]] || exec '{self.put_aside(name)}' "$@"
 """)
         for place in [self.root / "meshes/pdplot",
-                      *(p for name in ("plot", "study", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
+                      *(p for name in ("plot*", "study", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
             self.write(place, "#!/bin/true\n")
         check = CHECK
         for word, value in (("LOG", self.log), ("BAD", self.bad), ("OUT", self.root / "out"), ("PDRUN", PDRUN)):
@@ -112,7 +112,7 @@ class Decks(unittest.TestCase):
     def test_pass_the_check(self):
         environment = {**os.environ, "PDRUN": str(self.root / "bin/pdrun"), "RESULTS": str(self.root / "results"),
                        "PATH": f"{self.root / 'bin'}:{os.environ['PATH']}", "SPACING": "100e-6"}
-        for script in sorted(self.root.glob("decks/**/run.sh")):
+        for script in sorted(self.root.glob("decks/**/run*.sh")):
             done = subprocess.run([script], env=environment, capture_output=True, text=True, timeout=200)
             self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}{done.stderr}")
         self.assertEqual(self.bad.read_text(), "")

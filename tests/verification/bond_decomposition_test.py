@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Cracks and voids that points do not resolve: against fracture mechanics and elasticity, and what must not depend on them."""
+import os
 import sys
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -218,6 +220,31 @@ class Pores(SceneTest):
         rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
         for label in ("Damage", "Displacement"):
             np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
+class RoundCrack(SceneTest):
+    def test_its_stress_intensity_is_the_exact_one(self):
+        """Half as large as in decks/crack_sif, by the rim of the body as there: tilted, so that it passes through cells."""
+        sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks/crack_sif"))
+        sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../meshes"))
+        import penny
+        import penny_openings
+        self.write_mesh(lattice([0.02, 0.02, 0.02], 1e-3, [-0.01] * 3), 1e-9)
+        a, tilt = 5.5e-3, np.radians(20)
+        conditions = {"Rim Node Set": {"Expression": "max(max(abs(x), abs(y)), abs(z)) > 7.9e-3"}}
+        for axis, value in zip("xyz", penny.functions(a, 0.0, tilt)):
+            conditions[f"Rim {axis}"] = prescribed("Rim Node Set", axis, value)
+        deck = plate_deck(2.05e-3, 1.0, conditions=conditions, solver=SMALL_STRAIN, output={"Output Variables": ["Displacement"]})
+        deck["Materials"]["Steel"] = {"Material Model": "PDHE", "Young's Modulus": penny.YOUNG, "Poisson's Ratio": penny.POISSON,
+                                      "Lattice Rescaling": True, "Surface Correction": "Energy Method"}
+        deck["Discretization"] = {
+            "Type": "Text File", "Input Mesh File": "mesh.txt", "Include Partial Neighbors": False,
+            "Cracks": {"Penny": {"Type": "Disk", "Center": [0.0, 0.0, 0.0], "Normal": [np.sin(tilt), 0.0, np.cos(tilt)],
+                                 "Radius": a}}}
+        self.solve(deck)
+        by_rim, by_ellipse = penny_openings.ratios_of(Path(self.folder), "result", a, tilt=tilt)
+        self.assertAlmostEqual(by_ellipse, 1.0, delta=0.05)
+        self.assertAlmostEqual(by_rim, 1.0, delta=0.1)
 
 
 class Surfaces(SceneTest):
