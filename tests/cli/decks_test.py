@@ -83,7 +83,7 @@ class Decks(unittest.TestCase):
 [[ "$(grep -c mixed_mode '{self.log}')" == 2 ]] || exec '{self.put_aside(name)}' "$@"
 """)
         for place in [self.root / "meshes/pdplot",
-                      *(p for name in ("plot*", "study", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
+                      *(p for name in ("plot*", "stud*", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
             self.write(place, "#!/bin/true\n")
         check = CHECK
         for word, value in (("LOG", self.log), ("BAD", self.bad), ("OUT", self.root / "out"), ("PDRUN", PDRUN)):
