@@ -82,6 +82,8 @@ std::vector<ReferenceChapter> sectionsOfBodies() {
        "Voids",
        "an entry of Discretization/Voids with \"Type: {}\"",
        typesOf(voidTypes(), voidDeclarations)},
+      ownKeysOnly("Bond Decomposition", "In Discretization: how Cracks and Voids are brought to the bonds.",
+                  bondDecompositionDeclarations()),
       ownKeysOnly("Symmetry", "In Discretization: planes of symmetry, entries by names of your choice.",
                   symmetryPlaneDeclarations()),
       {"Materials",

@@ -148,4 +148,10 @@ void declareBondDecomposition(Declarations& declare) {
       .defaultTo(true);
 }
 
+Declarations bondDecompositionDeclarations() {
+  Declarations declare;
+  declareBondDecomposition(declare);
+  return declare;
+}
+
 }  // namespace pd

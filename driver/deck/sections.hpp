@@ -19,6 +19,7 @@ std::vector<std::string> voidTypes();                                          /
 const ParameterDeclarations& crackDeclarations(const std::string& type);       ///< throws for an unknown type
 const ParameterDeclarations& voidDeclarations(const std::string& type);        ///< throws for an unknown type
 void declareBondDecomposition(ParameterDeclarations& declare);
+ParameterDeclarations bondDecompositionDeclarations();
 const ParameterDeclarations& symmetryPlaneDeclarations();  ///< an entry of Symmetry
 const ParameterDeclarations& nodeSetDeclarations();        ///< node sets by geometry
 const ParameterDeclarations& blockDeclarations();

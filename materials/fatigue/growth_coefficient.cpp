@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 namespace pd {
 
@@ -34,10 +35,22 @@ GrowthCoefficient::GrowthCoefficient(const Teuchos::ParameterList& params, const
   if (params.isParameter("Paris Threshold")) {
     thresholdRange_ = 1e6 * params.get<double>("Paris Threshold");
     threshold_ = thresholdTrial(trial);
+    requireThresholdIsMet(owner);
   }
   // A = C (E' sqrt(delta))^M / (B delta), C in Pa sqrt(m)
   const double logCore = -std::log(lattice_.strainAt(1e6));
   coefficient_ = std::exp(std::log(paris_) + exponent_ * logCore - std::log(result_.factor * lattice_.horizon()));
+}
+
+void GrowthCoefficient::requireThresholdIsMet(const std::string& owner) const {
+  constexpr double most = 0.25;
+  if (threshold_.deviation <= most) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << owner << ": with \"Paris Exponent\" " << exponent_
+       << " no law of bonds makes the growth C (dK - dK_th)^M: the best one is off by " << 100.0 * threshold_.deviation
+       << " %. Exponents from 2 to 6 are met; others do without \"Paris Threshold\"";
+  throw std::invalid_argument(text.str());
 }
 
 kernels::LifeLaw GrowthCoefficient::law() const {

@@ -25,6 +25,7 @@ class GrowthCoefficient {
   std::vector<std::string> notes() const;
 
  private:
+  void requireThresholdIsMet(const std::string& owner) const;
   double predicted(double range) const;
   double limit() const;  ///< of strain ranges
 
