@@ -123,6 +123,16 @@ class CrackedPlate(SceneTest):
         self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
         self.assertLess(history["Length"][-2], 0.009)
 
+    def test_thresholds_that_no_law_of_bonds_meets_are_refused(self):
+        deck = cracked_plate(self)
+        deck["Damage Models"]["Breakage"] = {
+            "Damage Model": "Remaining Life", "Paris Coefficient": 1e-11, "Paris Exponent": 12.0, "Paris Threshold": 5.0,
+            "Horizon": 3.015 * SPACING, "Spacing": SPACING, "Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3,
+            "Plane Stress": True, "Thickness": THICKNESS}
+        done = self.run_deck(deck, arguments=["--check"])
+        self.assertEqual(done.code, 2, done.text)
+        self.assertIn("no law of bonds makes the growth", done.text)
+
     def test_a_crack_stands_at_the_threshold_and_grows_as_the_range_exceeds_it(self):
         damage = {"Damage Model": "Remaining Life", "Paris Coefficient": 1e-11, "Paris Exponent": 2.0, "Paris Threshold": 5.0,
                   "Horizon": 3.015 * SPACING, "Spacing": SPACING, "Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3,
