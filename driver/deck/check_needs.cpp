@@ -2,7 +2,10 @@
 // and nothing in the deck gives.
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "../../materials/registry/diffusivity_field.hpp"
+#include "../../materials/registry/flow_fields.hpp"
 #include "../../materials/registry/plugins.hpp"
 #include "../solvers/solver.hpp"
 #include "deck_parameters.hpp"
@@ -78,6 +81,7 @@ class NeedCheck {
       for (const RunPart* metal :
            BlockParts::thatUse(block.materials, fields::saturationConcentration(), FieldAccess::Writes))
         dissolution(block, *metal);
+    carriedScalars();
     loadedBlocksFollowPhases();
     densities();
     if (mistakes_.lines().size() > before) return;
@@ -211,6 +215,49 @@ class NeedCheck {
                         " dissolves, and needs a damage model that changes its phase: " +
                         quotedList(pluginsWith(DamageModelRegistry::self(), follows)));
     }
+  }
+
+  /// Scalars that a flow carries along: some solver advances them, after one that finds the flow, and one material of a
+  /// block alone lets ions diffuse.
+  void carriedScalars() {
+    std::set<std::string> told;
+    for (const BlockParts& block : parts_.blocks)
+      for (const RunPart* part : BlockParts::thatUse(block.materials, fields::bondFlow(), FieldAccess::Reads))
+        for (const std::string& label : scalarsOf(*part)) {
+          diffusesTwice(block, *part, label);
+          if (told.insert(part->node.path() + "/" + label).second) advancesCarried(*part, label);
+        }
+  }
+
+  void advancesCarried(const RunPart& part, const std::string& label) {
+    const FieldDescription rate = fields::fluxDivergence(label);
+    const auto advances = [&](const SolverPart& solver) { return mayRead(solver, rate); };
+    const auto findsFlow = [](const SolverPart& solver) {
+      const FieldUse* use = useOf(solver.table, fields::bondFlow().label);
+      return !solver.hasTable || (use != nullptr && isChange(*use));
+    };
+    const auto first = std::find_if(parts_.solvers.begin(), parts_.solvers.end(), advances);
+    const auto flow = std::find_if(parts_.solvers.begin(), parts_.solvers.end(), findsFlow);
+    if (first == parts_.solvers.end())
+      mistakes_.add(placeOfKey(part.node, "Field"),
+                    part.node.path() + ": no solver of this deck advances \"" + label +
+                        "\", which the flow is to carry; name the Field that one advances, or add a solver of it");
+    else if (flow != parts_.solvers.end() && first < flow)
+      mistakes_.add(first->node.keyPlace(), first->node.path() + ": it advances \"" + label +
+                                                "\", which a flow carries, before " + flow->node.path() +
+                                                " finds the flow; put that one before it");
+  }
+
+  /// Both would be added up, and metal diffuse like its ions.
+  void diffusesTwice(const BlockParts& block, const RunPart& part, const std::string& label) {
+    const FieldUse* own = useOf(part.table, diffusivityOf(label).label);
+    if (own == nullptr || !isChange(*own)) return;
+    for (const RunPart* metal :
+         BlockParts::thatUse(block.materials, fields::saturationConcentration(), FieldAccess::Writes))
+      if (contains(scalarsOf(*metal), label))
+        mistakes_.add(placeOfKey(part.node, "Diffusivity"), part.node.path() + "/Diffusivity: " + metal->node.path() +
+                                                                " of the same block lets \"" + label +
+                                                                "\" diffuse already; leave it out here");
   }
 
   /// Damage models that look at how bonds deform, in a block that nothing deforms, as one of fluid.

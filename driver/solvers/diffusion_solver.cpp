@@ -88,6 +88,7 @@ void Diffusion::initialize(Simulation& simulation) {
 }
 
 void Diffusion::advance(Simulation& simulation, double t, double dt) {
+  requireFlow(simulation.model, field_, name);
   integrator_->advance(simulation, field_, t, dt);
   simulation.model.acceptStep(t + dt, dt);
 }

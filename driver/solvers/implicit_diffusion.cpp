@@ -181,6 +181,7 @@ double ImplicitDiffusion::largestValue(Simulation& simulation) const {
 
 void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
   Model& model = simulation.model;
+  requireFlow(model, field_, "ImplicitDiffusion");
   ++nLoadSteps_;
   simulation.conditions.applyPrescribedValue(field_, t + dt);
   model.importGhosts(field_);
@@ -205,9 +206,13 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
       throw RunError(fmt::format(
           "ImplicitDiffusion: load step {} (t = {:.6g} s): no steady state: what flows into free points is {:.3g} of "
           "what flows into prescribed ones after {} iterations, asked for {:.3g} ({}, {}). Allow more iterations "
-          "(Maximum Solver Iterations), or try another Linear Solver or Preconditioner",
+          "(Maximum Solver Iterations), or try another Linear Solver or Preconditioner{}",
           nLoadSteps_, t + dt, relative, iteration, target / std::max(balance.held, std::numeric_limits<double>::min()),
-          linear_.method, linear_.preconditioner));
+          linear_.method, linear_.preconditioner,
+          rateIsAsymmetric(model, field_)
+              ? "; where a material Advection Diffusion has Scheme: Limited, whose kinks may "
+                "keep Newton's method from it, take \"Scheme: Upwind Biased\""
+              : ""));
     // A flux that is not linear in the field needs the matrix of the present values.
     if (balance.free > 0.1 * before && !matrixIsNew) {
       assemble(simulation, dt);

@@ -167,6 +167,62 @@ class FlowDecks(SceneTest):
         self.assert_refused(lambda deck: self.carry(deck, **{"Gradient Horizon": 0.2}), "Gradient Horizon", "half")
         self.assert_refused(lambda deck: deck["Materials"]["Water"].update({"Flux Horizon": 0.4}), "Flux Horizon")
 
+    def test_one_material_lets_ions_diffuse(self):
+        def diffuse_twice(deck):
+            self.carry(deck, Diffusivity=1e-9)
+            deck["Materials"]["Wire"] = {"Material Model": "Corrosion Dissolution", "Plane Strain": True,
+                                         "Diffusivity": 1e-9, "Solid Concentration": 71508.0,
+                                         "Saturation Concentration": 20.0, "Charge Number": 2.0,
+                                         "Current Density": "5.73"}
+            deck["Damage Models"] = {"Phases": {"Damage Model": "Dissolution"}}
+            deck["Blocks"]["Left"].update({"Material": ["Water", "Salt", "Wire"], "Damage Model": "Phases"})
+        self.assert_refused(diffuse_twice, "Materials/Salt/Diffusivity", "leave it out here")
+
+    def test_what_leaves_by_an_outflow_is_taken_up(self):
+        def leave(deck):
+            self.carry(deck, Diffusivity=1e-6)
+            deck["Boundary Conditions"]["Lid"] = {"Type": "Outflow", "Node Set": "Lid Node Set", "Surface": "1 - y"}
+        self.assertEqual(self.check(leave).code, 0)
+
+        def pile_up(deck):
+            leave(deck)
+            deck["Boundary Conditions"]["Lid Salt"]["Node Set"] = "Walls Node Set"
+            deck["Boundary Conditions"]["Walls Node Set"]["Expression"] = "y <= 1 && (x < 0 || x > 1 || y < 0)"
+        self.assert_refused(pile_up, 'condition "Lid"', '"Concentration"', "pile up")
+
+    def test_blocks_downstream_carry_it_too(self):
+        def forget(deck):
+            self.carry(deck, Diffusivity=1e-6)
+            deck["Blocks"]["Right"]["Material"] = "Water"
+        self.assert_refused(forget, 'from block "block_1" into block "block_2"', '"Concentration"')
+
+    def test_the_flow_comes_first(self):
+        def swap(deck):
+            self.carry(deck, Diffusivity=1e-6)
+            deck["Solver1"]["ImplicitDiffusion"] = deck["Solver2"].pop("ImplicitDiffusion")
+            deck["Solver2"]["Steady Flow"] = deck["Solver1"].pop("Steady Flow")
+        self.assert_refused(swap, "Solver1", "before Solver2", "finds the flow")
+        deck = copy.deepcopy(DECK)
+        self.carry(deck, Diffusivity=1e-6)
+        deck["Solver"] = {"Final Time": 1.0, "Staggered": {"Load Steps": 2, "Solvers": {
+            "Flow": {"Steady Flow": {}, "When": {"Field": "Concentration", "Has Changed By": 1e9}},
+            "Salt": deck.pop("Solver2")}}}
+        deck["Solver"]["Staggered"]["Solvers"]["Salt"].pop("Initial Time")
+        deck["Solver"]["Staggered"]["Solvers"]["Salt"].pop("Final Time")
+        deck.pop("Solver1")
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("none has been found yet", result.text)
+
+    def test_bonds_that_carry_reach_a_neighbour(self):
+        def shorten(deck):
+            self.carry(deck, Diffusivity=1e-6)
+            deck["Materials"]["Water"]["Flux Horizon"] = 0.09
+        self.assert_refused(shorten, "within the Flux Horizon")
+
+    def test_what_a_flow_carries_is_advanced(self):
+        self.assert_refused(lambda deck: self.carry(deck, Field="Ions"), "Materials/Salt", 'advances "Ions"')
+
     def test_films_need_metal_that_dissolves(self):
         film = {"Type": "Film Coverage", "Node Set": "Walls Node Set", "Value": 0.5}
         self.assert_refused(lambda deck: deck["Boundary Conditions"].update(Film=film), "dissolves metal")

@@ -109,6 +109,35 @@ class Transport(SceneTest):
             c = result.field("Concentration")[result.field("Fluid") == 1]
             np.testing.assert_allclose(c, 1.0, atol=1e-7)
 
+    def test_a_closed_channel_beside_an_open_one(self):
+        # Each part of the flow is balanced alone; the closed one lets out 0.5 % more than in, which is evened out.
+        points = plane_lattice((0.0, 0.0), (1.0, 3.0), 0.1, (0.5, 0.5))
+        side = "y < 0 || (y > 1 && y < 2) || y > 3"
+        walls = (points[:, 1] < 0) | ((points[:, 1] > 1) & (points[:, 1] < 2)) | (points[:, 1] > 3)
+        self.write_mesh(points, 0.01, block=np.where(walls, 2, 1))
+        deck = self.deck(0.1, 1.0, diffusivity=1e-3, flux=1.2, material={"Scheme": "Upwind Biased"})
+        below, above = "6*y*(1 - y)", "6*(y - 2)*(3 - y)"
+        conditions = deck["Boundary Conditions"]
+        for name in list(conditions):
+            if "Node Set" not in name:
+                conditions.pop(name)
+        sets = {"In1": "x < 0 && y < 1.5", "In2": "x < 0 && y > 1.5", "Out1": "x > 1 && y < 1.5", "Out2": "x > 1 && y > 1.5"}
+        conditions["Side Node Set"]["Expression"] = side
+        for name, where in sets.items():
+            conditions[f"{name} Node Set"] = {"Expression": f"{where} && !({side})"}
+            conditions[f"{name} Salt"] = {"Type": "Prescribed Concentration", "Node Set": f"{name} Node Set",
+                                          "Value": 1.0}
+        conditions["Sides"] = {"Type": "Prescribed Velocity", "Node Set": "Side Node Set"}
+        for name, velocity in (("In1", below), ("In2", above), ("Out2", "1.005*" + above)):
+            conditions[name] = {"Type": "Prescribed Velocity", "Node Set": f"{name} Node Set",
+                                "Velocity": [velocity, 0.0]}
+        conditions["Out1"] = {"Type": "Outflow", "Node Set": "Out1 Node Set", "Surface": "1 - x + 9*(y > 1.5)"}
+        for ranks in (1, 2):
+            result = self.solve(deck, ranks=ranks)
+            fluid = result.field("Fluid") == 1
+            self.assertGreater(np.count_nonzero(fluid & (points[:, 1] > 2)), 50)
+            np.testing.assert_allclose(result.field("Concentration")[fluid], 1.0, atol=1e-7)
+
     def pulse_error(self, n, **material):
         """L2 of a bell that has travelled half of the channel."""
         points = self.mesh(1 / n, 1.5)

@@ -10,7 +10,12 @@ namespace {
 class FilmCoverage : public Condition {
  public:
   static void declareParameters(ParameterDeclarations& declare) {
-    declareNodeSet(declare);
+    declare
+        .text("Node Set",
+              "Name of a node set with points of the electrolyte: the film is on the surface beside them. At its "
+              "points of "
+              "metal it acts once they have dissolved.")
+        .required();
     declare
         .function("Value", "1",
                   "Share of the surface that the film keeps from dissolving, 0 to 1, of place and time: a film that "

@@ -275,6 +275,7 @@ double Corrosion::nextStep(double h) const {
 }
 
 void Corrosion::advance(Simulation& simulation, double t, double dt) {
+  requireFlow(simulation.model, field_, "Corrosion");
   const double end = t + dt;
   constexpr double ceilingGrowth = 1.1;  // what has failed is tried again only after some steps
   double now = t;

@@ -5,6 +5,7 @@
 
 #include "../../model/rates.hpp"
 #include "asymmetric_rate.hpp"
+#include "flow_fields.hpp"
 
 namespace pd {
 
@@ -45,6 +46,23 @@ bool rateIsAsymmetric(Model& model, const std::string& field) {
     const auto* rate = dynamic_cast<const AsymmetricRate*>(block.getMaterialModel().get());
     return rate != nullptr && rate->isAsymmetric(field);
   });
+}
+
+void requireFlow(Model& model, const std::string& field, const std::string& solver) {
+  if (!rateIsAsymmetric(model, field)) return;
+  const int opening = fields::bondOpening().id();
+  bool isFound = false;
+  for (PeridigmNS::Block& block : *model.blocks()) {
+    if (!block.hasData(opening, PeridigmNS::PeridigmField::STEP_NONE)) continue;
+    const auto data = block.getData(opening, PeridigmNS::PeridigmField::STEP_NONE);
+    double* values = nullptr;
+    data->ExtractView(&values);
+    isFound = isFound || std::any_of(values, values + data->MyLength(), [](double value) { return value > 0.0; });
+  }
+  if (!model.comm().any(isFound))
+    throw RunError(solver + ": a flow carries \"" + field +
+                   "\", and none has been found yet; put Steady Flow before this solver, and in Staggered let it run "
+                   "in the first load step (When: {At Start: true})");
 }
 
 }  // namespace pd

@@ -43,6 +43,9 @@ void requireFluxDivergence(Model& model, const std::string& field, const std::st
 /// explicit methods, whose stability limits are of symmetric rates, do not do.
 bool rateIsAsymmetric(Model& model, const std::string& field);
 
+/// Throws RunError where a flow carries the field along and none has been found yet. Collective.
+void requireFlow(Model& model, const std::string& field, const std::string& solver);
+
 }  // namespace pd
 
 #endif

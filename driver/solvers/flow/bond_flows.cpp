@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "../../model/collective.hpp"
 #include "flow_fields.hpp"
 
 namespace pd {
@@ -17,6 +19,8 @@ constexpr int balanceIterations = 50;
 /// Part of a point's conductances that ties its potential to zero, lest a pocket without an outflow makes the matrix
 /// singular.
 constexpr double tie = 1e-12;
+/// Of what passes a point, above which flows are of no use.
+constexpr double mostImbalance = 1e-8;
 
 double* viewOfBonds(PeridigmNS::Block& block, int id) {
   double* values = nullptr;
@@ -38,13 +42,25 @@ void BondFlows::findFamilyVolumes() {
     for (const int neighbor : geometry_.neighborsOf(point))
       if (ReferenceBond(mesh.x.data(), point, neighbor).length <= reach_)
         familyVolume_[index(point)] += mesh.volume[index(neighbor)];
+  collectively(simulation_.model.comm(), [&] {
+    for (const int point : geometry_.fluid()) {
+      if (familyVolume_[index(point)] > 0.0) continue;
+      const double* x = mesh.x.data() + 3 * index(point);
+      throw RunError(
+          fmt::format("Steady Flow: no neighbour of point {} at ({:g}, {:g}, {:g}) m is within the Flux Horizon of its "
+                      "fluid, {:g} m, whose bonds carry scalars along; make it more than the spacing there, {:g} m",
+                      mesh.globalIds[index(point)] + 1, x[0], x[1], x[2], reach_, geometry_.spacingOf(point)));
+    }
+  });
   simulation_.model.exchange().import(familyVolume_.data(), 1, Reflection::Even);
 }
 
 void BondFlows::update(double t) {
   rows_.clear();
   for (const int point : geometry_.fluid()) rows_.push_back(rowOf(point, t));
+  closeParts();
   balance();
+  requireBalance(t);
   write();
 }
 
@@ -57,7 +73,7 @@ BondFlows::Row BondFlows::rowOf(int point, double t) const {
     const int neighbor = neighbors[k];
     const FlowGeometry::End end = geometry_.endOf(point, neighbor, neighbors);
     const bool isOut = end.openFraction <= 1.0;
-    if (end.volume > 0.0 && !isOut) row.openings[k] = end.fraction;
+    if (end.volume > 0.0 && !isOut && !geometry_.isSolid(neighbor)) row.openings[k] = end.fraction;
     if (end.length > reach_) continue;
     const bool isFluid = geometry_.isFluid(neighbor) && !isOut && end.kind == FlowGeometry::Kind::Fluid;
     if (isOut && !geometry_.isBeyondOutflow(neighbor)) continue;
@@ -89,21 +105,92 @@ double BondFlows::flowOf(int point, const FlowGeometry::End& end, int neighbor, 
   return through * along(normal.data());
 }
 
-/// Takes the mean out of what leaves the points of components that nothing can leave.
-void BondFlows::removeNetFlow(std::vector<double>& excess) const {
-  bool isOpen = false;
-  double net = 0.0, volume = 0.0;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    for (const Bond& bond : rows_[r].bonds) isOpen = isOpen || (bond.isOpen && !geometry_.isFluid(bond.neighbor));
-    const double own = geometry_.mesh().volume[index(rows_[r].point)];
-    net += excess[r] * own;
-    volume += own;
+/// [points] For points of the flow the smallest global id of those that open bonds connect them with. Collective.
+std::vector<double> BondFlows::partNames() const {
+  const Model& model = simulation_.model;
+  const Discretization& mesh = geometry_.mesh();
+  std::vector<double> names(mesh.globalIds.begin(), mesh.globalIds.end());
+  names.resize(index(mesh.nPoints));
+  for (bool hasChanged = true; hasChanged;) {
+    hasChanged = false;
+    for (bool isMoving = true; isMoving;) {
+      isMoving = false;
+      for (const Row& row : rows_)
+        for (const Bond& bond : row.bonds) {
+          if (!bond.isOpen || !geometry_.isFluid(bond.neighbor)) continue;
+          const int source = mesh.sourceOf(bond.neighbor);
+          double &own = names[index(row.point)], &other = names[index(source)];
+          isMoving = isMoving || other < own || (source < mesh.nOwned && own < other);
+          own = std::min(own, other);
+          if (source < mesh.nOwned) other = own;  // ghosts hear of it from their owners
+        }
+      hasChanged = hasChanged || isMoving;
+    }
+    model.exchange().import(names.data(), 1, std::nullopt);
+    hasChanged = model.comm().any(hasChanged);
   }
-  const Communicator& comm = simulation_.model.comm();
-  if (comm.any(isOpen)) return;
-  net = comm.sum(net);
-  volume = comm.sum(volume);
-  for (double& value : excess) value -= net / volume;
+  return names;
+}
+
+void BondFlows::findParts() {
+  const Discretization& mesh = geometry_.mesh();
+  const std::vector<double> names = partNames();
+  const auto nameOf = [&](const Row& row) { return names[index(row.point)]; };
+  std::vector<double> own;
+  for (const Row& row : rows_)
+    if (nameOf(row) == static_cast<double>(mesh.globalIds[index(row.point)])) own.push_back(nameOf(row));
+  std::vector<double> all = simulation_.model.comm().gather(own);
+  std::sort(all.begin(), all.end());
+  parts_.assign(all.size(), Part());
+  partOf_.clear();
+  for (const Row& row : rows_)
+    partOf_.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), nameOf(row)) - all.begin()));
+  sumParts();
+  isPinned_.assign(rows_.size(), 0);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (!parts_[partOf_[r]].isOpen && nameOf(rows_[r]) == static_cast<double>(mesh.globalIds[index(rows_[r].point)]))
+      isPinned_[r] = 1;
+}
+
+/// What leaves each part, what passes its walls and inlets, and whether it has an outflow.
+void BondFlows::sumParts() {
+  std::vector<double> mine(4 * parts_.size(), 0.0), all(mine.size(), 0.0);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const double own = geometry_.mesh().volume[index(rows_[r].point)];
+    double* sums = &mine[4 * partOf_[r]];
+    for (const Bond& bond : rows_[r].bonds) {
+      sums[0] += bond.flow * own;
+      if (!bond.isOpen) sums[1] += std::abs(bond.flow) * own;
+      if (bond.isOpen && !geometry_.isFluid(bond.neighbor)) sums[3] = 1.0;
+    }
+    sums[2] += own;
+  }
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
+                simulation_.model.comm().mpi());
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    parts_[k] = {all[4 * k + 3] > 0.0, all[4 * k], all[4 * k + 1], all[4 * k + 2]};
+}
+
+/// Lets as much into parts that nothing can leave as out of them.
+void BondFlows::closeParts() {
+  findParts();
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Part& part = parts_[partOf_[r]];
+    if (part.isOpen || !(std::abs(part.net) < 0.5 * part.passing)) continue;
+    for (Bond& bond : rows_[r].bonds)
+      if (!bond.isOpen) bond.flow -= std::abs(bond.flow) * part.net / part.passing;
+  }
+}
+
+/// Takes the mean out of what leaves the points of parts that nothing can leave, of which rounding is left.
+void BondFlows::removeNetFlow(std::vector<double>& excess) const {
+  std::vector<double> mine(parts_.size(), 0.0), net(parts_.size(), 0.0);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    mine[partOf_[r]] += excess[r] * geometry_.mesh().volume[index(rows_[r].point)];
+  MPI_Allreduce(mine.data(), net.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_SUM,
+                simulation_.model.comm().mpi());
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    if (!parts_[partOf_[r]].isOpen) excess[r] -= net[partOf_[r]] / parts_[partOf_[r]].volume;
 }
 
 /// Of the potential: what it moves out of each point.
@@ -121,7 +208,8 @@ SparseRows BondFlows::potentialMatrix() const {
 
   SparseRows matrix;
   std::vector<std::pair<long long, double>> entries;
-  for (const Row& row : rows_) {
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const Row& row = rows_[r];
     entries.clear();
     double sum = 0.0;
     for (const Bond& bond : row.bonds) {
@@ -131,7 +219,7 @@ SparseRows BondFlows::potentialMatrix() const {
       if (geometry_.isFluid(bond.neighbor)) entries.emplace_back(static_cast<long long>(there), -bond.conductance);
     }
     const auto diagonal = static_cast<long long>(column[index(row.point)]);
-    entries.emplace_back(diagonal, sum > 0.0 ? (1.0 + tie) * sum : 1.0);
+    entries.emplace_back(diagonal, sum > 0.0 ? (isPinned_[r] != 0 ? 2.0 : 1.0 + tie) * sum : 1.0);
     matrix.addRow(entries);
   }
   return matrix;
@@ -184,6 +272,17 @@ void BondFlows::measure() {
     if (passed > 1e-6 * largestFlow) largestImbalance_ = std::max(largestImbalance_, 2.0 * std::abs(sum) / passed);
   }
   largestImbalance_ = comm.max(largestImbalance_);
+}
+
+void BondFlows::requireBalance(double t) const {
+  if (largestImbalance_ <= mostImbalance) return;
+  throw RunError(
+      fmt::format("Steady Flow: t = {:.6g} s: the flows of bonds, which carry scalars along, are not balanced: {:.2g} "
+                  "of what passes "
+                  "a point has no way out. Where a part of the fluid is closed, give it an Outflow, or velocities that "
+                  "let out what "
+                  "they let in; give walls a Surface, or a longer Flux Horizon where bonds are few",
+                  t, largestImbalance_));
 }
 
 void BondFlows::write() const {

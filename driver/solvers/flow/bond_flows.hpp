@@ -17,13 +17,14 @@ namespace pd {
 /// whose sum over a whole neighbourhood is the divergence. At a wall or an inlet v is what it has along its normal,
 /// at an outflow that of the point. Then the sum of a point is not quite zero, since the divergence of the solver is
 /// another one: a potential, zero beyond outflows, takes what is left, U_ij - 2 d V_j/(M |xi|^2) (p_i - p_j), so that
-/// as much arrives at each point of the flow as leaves it, to rounding: constant scalars stay constant. In a closed
-/// pocket what its walls let through too much is spread over its points.
+/// as much arrives at each point of the flow as leaves it, to rounding: constant scalars stay constant. In a part that
+/// nothing can leave, what its walls and inlets let through too much is taken out of their flows, each by the same
+/// share.
 class BondFlows {
  public:
   BondFlows(Simulation& simulation, const FlowGeometry& geometry, double reach);
 
-  /// At the solver's time t. Throws RunError. Collective.
+  /// At the solver's time t. Throws RunError, as where flows are not balanced. Collective.
   void update(double t);
 
   double largestImbalance() const { return largestImbalance_; }    ///< of what a point passes on, all ranks
@@ -46,8 +47,18 @@ class BondFlows {
   Row rowOf(int point, double t) const;
   double flowOf(int point, const FlowGeometry::End& end, int neighbor, double t) const;
   SparseRows potentialMatrix() const;
+  /// Parts of the flow that no open bond connects.
+  struct Part {
+    bool isOpen = false;                            ///< it has an outflow
+    double net = 0.0, passing = 0.0, volume = 0.0;  ///< m3/s out, m3/s through what is not open, m3: of all ranks
+  };
+  std::vector<double> partNames() const;
+  void findParts();
+  void sumParts();
+  void closeParts();
   void balance();
   void measure();
+  void requireBalance(double t) const;
   void removeNetFlow(std::vector<double>& excess) const;
   void write() const;
 
@@ -56,6 +67,9 @@ class BondFlows {
   const double reach_;
   std::vector<double> familyVolume_;  ///< [points] within reach, m3
   std::vector<Row> rows_;             ///< by owned point of the flow
+  std::vector<Part> parts_;
+  std::vector<std::size_t> partOf_;  ///< [rows_] index into parts_
+  std::vector<char> isPinned_;       ///< [rows_] 1 where the potential of a part that nothing can leave is zero
   double largestImbalance_ = 0.0, largestCorrection_ = 0.0;
 };
 

@@ -44,6 +44,7 @@ class FlowGeometry {
   const Discretization& mesh() const { return mesh_; }
   int dimension() const { return mesh_.dimension; }
   bool isFluid(int point) const { return kindOf(point) == Kind::Fluid; }
+  bool isSolid(int point) const { return isSolid_[index(mesh_.sourceOf(point))] != 0; }
   double spacingOf(int point) const { return law_.family.spacing(mesh_.volume[index(point)]); }
   const std::vector<int>& fluid() const { return fluid_; }  ///< owned points
   /// Owned points that are fluid or will be when they have dissolved, and which of them fluid() are.
@@ -57,6 +58,9 @@ class FlowGeometry {
   End endOf(int point, int neighbor, const std::vector<int>& candidates) const;
   /// The last boundary that has the point; -1: none.
   int boundaryOf(int point) const { return boundaryOf_[index(mesh_.sourceOf(point))]; }
+  const std::string& titleOf(int boundary) const {
+    return titles_[static_cast<std::size_t>(boundary)];
+  }  ///< with its place
   bool isBeyondOutflow(int point) const { return kindOf(point) == Kind::Beyond; }
   /// Local ids of the neighbours of an owned point.
   std::vector<int> neighborsOf(int point) const;

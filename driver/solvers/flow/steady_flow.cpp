@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "carried_scalars.hpp"
 #include "field_names.hpp"
 
 namespace pd {
@@ -95,6 +96,7 @@ void SteadyFlow::initialize(Simulation& simulation) {
     for (const FieldHandle& field : {fields_.flow, fields_.opening})
       wantsFlows_ = wantsFlows_ || block.hasData(field.id(), PeridigmNS::PeridigmField::STEP_NONE);
   takeUpPhases(simulation);
+  if (wantsFlows_) requireWayOut(simulation, equations_->geometry(), law_->fluxHorizon);
 }
 
 /// At first, where metal has dissolved since, and after a checkpoint, which holds no factors.
