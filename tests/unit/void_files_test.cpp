@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "driver/discretization/discretization.hpp"
+#include "driver/discretization/stl_file.hpp"
 #include "tests/support/scene_files.hpp"
 
 namespace {
@@ -136,6 +137,18 @@ TEST(VoidFiles, SurfacesInTextAndBinary) {
   const Reading moved = readWith("Type: Surface, Scale: 0.5, Shift: [2.0, 2.0, 2.0]", asText(tetrahedron({0, 0, 0})));
   EXPECT_EQ(moved.complaints, "");
   EXPECT_NEAR(216.0 - moved.volume, 0.125 / 6.0, 2e-4);
+}
+
+/// Each is a convex obstacle of its own: one screen.
+TEST(VoidFiles, PartsThatTouchInAVertexAreTwoBodies) {
+  Triangles both = tetrahedron({1, 1, 1});
+  for (const auto& t : tetrahedron({2, 1, 1})) both.push_back(t);
+  const auto parts = pd::readStl(asText(both), "pores", 1.0, {});
+  ASSERT_EQ(parts.size(), 2u);
+  for (const auto& part : parts) {
+    EXPECT_EQ(part.triangles.size(), 4u);
+    EXPECT_EQ(pd::decomposition::surfaceScreens(part).size(), 1u);
+  }
 }
 
 TEST(VoidFiles, SurfacesMustBeClosedAndTheirOutsideOut) {
