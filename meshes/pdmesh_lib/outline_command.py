@@ -61,7 +61,7 @@ def _outline(options):
         print(f"{options.output}: pdmesh outline of {os.path.basename(options.image)}, {level.shape[1]} x {level.shape[0]} "
               f"pixels, {level.shape[1] * options.pixel:.6g} m x {level.shape[0] * options.pixel:.6g} m")
         print(f"  {len(kept)} polygons with {sum(len(polygon) for polygon, _ in kept)} corners ({n_corners} before "
-              f"--tolerance); voids have {inside:.5g} of the image, by pixels {np.mean(level > 0):.5g}")
+              f"--tolerance); voids have {inside:.5g} of the image, by pixels {outline.share_by_pixels(level):.5g}")
     if len(kept) < len(polygons):
         print(f"pdmesh: warning: {len(polygons) - len(kept)} voids of less than {options.smallest:g} pixels are left out",
               file=sys.stderr)
