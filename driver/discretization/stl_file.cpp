@@ -53,6 +53,14 @@ std::vector<StlTriangle> readBinary(const std::string& text, const std::string& 
   return triangles;
 }
 
+/// Keywords in capitals are good, too.
+std::string inSmallLetters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 /// Goes through the words of an STL file in text.
 class StlText {
  public:
@@ -62,8 +70,9 @@ class StlText {
     std::vector<StlTriangle> triangles;
     while (lines_.next()) {
       const std::string_view word = lines_.word();
-      if (word == "solid" || word == "endsolid") continue;
-      if (word != "facet") refuse("expected \"facet normal\", \"solid\" or \"endsolid\", found " + quoted(word));
+      const std::string keyword = inSmallLetters(word);
+      if (keyword == "solid" || keyword == "endsolid") continue;
+      if (keyword != "facet") refuse("expected \"facet normal\", \"solid\" or \"endsolid\", found " + quoted(word));
       StlTriangle& triangle = triangles.emplace_back();
       triangle.place = place();
       expectLine("outer");
@@ -84,7 +93,8 @@ class StlText {
   void expectLine(const std::string& first) {
     if (!lines_.next()) refuse("the file ends within a triangle, where \"" + first + "\" should follow");
     const std::string_view word = lines_.word();
-    if (word != first) refuse("expected \"" + first + "\", found " + quoted(word) + "; a facet has three vertices");
+    if (inSmallLetters(word) != first)
+      refuse("expected \"" + first + "\", found " + quoted(word) + "; a facet has three vertices");
   }
 
   double number() {
@@ -119,7 +129,12 @@ TriangleSurface welded(const std::vector<StlTriangle>& triangles, double scale, 
 
 std::vector<TriangleSurface> readStl(const std::string& text, const std::string& fileName, double scale,
                                      const Place& shift) {
-  const bool isText = text.compare(0, 5, "solid") == 0;
+  const bool isSolid = inSmallLetters(text.substr(0, 5)) == "solid";
+  const bool isText = isSolid && text.find('\0') == std::string::npos;
+  if (!isBinary(text) && isSolid && !isText && text.size() >= binaryHead)
+    throw DeckError(fmt::format("{}: is a damaged STL file: a binary one of {} triangles has {} bytes, not {}",
+                                fileName, binaryCount(text),
+                                binaryHead + binaryTriangle * std::size_t{binaryCount(text)}, text.size()));
   if (!isBinary(text) && !isText)
     throw DeckError(fileName +
                     (text.size() < binaryHead

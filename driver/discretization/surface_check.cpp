@@ -61,19 +61,25 @@ std::vector<SurfaceFault> openEdges(const TriangleSurface& surface) {
   return faults;
 }
 
-/// [triangles] number of the part that each belongs to, from 0 in the order of the triangles.
+/// [triangles] number of the part that each belongs to, from 0 in the order of the triangles. Parts hang together by
+/// edges: those that touch in a vertex are two bodies, each of which may be convex.
 std::vector<std::size_t> partNumbers(const TriangleSurface& surface) {
-  std::vector<std::size_t> parent(surface.vertices.size());
+  std::vector<std::size_t> parent(surface.triangles.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
+  const auto root = [&](std::size_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
   };
-  for (const Corners& c : surface.triangles)
-    for (std::size_t k = 1; k < 3; ++k) parent[root(c[k])] = root(c[0]);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> owner;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto ends = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
+      parent[root(t)] = root(owner.emplace(ends, t).first->second);
+    }
   std::map<std::size_t, std::size_t> numbers;
   std::vector<std::size_t> part;
-  for (const Corners& c : surface.triangles) part.push_back(numbers.emplace(root(c[0]), numbers.size()).first->second);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    part.push_back(numbers.emplace(root(t), numbers.size()).first->second);
   return part;
 }
 

@@ -103,7 +103,7 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, const Communicator& com
                           rule[key].path() + " is of the rule " + of + "; remove it, or give \"Rule: " + of + "\"");
   countsCracks_ = rule.flag("Cracks Count In Damage", true);
   if (empty()) {
-    if (rule)
+    if (rule && section["Cracks"].entries().empty() && section["Voids"].entries().empty())
       deck.mistakes().add(rule.keyPlace(),
                           "Bond Decomposition says how Cracks and Voids are brought to the bonds, but "
                           "Discretization has neither; add one, or remove this");
@@ -192,9 +192,32 @@ Cell UnresolvedGeometry::cellOf(const double* place, double spacing) const {
   return cell;
 }
 
+void UnresolvedGeometry::requireSizes(double spacing) const {
+  constexpr double least = 1e-6;  // of the spacing; of less, rounding makes anything
+  const Entry* first = nullptr;
+  std::size_t nSmall = 0;
+  for (const Entry& entry : entries_) {
+    const auto isSmall = [&](const auto& v) {
+      const decomposition::Box box = v->box();
+      for (std::size_t d = 0; d < static_cast<std::size_t>(dimension_); ++d)
+        if (!(box.high[d] - box.low[d] >= 2.0 * least * spacing)) return true;
+      return false;
+    };
+    if (std::none_of(entry.voids.begin(), entry.voids.end(), isSmall)) continue;
+    if (++nSmall == 1) first = &entry;
+  }
+  if (nSmall == 0) return;
+  throw DeckError(
+      fmt::format("{}: {} is too small: half of its width must be {:g} of the spacing of {:.4g} m or more; "
+                  "leave it out, or see its unit{}",
+                  first->inFile.empty() ? first->node.keyPlace() : first->inFile, first->node.path(), least, spacing,
+                  nSmall == 1 ? "" : fmt::format(" (and of {} more)", nSmall - 1)));
+}
+
 void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, std::vector<double>& spacing,
                                         double horizon) {
   const double widest = *std::max_element(spacing.begin(), spacing.end());
+  requireSizes(*std::min_element(spacing.begin(), spacing.end()));
   sortIntoBins(points, horizon + 2.0 * widest);
   std::vector<char> isKept(spacing.size(), 1);
   solid_.assign(spacing.size(), 1.0);
@@ -210,7 +233,10 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
   }
   const auto nLeft = static_cast<int>(std::count(isKept.begin(), isKept.end(), 1));
   if (nLeft == points.size()) return;
-  if (nLeft == 0) throw DeckError(deck_["Discretization"]["Voids"].keyPlace() + ": Voids leave nothing of the body");
+  if (nLeft == 0)
+    throw DeckError(
+        deck_["Discretization"]["Voids"].keyPlace() +
+        ": Voids leave nothing of the body; of a Surface see its Scale, by which its lengths become metres");
   deck_.warnings().add(deck_["Discretization"]["Voids"].keyPlace(),
                        fmt::format("{} of the {} points of {} lie in Voids and are left out; the others are numbered "
                                    "without them",

@@ -134,7 +134,39 @@ void requireSameBonds(const Hdf5File& file, const BondOrder& bonds, const Global
       bonds.isSame(file.read<int>("bonds/count", order.rows()), file.read<int>("bonds/neighbor", bonds.bondRows()));
   if (!isSame)
     throw RunError("\"" + fileName +
-                   "\" was written with other neighbourhoods: horizon, influence function or bond filters differ");
+                   "\" was written with other neighbourhoods: horizon, influence function, bond filters, Cracks or "
+                   "Voids differ");
+}
+
+/// What Cracks, Voids and Bond Decomposition of the deck have made of the mesh, which no run changes: what a checkpoint
+/// has of it must be that of this run's deck.
+void requireSameGeometry(const Hdf5File& file, Model& model, const GlobalOrder& order, const BondOrder& bonds,
+                         const std::string& fileName) {
+  const auto require = [&](const std::string& table, bool isOurs, const RowRange& range, const auto& ofRun) {
+    bool isSame = isOurs == file.has(table);
+    if (isSame && isOurs) isSame = file.nRows(table) == range.total && file.width(table) == 1;
+    if (order.comm().any(!isSame)) return false;
+    if (!isOurs) return true;
+    const std::vector<double> stored = file.read<double>(table, range), made = ofRun();
+    isSame =
+        stored.size() == made.size() && std::equal(stored.begin(), stored.end(), made.begin(), [](double a, double b) {
+          return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+        });
+    return !order.comm().any(!isSame);
+  };
+  bool isSame = true;
+  for (const std::string label : {"Cell_Volume", "Counted_Bonds"})
+    isSame = isSame && require("points/" + label, model.hasField(label), order.rows(),
+                               [&] { return order.toRows(model.field(label), 1); });
+  const std::vector<FieldSpec> specs = bondFields(model);
+  const auto share =
+      std::find_if(specs.begin(), specs.end(), [](const FieldSpec& s) { return s.label == "Interaction_Share"; });
+  isSame = isSame && require("bonds/Interaction_Share", share != specs.end(), bonds.bondRows(),
+                             [&] { return bonds.toRows(share->id, 1); });
+  if (!isSame)
+    throw RunError("\"" + fileName +
+                   "\" was written with other shares of bonds and cells: Cracks, Voids or Bond Decomposition of "
+                   "Discretization differ; give those of the deck that wrote it, or begin anew");
 }
 
 /// Damage of points and of bonds is a share: what is none was not written by a run.
@@ -150,6 +182,9 @@ void requireShares(const std::vector<double>& values, const std::string& label, 
 /// Returns the labels of fields that the file has not.
 std::vector<std::string> readFields(const Hdf5File& file, Model& model, const GlobalOrder& order,
                                     const std::string& fileName) {
+  const BondOrder bonds(model, order);
+  requireSameBonds(file, bonds, order, fileName);
+  requireSameGeometry(file, model, order, bonds, fileName);
   std::vector<std::string> missing;
   const auto isThere = [&](const std::string& group, const FieldSpec& spec, int width) {
     const bool isIt = isStored(file, group + spec.label, width, fileName);
@@ -170,8 +205,6 @@ std::vector<std::string> readFields(const Hdf5File& file, Model& model, const Gl
     const std::vector<double> values = file.read<double>("globals/" + spec.label, allRows(widthOf(spec)));
     std::copy(values.begin(), values.end(), model.field(spec.label));
   }
-  const BondOrder bonds(model, order);
-  requireSameBonds(file, bonds, order, fileName);
   for (const FieldSpec& spec : bondFields(model)) {
     if (!isThere("bonds/", spec, widthOf(spec))) continue;
     const std::vector<double> rows = file.read<double>("bonds/" + spec.label, bonds.bondRows());

@@ -25,8 +25,84 @@ bool isInAny(const std::vector<const Void*>& voids, const Place& place) {
   return std::any_of(voids.begin(), voids.end(), [&](const Void* v) { return v->contains(place); });
 }
 
+/// What is left of a line of a cell: a range of it, and the part of the cell's material that it belongs to.
+struct Piece {
+  int line;
+  Range range;
+  std::size_t part;  ///< number of one piece of that part; its own for exactly one
+  double length() const { return range.high - range.low; }
+};
+
+std::vector<Piece> piecesOf(const LineGrid& grid, const std::vector<const Void*>& voids) {
+  std::vector<Piece> pieces;
+  std::vector<Range> ranges;
+  for (int line = 0; line < grid.size(); ++line) {
+    ranges.clear();
+    for (const Void* v : voids) v->addWithin(grid.start(line), grid.step, ranges);
+    joined(ranges);
+    ranges.push_back({1.0, 1.0});
+    double low = 0.0;
+    for (const Range& range : ranges) {
+      if (low < range.low) pieces.push_back({line, {low, range.low}, pieces.size()});
+      low = range.high;
+    }
+  }
+  return pieces;
+}
+
+std::size_t partOf(std::vector<Piece>& pieces, std::size_t k) {
+  while (pieces[k].part != k) k = pieces[k].part = pieces[pieces[k].part].part;
+  return k;
+}
+
+/// Gives pieces of neighbouring lines one part where the step from one to the other, at the middle of what they share,
+/// meets no void.
+void joinParts(const LineGrid& grid, const std::vector<const Void*>& voids, std::vector<Piece>& pieces) {
+  std::vector<Range> met;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    for (std::size_t l = k + 1; l < pieces.size(); ++l) {
+      const int first = pieces[k].line, second = pieces[l].line;
+      const bool isNextRow = second == first + grid.nOther,
+                 isNextInRow = second == first + 1 && second % grid.nOther != 0;
+      if (!isNextRow && !isNextInRow) continue;
+      const double low = std::max(pieces[k].range.low, pieces[l].range.low),
+                   high = std::min(pieces[k].range.high, pieces[l].range.high);
+      if (low >= high) continue;
+      const Place start = plus(grid.start(first), grid.step, 0.5 * (low + high));
+      met.clear();
+      for (const Void* v : voids) v->addWithin(start, minus(grid.start(second), grid.start(first)), met);
+      if (met.empty()) pieces[partOf(pieces, l)].part = partOf(pieces, k);
+    }
+}
+
+/// A part of a cell's material: its share of the cell, and the middle of it.
+struct SolidPart {
+  std::size_t number;
+  double share = 0.0;
+  Place middle{};
+};
+
+/// Without crumbs.
+std::vector<SolidPart> solidParts(const LineGrid& grid, std::vector<Piece>& pieces) {
+  constexpr double crumb = 0.02;
+  std::map<std::size_t, SolidPart> parts;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    SolidPart& part = parts[pieces[k].part = partOf(pieces, k)];
+    const double share = pieces[k].length() / grid.size(), s = 0.5 * (pieces[k].range.low + pieces[k].range.high);
+    part.number = pieces[k].part;
+    part.share += share;
+    part.middle = plus(part.middle, plus(grid.start(pieces[k].line), grid.step, s), share);
+  }
+  std::vector<SolidPart> result;
+  for (auto& [number, part] : parts) {
+    part.middle = plus({}, part.middle, 1.0 / part.share);
+    if (part.share > crumb) result.push_back(part);
+  }
+  return result;
+}
+
 Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
-                 const NearDiscontinuities& within) {
+                 const NearDiscontinuities& within, const std::optional<Place>& seenFrom) {
   const LineGrid grid(cell, axis, n);
   const Lines lines = linesOf(grid);
   std::vector<std::vector<Range>> ofLine(lines.size());
@@ -41,11 +117,10 @@ Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& m
       v->addWithin({lines.start[0][r], lines.start[1][r], lines.start[2][r]}, lines.step, ranges);
     for (const Range& range : ranges) add(r, range);
   }
-  // Of a point in a void nobody knows on which side it is.
-  if (!isInAny(within.voids, cell.center)) {
+  if (seenFrom) {
     std::vector<double> from(lines.size()), to(lines.size());
     for (const Screen* screen : within.screens) {
-      screen->hide(cell.center, lines, from.data(), to.data());
+      screen->hide(*seenFrom, lines, from.data(), to.data());
       for (std::size_t r = 0; r < lines.size(); ++r) add(r, {from[r], to[r]});
     }
   }
@@ -61,6 +136,28 @@ Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& m
 }
 
 }  // namespace
+
+std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Void*>& voids) {
+  if (!isInAny(voids, cell.center)) return cell.center;
+  const LineGrid grid(cell, 0, cell.dimension == 3 ? 8 : 16);
+  std::vector<Piece> pieces = piecesOf(grid, voids);
+  joinParts(grid, voids, pieces);
+  const std::vector<SolidPart> parts = solidParts(grid, pieces);
+  if (parts.size() != 2) return std::nullopt;
+  // Any direction, along no lattice: all cells of a row take the same side.
+  constexpr Place above{0.29, 0.57, 0.77};
+  constexpr double tie = 0.02;
+  const double more = parts[1].share - parts[0].share;
+  const bool isSecond = std::abs(more) > tie ? more > 0.0 : dot(minus(parts[1].middle, parts[0].middle), above) > 0.0;
+  const SolidPart& part = parts[isSecond ? 1 : 0];
+  std::optional<Place> nearest;
+  for (const Piece& piece : pieces) {
+    if (piece.part != part.number) continue;
+    const Place place = plus(grid.start(piece.line), grid.step, 0.5 * (piece.range.low + piece.range.high));
+    if (!nearest || lengthOf(minus(place, part.middle)) < lengthOf(minus(*nearest, part.middle))) nearest = place;
+  }
+  return nearest;
+}
 
 LineGrid::LineGrid(const Cell& cell, std::size_t axis, int nParts)
     : step(cell.edges[axis]), strides{}, n(nParts), nOther(cell.dimension == 3 ? nParts : 1) {
@@ -119,7 +216,7 @@ const Taken& LinedCells::taken(int id, const Cell& cell, std::size_t axis, int n
   if (found.of.empty()) return nothing;
   const auto [entry, isNew] = found.taken.try_emplace({static_cast<int>(axis), n, measure.nParts});
   if (isNew) {
-    entry->second = takenByAll(cell, axis, n, measure, found.of);
+    entry->second = takenByAll(cell, axis, n, measure, found.of, found.seenFrom);
     nLines_ += static_cast<std::size_t>(LineGrid(cell, axis, n).size());
   }
   return entry->second;
@@ -140,6 +237,7 @@ LinedCells::Within& LinedCells::within(int id, const Cell& cell, const NearDisco
       if (screen->box().meets(box) && screen->isBetween(cell, cell)) entry->second.of.screens.push_back(screen);
     for (const Void* v : near.voids)
       if (v->box().meets(box)) entry->second.of.voids.push_back(v);
+    entry->second.seenFrom = placeThatSees(cell, entry->second.of.voids);
   }
   return entry->second;
 }

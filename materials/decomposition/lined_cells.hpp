@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -49,8 +50,15 @@ std::size_t axisAlong(const Cell& cell, const Place& direction);
 /// Sorts ranges, joins those that overlap, and returns their length together.
 double joined(std::vector<Range>& ranges);
 
+/// The place from which a cell sees its material; what it does not see does not count. That is the cell's point, but
+/// where that is in a void which parts the material of the cell in two, a place in the larger part (within 2 % of the
+/// cell as large: in that above, along one direction for all cells), so that only one face of the void holds on.
+/// Nothing where a void at the point leaves one part, or more than two, as a pore does: all counts. `voids`: those that
+/// meet it.
+std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Void*>& voids);
+
 /// What of a cell's lines does not count, by a measure: what is in voids, or on the other side of a crack than the
-/// cell's point.
+/// cell's point (placeThatSees).
 struct Taken {
   std::vector<Range> ranges;  ///< apart from each other
   std::vector<int> start;     ///< [lines + 1] where those of a line begin; empty where everything counts
@@ -79,6 +87,7 @@ class LinedCells {
  private:
   struct Within {
     NearDiscontinuities of;
+    std::optional<Place> seenFrom;
     std::map<std::array<int, 3>, Taken> taken;  ///< by axis, n, and whether middles are counted
   };
   Within& within(int id, const Cell& cell, const NearDiscontinuities& near);

@@ -85,6 +85,36 @@ class Outlines(PdmeshCase):
         self.assertEqual(len(polygons), 1)
         self.assertIn("1 voids of less than 50 pixels are left out", errors)
 
+    def test_a_specimen_in_void_is_no_island(self):
+        x, y = pixels(60, 60)
+        outside = (np.abs(x - 30) > 20) | (np.abs(y - 30) > 20)
+        hole = np.hypot(x - 30, y - 30) < 6
+        _, _, errors = self.outline(self.image(outside | hole), "--pixel", 1, expect=2)
+        self.assertIn("void that reaches the border of the image is all around material of", errors)
+        self.assertIn("cut the image to the specimen", errors)
+        # A crumb in a notch is left out.
+        notch = (x < 30) & (np.hypot(x - 12, y - 30) > 3)
+        _, _, errors = self.outline(self.image(notch), "--pixel", 1)
+        self.assertIn("1 islands of material within voids are left out", errors)
+
+    def test_voids_in_islands_count_once(self):
+        x, y = pixels(100, 100)
+        r = np.hypot(x - 50, y - 50)
+        polygons, output, _ = self.outline(self.image((r < 10) | ((r > 20) & (r < 40))), "--pixel", 1)
+        self.assertEqual(len(polygons), 2)
+        share = float(output.split("voids have ")[1].split()[0])
+        self.assertAlmostEqual(share, np.pi * 0.16, delta=0.005)
+
+    def test_voids_that_smoothing_loses_are_told(self):
+        x, y = pixels(60, 60)
+        is_void = (np.hypot(x - 30, y - 30) < 12) | ((np.abs(x - 5) < 1) & (np.abs(y - 4.5) < 0.6))
+        _, _, errors = self.outline(self.image(is_void), "--pixel", 1)
+        self.assertIn("1 voids of pixels have no polygon, the largest of 2 pixels", errors)
+        _, _, errors = self.outline(self.image(is_void), "--pixel", 1, "--smooth", 0)
+        self.assertNotIn("no polygon", errors)
+        _, _, errors = self.outline(self.image((x % 10 < 4) & (y % 10 < 4)), "--pixel", 1, "--smooth", 1.2)
+        self.assertIn("polygons have 0.", errors)
+
     def test_one_of_several_images_of_a_file(self):
         x, _ = pixels(20, 20)
         frames = [Image.fromarray(np.where(x < edge, 0, 255).astype(np.uint8)) for edge in (5, 12)]
@@ -104,12 +134,18 @@ class Outlines(PdmeshCase):
                 (("text.png", "--pixel", 1), "text.png: no image that Pillow can read"),
                 ((plain, "--pixel", 1), "all pixels have the grey value 255: there is no outline"),
                 ((good, "--pixel", 0), "--pixel must be positive"),
+                ((good, "--pixel", 1e300), "--pixel 1e+300 is more than 1e6 m"),
+                ((good, "--pixel", 1, "--origin", "nan", 0), "--origin must be two finite numbers"),
+                ((good, "--pixel", 1, "-o", good), "is the image itself"),
+                ((good, "--pixel", 1, "-o", "nowhere/list.txt"), "cannot be written: No such file or directory"),
                 ((good, "--pixel", 1, "--threshold", 300), "--threshold 300 parts nothing: grey values go from 0 to 255"),
                 ((good, "--pixel", 1, "--smooth", -1), "--smooth must not be negative"),
                 ((good, "--pixel", 1, "--smallest", 1000), "has no void of 1000 pixels or more")):
             _, _, errors = self.outline(*arguments, expect=2)
             self.assertIn(message, errors)
             self.assertFalse((self.folder / "outline.txt").exists())
+        with Image.open(self.folder / good) as image:
+            self.assertEqual(image.size, (20, 20))
 
 
 if __name__ == "__main__":

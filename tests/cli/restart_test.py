@@ -149,6 +149,27 @@ class Refusals(RestartTest):
         deck["Blocks"]["Body"]["Horizon"] *= 0.7
         self.refused(deck, "other neighbourhoods")
 
+    def test_other_cracks_and_voids(self):
+        crack = {"Edge": {"Type": "Polyline", "Points": [-1.0, 0.4 * LENGTH / 2, 0.3 * LENGTH, 0.4 * LENGTH / 2]}}
+
+        def deck_with(cracks, **more):
+            deck = self.make("QuasiStatic")
+            deck["Discretization"].update({**({"Cracks": cracks} if cracks else {}), **more})
+            return deck
+        deck = deck_with(crack)
+        expected = self.last(self.solve(deck), "QuasiStatic")
+        self.assert_same(self.last(self.go_on(deck), "QuasiStatic"), expected, "the same cracks")
+        shifted = {"Edge": {**crack["Edge"], "Points": [*crack["Edge"]["Points"][:2], 0.32 * LENGTH, 0.4 * LENGTH / 2]}}
+        for other in (deck_with(shifted), deck_with(crack, **{"Bond Decomposition": {"Rule": "Uniform", "Partitions": 3}}),
+                      deck_with(crack, **{"Bond Decomposition": {"Cracks Count In Damage": False}})):
+            self.refused(other, "other ", "Cracks", "Voids")
+        # One whose tip takes parts of bonds, and no bond as a whole.
+        self.solve(deck_with(None))
+        tip = {"Tip": {"Type": "Polyline", "Points": [0.5 * LENGTH, 0.41 * LENGTH / 2, 0.502 * LENGTH, 0.41 * LENGTH / 2]}}
+        self.refused(deck_with(tip), "other shares of bonds and cells", "Cracks, Voids or Bond Decomposition")
+        self.solve(deck_with(tip))
+        self.refused(deck_with(None), "other shares of bonds and cells")
+
     def test_what_is_missing(self):
         deck, _ = self.start("QuasiStatic")
         for table in ("points/Displacement", "points/Displacement_Increment", "points/Volume", "solver/state",

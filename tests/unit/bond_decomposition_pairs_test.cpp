@@ -92,13 +92,13 @@ struct Geometry {
 /// Middles of n^D parts with material, on the side of the cell's point.
 std::vector<Place> countedParts(const Cell& cell, const Geometry& geometry, int n) {
   std::vector<Place> parts;
-  const bool hasSide = !geometry.isVoid(cell.center);
+  const std::optional<Place> seenFrom = placeThatSees(cell, geometry.near().voids);
   for (int k = 0; k < n; ++k)
     for (int l = 0; l < n; ++l)
       for (int m = 0; m < (cell.dimension == 3 ? n : 1); ++m) {
         Place place = plus(plus(cell.center, cell.edges[0], (k + 0.5) / n - 0.5), cell.edges[1], (l + 0.5) / n - 0.5);
         if (cell.dimension == 3) place = plus(place, cell.edges[2], (m + 0.5) / n - 0.5);
-        if (!geometry.isVoid(place) && !(hasSide && geometry.isCut(cell.center, place))) parts.push_back(place);
+        if (!geometry.isVoid(place) && !(seenFrom && geometry.isCut(*seenFrom, place))) parts.push_back(place);
       }
   return parts;
 }

@@ -238,6 +238,55 @@ TEST(BondDecomposition, ACellIsOnTheSideOfItsPoint) {
   }
 }
 
+/// A slit through the points of a row parts the body: the cells of the row all hold on to one of its faces only.
+TEST(BondDecomposition, AVoidThroughAPointLeavesOneSide) {
+  for (const double turn : {0.0, 0.3, 0.5 * pi, -0.7})
+    for (const double shift : {0.0, 0.01, 0.03, -0.03}) {
+      const Place along{std::cos(turn), std::sin(turn), 0.0}, across{-std::sin(turn), std::cos(turn), 0.0};
+      const Place middle = plus({}, across, shift);
+      const std::vector<Place> corners{
+          plus(plus(middle, along, -9.0), across, -0.033), plus(plus(middle, along, 9.0), across, -0.033),
+          plus(plus(middle, along, 9.0), across, 0.033), plus(plus(middle, along, -9.0), across, 0.033)};
+      NearDiscontinuities near;
+      std::vector<std::unique_ptr<Screen>> sides;
+      for (std::size_t k = 0; k < 4; ++k) sides.push_back(segmentScreen(corners[k], corners[(k + 1) % 4]));
+      for (const auto& side : sides) near.screens.push_back(side.get());
+      const auto slit = polygonVoid(corners);
+      near.voids.push_back(slit.get());
+      const auto at = [&](double s, double h) {
+        return square(s * along[0] + h * across[0], s * along[1] + h * across[1]);
+      };
+      for (const DecompositionRule& rule : {uniform(20), adaptive(1e-3)}) {
+        const double up = interactionShare(at(0.0, 0.0), at(0.0, 1.5), near, rule),
+                     down = interactionShare(at(0.0, 0.0), at(0.0, -1.5), near, rule);
+        EXPECT_EQ(std::min(up, down), 0.0) << turn << " " << shift;
+        EXPECT_GT(std::max(up, down), 0.95) << turn << " " << shift;
+        EXPECT_GT(interactionShare(at(0.0, 0.0), at(1.5, 0.0), near, rule), 0.95) << turn << " " << shift;
+        EXPECT_EQ(interactionShare(at(0.0, 1.5), at(0.3, -1.5), near, rule), 0.0);
+      }
+    }
+}
+
+TEST(BondDecomposition, AGapInSpaceThroughAPointLeavesOneSide) {
+  const Ellipsoid shape{{}, {{0.0, 0.0, 0.04}, {90.0, 0.0, 0.0}, {0.0, 90.0, 0.0}}};
+  const auto screen = ellipsoidScreen(shape);
+  const auto gap = ellipsoidVoid(shape);
+  const NearDiscontinuities near{{screen.get()}, {gap.get()}};
+  EXPECT_GT(interactionShare(cube(0, 0, 0), cube(0, 1, 1), near, uniform(4)), 0.9);
+  EXPECT_EQ(interactionShare(cube(0, 0, 0), cube(0, 1, -1), near, uniform(4)), 0.0);
+  EXPECT_GT(interactionShare(cube(0, 0, 0), cube(2, 0, 0), near, uniform(4)), 0.9);
+}
+
+/// A pore at a point, whose material hangs together around it, hides none of it.
+TEST(BondDecomposition, APoreAtAPointLeavesAllSides) {
+  const Ellipsoid shape{{0.02, 0.01, 0.0}, {{0.3, 0.0, 0.0}, {0.0, 0.3, 0.0}}};
+  const auto screen = ellipsoidScreen(shape);
+  const auto pore = ellipsoidVoid(shape);
+  const NearDiscontinuities near{{screen.get()}, {pore.get()}};
+  for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(0.0, 1.0), std::pair(0.0, -1.0)})
+    EXPECT_GT(interactionShare(square(0, 0), square(x, y), near, adaptive(1e-3)), 0.5);
+}
+
 TEST(BondDecomposition, RulesForTips) {
   const auto crack = segmentScreen({-5.0, 0.5, 0.0}, {0.3, 0.5, 0.0});
   const auto share = [&](double x, DecompositionRule::Kind kind) {

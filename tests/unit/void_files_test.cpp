@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstring>
 #include <numeric>
 
 #include "driver/discretization/discretization.hpp"
+#include "driver/discretization/stl_file.hpp"
 #include "tests/support/scene_files.hpp"
 
 namespace {
@@ -25,11 +27,13 @@ struct Reading {
 };
 
 /// A lattice of unit cells, 6 each way, with one entry of Voids that reads `text`.
-Reading readWith(const std::string& entry, const std::string& text, bool isPlane = false) {
+Reading readWith(const std::string& entry, const std::string& text, bool isPlane = false,
+                 const std::string& more = "") {
   const SceneFiles files("void_files");
   files.write("mesh.txt", latticeMesh(6, 6, isPlane ? 1 : 6));
   files.write("pores", text);
-  const pd::Deck deck = pd::Deck::read(files.write("deck.yaml", deckText("1.6", voids(entry + ", File Name: pores"))));
+  const pd::Deck deck =
+      pd::Deck::read(files.write("deck.yaml", deckText("1.6", voids(entry + ", File Name: pores") + more)));
   Reading result;
   try {
     const pd::Discretization d = pd::readDiscretization(deck, pd::Communicator(MPI_COMM_SELF));
@@ -93,8 +97,17 @@ TEST(VoidFiles, MistakesInListsOfSpheres) {
                                      HasSubstr("pores:3: \"x\" is not a finite number"),
                                      HasSubstr("pores:4: the radius (fourth column) must be greater than 0 m"),
                                      Not(HasSubstr("pores:1:"))));
+  const std::string once =
+      readWith("Type: Sphere List", "1 2 3\n", false, "  Bond Decomposition: {Rule: Adaptive}\n").complaints;
+  EXPECT_THAT(once, AllOf(HasSubstr("this one has 3"), Not(HasSubstr("Bond Decomposition"))));
   EXPECT_THAT(readWith("Type: Sphere List", "# nothing\n").complaints, HasSubstr("has no spheres"));
   EXPECT_THAT(readWith("Type: Sphere List", "1 2 3 0.3\n", true).complaints, HasSubstr("is a form in space"));
+}
+
+TEST(VoidFiles, TooSmall) {
+  EXPECT_THAT(readWith("Type: Sphere List", "1.2 2 3 0.3\n1 2 3 1e-200\n1 2 3 1e-7\n").complaints,
+              AllOf(HasSubstr("pores:2: Discretization/Voids/Pore is too small"), HasSubstr("(and of 1 more)")));
+  EXPECT_EQ(readWith("Type: Sphere List", "1.2 2 3 0.3\n1 2 3 1e-5\n").complaints, "");
 }
 
 TEST(VoidFiles, SomeOfManyMayLieOutside) {
@@ -133,9 +146,27 @@ TEST(VoidFiles, SurfacesInTextAndBinary) {
     EXPECT_EQ(read.complaints, "");
     EXPECT_NEAR(216.0 - read.volume, 2.0 / 6.0, 2e-3);
   }
+  std::string capitals = asText(both);
+  for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+  EXPECT_NEAR(216.0 - readWith(surface, capitals).volume, 2.0 / 6.0, 2e-3);
+  EXPECT_THAT(
+      readWith("Type: Surface, Scale: 1000, Shift: [-100, -100, -100]", asText(tetrahedron({0, 0, 0}))).complaints,
+      HasSubstr("leave nothing of the body; of a Surface see its Scale"));
   const Reading moved = readWith("Type: Surface, Scale: 0.5, Shift: [2.0, 2.0, 2.0]", asText(tetrahedron({0, 0, 0})));
   EXPECT_EQ(moved.complaints, "");
   EXPECT_NEAR(216.0 - moved.volume, 0.125 / 6.0, 2e-4);
+}
+
+/// Each is a convex obstacle of its own: one screen.
+TEST(VoidFiles, PartsThatTouchInAVertexAreTwoBodies) {
+  Triangles both = tetrahedron({1, 1, 1});
+  for (const auto& t : tetrahedron({2, 1, 1})) both.push_back(t);
+  const auto parts = pd::readStl(asText(both), "pores", 1.0, {});
+  ASSERT_EQ(parts.size(), 2u);
+  for (const auto& part : parts) {
+    EXPECT_EQ(part.triangles.size(), 4u);
+    EXPECT_EQ(pd::decomposition::surfaceScreens(part).size(), 1u);
+  }
 }
 
 TEST(VoidFiles, SurfacesMustBeClosedAndTheirOutsideOut) {
@@ -171,6 +202,10 @@ TEST(VoidFiles, WhatIsNoStl) {
               HasSubstr("pores:4: a vertex has three finite numbers"));
   EXPECT_THAT(readWith(surface, "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 1\n").complaints,
               HasSubstr("the file ends within a triangle"));
+  std::string longer = asBinary(tetrahedron({1, 1, 1}));
+  longer[80] = 5;
+  EXPECT_THAT(readWith(surface, longer).complaints,
+              HasSubstr("pores: is a damaged STL file: a binary one of 5 triangles has 334 bytes, not 284"));
   EXPECT_THAT(readWith(surface, "solid a\nfoo\n").complaints, HasSubstr("pores:2: expected \"facet normal\""));
   EXPECT_THAT(readWith(surface, "solid a\nendsolid a\n").complaints, HasSubstr("has no triangles"));
 }
