@@ -121,7 +121,8 @@ class Transport(SceneTest):
         for name in list(conditions):
             if "Node Set" not in name:
                 conditions.pop(name)
-        sets = {"In1": "x < 0 && y < 1.5", "In2": "x < 0 && y > 1.5", "Out1": "x > 1 && y < 1.5", "Out2": "x > 1 && y > 1.5"}
+        sets = {"In1": "x < 0 && y < 1.5", "In2": "x < 0 && y > 1.5",
+                "Out1": "x > 1 && y < 1.5", "Out2": "x > 1 && y > 1.5"}
         conditions["Side Node Set"]["Expression"] = side
         for name, where in sets.items():
             conditions[f"{name} Node Set"] = {"Expression": f"{where} && !({side})"}
