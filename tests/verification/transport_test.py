@@ -121,7 +121,8 @@ class Transport(SceneTest):
         for name in list(conditions):
             if "Node Set" not in name:
                 conditions.pop(name)
-        sets = {"In1": "x < 0 && y < 1.5", "In2": "x < 0 && y > 1.5", "Out1": "x > 1 && y < 1.5", "Out2": "x > 1 && y > 1.5"}
+        sets = {"In1": "x < 0 && y < 1.5", "In2": "x < 0 && y > 1.5",
+                "Out1": "x > 1 && y < 1.5", "Out2": "x > 1 && y > 1.5"}
         conditions["Side Node Set"]["Expression"] = side
         for name, where in sets.items():
             conditions[f"{name} Node Set"] = {"Expression": f"{where} && !({side})"}
@@ -137,6 +138,11 @@ class Transport(SceneTest):
             fluid = result.field("Fluid") == 1
             self.assertGreater(np.count_nonzero(fluid & (points[:, 1] > 2)), 50)
             np.testing.assert_allclose(result.field("Concentration")[fluid], 1.0, atol=1e-7)
+        # An outflow whose Surface goes through the other channel, too, takes its way out.
+        conditions["Out1"]["Surface"] = "1 - x"
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("are not balanced", result.text)
 
     def pulse_error(self, n, **material):
         """L2 of a bell that has travelled half of the channel."""

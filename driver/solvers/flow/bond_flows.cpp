@@ -276,13 +276,12 @@ void BondFlows::measure() {
 
 void BondFlows::requireBalance(double t) const {
   if (largestImbalance_ <= mostImbalance) return;
-  throw RunError(
-      fmt::format("Steady Flow: t = {:.6g} s: the flows of bonds, which carry scalars along, are not balanced: {:.2g} "
-                  "of what passes "
-                  "a point has no way out. Where a part of the fluid is closed, give it an Outflow, or velocities that "
-                  "let out what "
-                  "they let in; give walls a Surface, or a longer Flux Horizon where bonds are few",
-                  t, largestImbalance_));
+  throw RunError(fmt::format(
+      "Steady Flow: t = {:.6g} s: the flows of bonds, which carry scalars along, are not balanced: of what passes a "
+      "point {:.2g} has no way in or out. Let no Surface of an Outflow be zero elsewhere in the fluid, as in a channel "
+      "beside it (\"1 - x + 9*(y > 1.5)\" leaves out what is above y = 1.5); give a closed part an Outflow, or "
+      "velocities that let out what they let in; give walls a Surface, or more bonds by a longer Flux Horizon",
+      t, largestImbalance_));
 }
 
 void BondFlows::write() const {
