@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "mesh_geometry.hpp"
 #include "text_file.hpp"
@@ -97,8 +98,10 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, const Communicator& com
   read(section["Voids"], false, comm);
   const DeckNode rule = section["Bond Decomposition"];
   rule_ = ruleOf(rule);
-  for (const auto& [key, of] : {std::pair("Tolerance", "Adaptive"), std::pair("Partitions", "Uniform")})
-    if (rule[key] && rule.text("Rule", "Adaptive") != of)
+  const decomposition::DecompositionRule defaults;  // which decks with all defaults written out have
+  for (const auto& [key, of, usual] : {std::tuple("Tolerance", "Adaptive", defaults.tolerance),
+                                       std::tuple("Partitions", "Uniform", static_cast<double>(defaults.partitions))})
+    if (rule[key] && rule.text("Rule", "Adaptive") != of && rule[key].real() != usual)
       deck.mistakes().add(rule[key].keyPlace(),
                           rule[key].path() + " is of the rule " + of + "; remove it, or give \"Rule: " + of + "\"");
   countsCracks_ = rule.flag("Cracks Count In Damage", true);

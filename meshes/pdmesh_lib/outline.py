@@ -66,7 +66,8 @@ def reaches_border(polygon, shape):
 
 def share_of(polygons, shape):
     """Of an image of shape [rows, columns]: what lies in several polygons counts once."""
-    return unary_union([Polygon(polygon) for polygon in polygons]).intersection(box(0, 0, *shape[::-1])).area / np.prod(shape)
+    inside = unary_union([Polygon(polygon) for polygon in polygons]).intersection(box(0, 0, *shape[::-1]))
+    return inside.area / np.prod(shape)
 
 
 def share_by_pixels(level):

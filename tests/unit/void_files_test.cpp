@@ -119,6 +119,14 @@ TEST(VoidFiles, SomeOfManyMayLieOutside) {
               HasSubstr("meets no cell and no bond of the body"));
 }
 
+/// As the deck that a run writes, with all defaults.
+TEST(VoidFiles, DefaultsOfOtherRulesMayBeWrittenOut) {
+  const std::string rule = "  Bond Decomposition: {Rule: Uniform, Partitions: 4, Tolerance: ";
+  EXPECT_EQ(readWith("Type: Sphere List", "1.2 2 3 0.3\n", false, rule + "0.001}\n").complaints, "");
+  EXPECT_THAT(readWith("Type: Sphere List", "1.2 2 3 0.3\n", false, rule + "0.01}\n").complaints,
+              HasSubstr("Tolerance is of the rule Adaptive"));
+}
+
 TEST(VoidFiles, PolygonsTakeTheirArea) {
   const Reading read =
       readWith("Type: Polygon List", "1 1.1 1.2\n1 1.9 1.2\n1 1.1 1.8\n7 3 3\n7 4 3\n7 4 4\n7 3 4\n", true);
