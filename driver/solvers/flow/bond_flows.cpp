@@ -8,6 +8,7 @@
 
 #include "../../model/collective.hpp"
 #include "flow_fields.hpp"
+#include "flow_parts.hpp"
 
 namespace pd {
 
@@ -105,51 +106,18 @@ double BondFlows::flowOf(int point, const FlowGeometry::End& end, int neighbor, 
   return through * along(normal.data());
 }
 
-/// [points] For points of the flow the smallest global id of those that open bonds connect them with. Collective.
-std::vector<double> BondFlows::partNames() const {
-  const Model& model = simulation_.model;
-  const Discretization& mesh = geometry_.mesh();
-  std::vector<double> names(mesh.globalIds.begin(), mesh.globalIds.end());
-  names.resize(index(mesh.nPoints));
-  for (bool hasChanged = true; hasChanged;) {
-    hasChanged = false;
-    for (bool isMoving = true; isMoving;) {
-      isMoving = false;
-      for (const Row& row : rows_)
-        for (const Bond& bond : row.bonds) {
-          if (!bond.isOpen || !geometry_.isFluid(bond.neighbor)) continue;
-          const int source = mesh.sourceOf(bond.neighbor);
-          double &own = names[index(row.point)], &other = names[index(source)];
-          isMoving = isMoving || other < own || (source < mesh.nOwned && own < other);
-          own = std::min(own, other);
-          if (source < mesh.nOwned) other = own;  // ghosts hear of it from their owners
-        }
-      hasChanged = hasChanged || isMoving;
-    }
-    model.exchange().import(names.data(), 1, std::nullopt);
-    hasChanged = model.comm().any(hasChanged);
-  }
-  return names;
-}
-
 void BondFlows::findParts() {
-  const Discretization& mesh = geometry_.mesh();
-  const std::vector<double> names = partNames();
-  const auto nameOf = [&](const Row& row) { return names[index(row.point)]; };
-  std::vector<double> own;
-  for (const Row& row : rows_)
-    if (nameOf(row) == static_cast<double>(mesh.globalIds[index(row.point)])) own.push_back(nameOf(row));
-  std::vector<double> all = simulation_.model.comm().gather(own);
-  std::sort(all.begin(), all.end());
-  parts_.assign(all.size(), Part());
-  partOf_.clear();
-  for (const Row& row : rows_)
-    partOf_.push_back(static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), nameOf(row)) - all.begin()));
+  const auto openBondsOf = [&](std::size_t r, const auto& connect) {
+    for (const Bond& bond : rows_[r].bonds)
+      if (bond.isOpen && geometry_.isFluid(bond.neighbor)) connect(bond.neighbor);
+  };
+  const FlowParts found = findFlowParts(simulation_.model, geometry_.fluid(), openBondsOf);
+  parts_.assign(found.nParts, Part());
+  partOf_ = found.partOf;
   sumParts();
   isPinned_.assign(rows_.size(), 0);
   for (std::size_t r = 0; r < rows_.size(); ++r)
-    if (!parts_[partOf_[r]].isOpen && nameOf(rows_[r]) == static_cast<double>(mesh.globalIds[index(rows_[r].point)]))
-      isPinned_[r] = 1;
+    if (!parts_[partOf_[r]].isOpen && found.isFirst[r] != 0) isPinned_[r] = 1;
 }
 
 /// What leaves each part, what passes its walls and inlets, and whether it has an outflow.

@@ -52,7 +52,6 @@ class BondFlows {
     bool isOpen = false;                            ///< it has an outflow
     double net = 0.0, passing = 0.0, volume = 0.0;  ///< m3/s out, m3/s through what is not open, m3: of all ranks
   };
-  std::vector<double> partNames() const;
   void findParts();
   void sumParts();
   void closeParts();
