@@ -23,14 +23,6 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 times = {name: float(seconds) for name, seconds in (line.split() for line in (folder / "times.txt").read_text().splitlines())}
 
 
-def save(figure, name, axes):
-    for axis in axes:
-        axis.grid(alpha=0.3)
-        axis.legend(fontsize=8)
-    figure.savefig(folder / name, dpi=150)
-    print(folder / name)
-
-
 def shares(name):
     """[lengths] from the damage of the second point of each upper row, a third of what the crack takes."""
     results = Results(folder / f"pairs_{name}.h5")
@@ -73,7 +65,7 @@ of_error.set_xlabel("length of the crack over that of the edge")
 of_error.set_ylabel("error (% of a bond)")
 of_work.set_xlabel("lines looked at for a bond, in the mean; n$^3$")
 of_work.set_ylabel("largest error (% of a bond)")
-save(figure, "neighbours.png", (of_share, of_error, of_work))
+figures.save_curves(figure, folder / "neighbours.png", (of_share, of_error, of_work))
 
 
 def errors(name, spacing):
@@ -113,4 +105,4 @@ for axis in (of_spacing, of_time):
 for axis in (of_spacing, of_time, of_parts):
     axis.minorticks_off()
     axis.set_ylabel("error of K (%)")
-save(figure, "methods.png", (of_spacing, of_time, of_parts))
+figures.save_curves(figure, folder / "methods.png", (of_spacing, of_time, of_parts))

@@ -1,4 +1,4 @@
-"""The strain-life relation of the decks, and growth by elements, in closed form: for plot.py."""
+"""The strain-life relation of the decks of Ti-6Al-4V, and growth by elements, in closed form: for plot.py of this scene and of others."""
 import numpy as np
 
 YOUNG, YIELD, LENGTH = 110e9, 988e6, 1.09e-6
@@ -13,6 +13,11 @@ def life(strain_range, limit=LIMITS["254"], ductility=DUCTILITY, exponent=EXPONE
     excess = strain_range / reversals - limit
     with np.errstate(divide="ignore"):
         return (np.maximum(excess, 0.0) / ductility) ** (1.0 / exponent) / reversals
+
+
+def amplitude(cycles, limit=LIMITS["254"], ductility=DUCTILITY, exponent=EXPONENT):
+    """Amplitude of the strain of a bond that lives so many cycles: the inverse of life, of half of its range."""
+    return limit + ductility * (2 * cycles)**exponent
 
 
 def growth(intensity_range, measure="Amplitude"):

@@ -1,19 +1,19 @@
 #!/usr/bin/python3
 """map.png: lives and strengths over the depth of a pore; spacing.png: what the distance between points makes of them,
 and pores that points resolve; plot.py [RESULTS]"""
-import csv
 import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
+sys.path[:0] = [str(Path(__file__).resolve().parents[2] / "meshes"), str(Path(__file__).resolve().parents[1] / "cumulative_fatigue")]
 
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
-from pdplot_lib.results import Results  # noqa: E402
+from pdplot_lib.results import Results, read_history  # noqa: E402
+from relation import LIMITS, YOUNG, amplitude  # noqa: E402
+from relation import life as life_of_range  # noqa: E402
 
-YOUNG, LIMIT, DUCTILITY, EXPONENT = 110e9, 0.00231, 1.94, -0.865  # of the decks
-STRESS, RUN_OUT = 400.0, 1e7  # MPa, cycles
+LIMIT, STRESS, RUN_OUT = LIMITS["254"], 400.0, 1e7  # MPa, cycles
 SPACING, HORIZON = 0.64, 1.92  # mm, of the map
 RADII = (20, 50, 100)  # um
 DEPTHS = ("0.26", "0.90", "1.54", "2.18", "2.82", "3.46", "4.10", "4.74", "5.38", "6.02", "6.66")  # mm
@@ -25,22 +25,12 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
 def life(name):
-    with open(folder / f"{name}.csv") as file:
-        return float(list(csv.DictReader(file))[-1]["time"])
-
-
-def strain_of(cycles):
-    """Amplitude of the strain of a bond that lives so many cycles."""
-    return LIMIT + DUCTILITY * (2 * cycles)**EXPONENT
-
-
-def life_of(strain):
-    return 0.5 * ((strain - LIMIT) / DUCTILITY)**(1 / EXPONENT)
+    return read_history(folder / name)["time"][-1]
 
 
 def strength(name):
     """Amplitude of stress, MPa, for 1e7 cycles: strains are in proportion to it."""
-    return STRESS * strain_of(RUN_OUT) / strain_of(life(name))
+    return STRESS * amplitude(RUN_OUT) / amplitude(life(name))
 
 
 def starts_at_pore(name, depth):
@@ -152,11 +142,11 @@ def draw_spacing():
                              label=f"r = {radius} µm, depth {depth} mm")
             of_strength.plot(1.18, published, "x", color=color, markersize=9, markeredgewidth=2)
             print(f"r = {radius} um, depth {depth} mm, spacings {SPACINGS} mm:", np.round(ratios, 3))
-        strains = [strain_of(life(f"spacing_{spacing}_{radius}_6.66")) / far_strain(spacing) for spacing in SPACINGS]
+        strains = [amplitude(life(f"spacing_{spacing}_{radius}_6.66")) / far_strain(spacing) for spacing in SPACINGS]
         of_strain.plot(np.array(SPACINGS) / radius * 1e3, strains, "s", color=color, fillstyle="none",
                        label=f"shares, r = {radius} µm")
         print("  largest strain of a bond over the far one, 6.66 mm deep:", np.round(strains, 3))
-    resolved = {spacing: strain_of(life(f"local_{spacing}")) / (STRESS * 1e6 / YOUNG)
+    resolved = {spacing: amplitude(life(f"local_{spacing}")) / (STRESS * 1e6 / YOUNG)
                 for spacing in (0.05, 0.025, 0.0125)}
     of_strain.plot(np.array(list(resolved)) / 0.1, list(resolved.values()), "k^",
                    label="resolved by points, r = 100 µm")
@@ -181,13 +171,13 @@ def print_controls():
         for per_cell in (1, 6, 8) if place == "0.26_0.0" else (1, 6):
             strain = strain_of_cells(f"whole_{place}_{per_cell}")
             print(f"horizon {HORIZON} mm, pore at {place}, {per_cell} points an edge: strain between cells "
-                  f"{strain / far:.4f} of the far one, life {life_of(strain):.0f}; first bond of all "
+                  f"{strain / far:.4f} of the far one, life {life_of_range(2 * strain):.0f}; first bond of all "
                   f"{life(f'same_{place}_{per_cell}'):.1f}")
     known = strength("map_100_0.26")
     for stress in (150, 155, 160, 200, 300):
-        strain = strain_of(life("map_100_0.26")) * stress / STRESS
+        strain = amplitude(life("map_100_0.26")) * stress / STRESS
         print(f"{stress} MPa, r = 100 um, 0.26 mm deep: {life(f'stress_{stress}'):.6g} cycles; by the life at 400 MPa "
-              f"{life_of(strain) if strain > LIMIT else RUN_OUT:.6g} (strength {known:.2f})")
+              f"{life_of_range(2 * strain) if strain > LIMIT else RUN_OUT:.6g} (strength {known:.2f})")
     for radius in RADII:
         root_area = np.sqrt(np.pi) * radius
         print(f"Murakami, HV 350, r = {radius} um: " + ", ".join(

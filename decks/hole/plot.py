@@ -85,14 +85,6 @@ class Run:
         return np.polyval(np.polyfit((radius / r[near])**2, strain[near], 2), 1.0)
 
 
-def save(figure, name, axes):
-    for axis in axes:
-        axis.grid(alpha=0.3)
-        axis.legend(fontsize=8)
-    figure.savefig(folder / name, dpi=150)
-    print(folder / name)
-
-
 circles = {(rule, spacing): [Run("circle", f"circle_{rule}_{spacing}_{step}", spacing) for step in range(5)]
            for rule in RULES for spacing in SPACINGS}
 figure, (of_ligament, of_moves) = figures.plt.subplots(1, 2, figsize=(12, 4.2), constrained_layout=True)
@@ -119,7 +111,7 @@ of_ligament.set_xlabel("distance from the centre (mm)")
 of_ligament.set_ylabel("strain along the load over that far away")
 of_moves.set_xlabel("move of the hole (spacings)")
 of_moves.set_ylabel("strain along the load over that far away")
-save(figure, "strain.png", (of_ligament, of_moves))
+figures.save_curves(figure, folder / "strain.png", (of_ligament, of_moves))
 
 figure, (of_spacing, of_time) = figures.plt.subplots(1, 2, figsize=(12, 4.2), constrained_layout=True)
 for rule, (color, label) in RULES.items():
@@ -146,7 +138,7 @@ of_spacing.set_xlabel("distance of points (mm), radius 5 mm")
 of_time.set_xlabel("processor time of a run (s)")
 of_spacing.set_ylabel("error of the strain at the rim (%)")
 of_time.set_ylabel("error of the strain at the rim (%)")
-save(figure, "resolution.png", (of_spacing, of_time))
+figures.save_curves(figure, folder / "resolution.png", (of_spacing, of_time))
 
 figure, axes = figures.plt.subplots(1, 2, figsize=(12, 4.2), constrained_layout=True)
 for step in range(5):
@@ -165,7 +157,7 @@ for axis, of_axis in enumerate(axes):
     of_axis.plot(place * 1e3, np.where(isIn, np.nan, strain), color="0.4", label="series")
     of_axis.set_xlabel(("x (mm), through both centres", "y (mm), between the holes")[axis])
     of_axis.set_ylabel("strain along the load over that far away")
-save(figure, "two_holes.png", axes)
+figures.save_curves(figure, folder / "two_holes.png", axes)
 for name in HOLES:
     runs = circles["Adaptive", SPACING] if name == "circle" else [Run(name, f"{name}_{step}") for step in range(5)]
     largest = [np.max(run.strain) for run in runs]

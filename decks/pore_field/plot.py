@@ -1,20 +1,20 @@
 #!/usr/bin/python3
 """lives.png: lives of the specimens of the study and what breaks them; plot.py [RESULTS]"""
-import csv
 import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 here = Path(__file__).resolve()
 sys.path.insert(0, str(here.parent))
-sys.path.insert(0, str(here.parents[2] / "meshes"))
+sys.path[:0] = [str(here.parents[2] / "meshes"), str(here.parents[1] / "cumulative_fatigue")]
 
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
-from pdplot_lib.results import Results  # noqa: E402
+from pdplot_lib.results import Results, read_history  # noqa: E402
 from pores import NUMBER, WIDTH, pores  # noqa: E402
+from relation import YOUNG, amplitude  # noqa: E402
+from relation import life as life_of_range  # noqa: E402
 
-YOUNG, LIMIT, DUCTILITY, EXPONENT = 110e9, 0.00231, 1.94, -0.865  # of the deck
 STRESS, RUN_OUT, SEEDS = 300.0, 1e7, range(1, 51)  # MPa, cycles
 HARDNESS = 350  # Vickers, of Ti-6Al-4V; assumed
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
@@ -22,19 +22,13 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 def life(name):
     """Cycles to the first bond; infinite where there is none."""
-    with open(folder / f"{name}.csv") as file:
-        last = list(csv.DictReader(file))[-1]
-    return float(last["time"]) if float(last["Largest_Damage"]) > 0 else np.inf
-
-
-def strain_of(cycles):
-    """Amplitude of the strain of a bond that lives so many cycles."""
-    return LIMIT + DUCTILITY * (2 * cycles)**EXPONENT
+    history = read_history(folder / name)
+    return history["time"][-1] if history["Largest_Damage"][-1] > 0 else np.inf
 
 
 def strength_of(cycles):
     """Amplitude of stress, MPa, for 1e7 cycles: strains are in proportion to it."""
-    return STRESS * strain_of(RUN_OUT) / strain_of(cycles)
+    return STRESS * amplitude(RUN_OUT) / amplitude(cycles)
 
 
 def root_areas(middles, radii):
@@ -133,7 +127,7 @@ def main():
     base, other = Series(1), Series(2)
     free = life("free")
     print(f"no pores: {free:.0f} cycles ({300e6 / YOUNG:.6f} of strain lives "
-          f"{0.5 * ((300e6 / YOUNG - LIMIT) / DUCTILITY)**(1 / EXPONENT):.0f}), strength {strength_of(free):.1f} MPa")
+          f"{life_of_range(2 * 300e6 / YOUNG):.0f}), strength {strength_of(free):.1f} MPa")
     base.tell("20 points across")
     other.tell("21 points across")
     n = len(other.lives)

@@ -1,38 +1,29 @@
 #!/usr/bin/python3
 """strain.png: largest strains of bonds beside waves and random surfaces against theory; plot.py [RESULTS]"""
-import csv
 import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 here = Path(__file__).resolve()
 sys.path.insert(0, str(here.parent))
-sys.path.insert(0, str(here.parents[2] / "meshes"))
+sys.path[:0] = [str(here.parents[2] / "meshes"), str(here.parents[1] / "cumulative_fatigue")]
 
 import numpy as np  # noqa: E402
 from image import heights, waves  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
-from pdplot_lib.results import Results  # noqa: E402
+from pdplot_lib.results import Results, read_history  # noqa: E402
+from relation import YOUNG, amplitude  # noqa: E402
+from relation import life as life_of_range  # noqa: E402
 from theory import concentration  # noqa: E402
 
-LIMIT, DUCTILITY, EXPONENT = 0.00231, 1.94, -0.865  # of the deck
-STRAIN, RUN_OUT, SPACING = 300e6 / 110e9, 1e7, 20.0  # cycles, um
+STRAIN, RUN_OUT, SPACING = 300e6 / YOUNG, 1e7, 20.0  # cycles, um
 LENGTH, AMPLITUDES, SEEDS = 400.0, (2, 4, 6, 8, 10), range(1, 11)  # um
 PLACES = ((0, 0), (10, 0), (0, 10), (5, 5))  # of waves along and across the lattice, um
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
 def life(name):
-    with open(folder / f"{name}.csv") as file:
-        return float(list(csv.DictReader(file))[-1]["time"])
-
-
-def strain_of(cycles):
-    return LIMIT + DUCTILITY * (2 * cycles)**EXPONENT
-
-
-def life_of(strain):
-    return 0.5 * ((strain - LIMIT) / DUCTILITY)**(1 / EXPONENT)
+    return read_history(folder / name)["time"][-1]
 
 
 def first_break(name):
@@ -45,11 +36,11 @@ def first_break(name):
 figure, (of_waves, of_profile, of_lives) = figures.plt.subplots(1, 3, figsize=(14, 4.2), constrained_layout=True)
 for place, style in zip(PLACES, "osv^"):
     start, height = place
-    found = np.array([strain_of(life(f"sine_{a}_{start}_{height}")) / STRAIN for a in AMPLITUDES])
+    found = np.array([amplitude(life(f"sine_{a}_{start}_{height}")) / STRAIN for a in AMPLITUDES])
     theory = 1 + 4 * np.pi * np.array(AMPLITUDES) / LENGTH
     print(f"waves moved by {place} um: largest strain over the far one", np.round(found, 4), "theory",
           np.round(theory, 4),
-          "lives over theory's", np.round(life_of(found * STRAIN) / life_of(theory * STRAIN), 3))
+          "lives over theory's", np.round(life_of_range(2 * found * STRAIN) / life_of_range(2 * theory * STRAIN), 3))
     of_waves.plot(AMPLITUDES, found, style, color="tab:blue", fillstyle="none", label=f"moved by {start}, {height} µm")
 a = np.array([0.0, 10.5])
 of_waves.plot(a, 1 + 4 * np.pi * a / LENGTH, color="k", linewidth=0.8, label="theory: 1 + 2 a k")
@@ -61,7 +52,7 @@ x = np.linspace(-1800, 1800, 20001)
 for seed in SEEDS:
     strain = concentration(waves(["random", str(seed)]), x)
     lives.append(life(f"random_{seed}"))
-    expected.append(life_of(strain.max() * STRAIN))
+    expected.append(life_of_range(2 * strain.max() * STRAIN))
     places.append((first_break(f"random_{seed}")[0], x[strain.argmax()]))
     there = strain[np.abs(x - places[-1][0]) < 40].max()
     print(f"surface {seed}: life {lives[-1]:.0f}, theory {expected[-1]:.0f} (strain {strain.max():.3f}); breaks at x = "

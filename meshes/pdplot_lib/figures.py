@@ -18,6 +18,15 @@ plt.rcParams.update({"font.size": 9, "figure.dpi": 110, "savefig.bbox": "tight",
                      "image.interpolation": "nearest"})
 
 
+def save_curves(figure, path, axes):
+    """With a grid and a legend in each of the axes; tells where it is."""
+    for axis in axes:
+        axis.grid(alpha=0.3)
+        axis.legend(fontsize=8)
+    figure.savefig(path, dpi=150)
+    print(path)
+
+
 class View:
     """How a field is shown. component: x, y, z, of tensors xx, xy ..., von-mises, principal1 ... (None: the magnitude
     of a vector, what people look at of a tensor); scale: of the deformation, 0 for none; crack: Damage above which
