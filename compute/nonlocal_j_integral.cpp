@@ -10,6 +10,7 @@
 // so that J does not jump as the tip moves. Energies and forces are those of small displacements. The crack must leave
 // the rectangle through its side behind the tip, and be free of traction.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -22,6 +23,13 @@
 namespace pd {
 
 namespace {
+
+/// Of a place, m: how far ahead of the tip it is, and how far above.
+std::array<double, 2> fromTip(const double* x, const TipPlace::Tip& tip) {
+  const double along[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
+  return {along[0] * tip.direction[0] + along[1] * tip.direction[1],
+          along[1] * tip.direction[0] - along[0] * tip.direction[1]};
+}
 
 const char* const nonlocalJName = "Nonlocal_J_Integral";
 
@@ -133,9 +141,7 @@ void NonlocalJIntegral::initialize(Blocks blocks) {
 
 NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double volume, const TipPlace::Tip& tip) const {
   const double spacing = std::sqrt(volume / place_.thickness());
-  const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
-  const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
-  const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
+  const auto [a, b] = fromTip(x, tip);
   double atFront = 0.0, atBack = 0.0, unused = 0.0;
   const double front = softStep((a - ahead_) / spacing, atFront), back = softStep(-(a + behind_) / spacing, atBack);
   const double high = softStep((b - above_) / spacing, unused) * softStep(-(b + below_) / spacing, unused);
@@ -143,9 +149,7 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
 }
 
 bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
-  const double fromTip[2] = {x[0] - tip.place[0], x[1] - tip.place[1]};
-  const double a = fromTip[0] * tip.direction[0] + fromTip[1] * tip.direction[1];
-  const double b = fromTip[1] * tip.direction[0] - fromTip[0] * tip.direction[1];
+  const auto [a, b] = fromTip(x, tip);
   // Less than 0 inside, more outside.
   const double distance = std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
   return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter

@@ -43,21 +43,18 @@ std::vector<double> trialTimes(const Condition& condition, const Deck& deck) {
   return times;
 }
 
-/// Whether a condition that sets vectors sets any but 0 at this time.
-bool setsAnything(const Condition& condition, const Discretization& mesh, double t) {
-  const std::vector<double>& values = condition.evaluate(mesh, t);
-  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
-}
-
 /// Those of the conditions whose values are finite, and that set nothing out of a plane; mistakes of the others are
 /// added.
 ConditionSet withFiniteValues(const ConditionSet& conditions, const Deck& deck, const Discretization& mesh,
                               Mistakes& mistakes) {
   ConditionSet good;
   for (const auto& condition : conditions) try {
-      for (const double t : trialTimes(*condition, deck))
-        if (setsAnything(*condition, mesh, t) && condition->width() == 3 && !condition->claim().empty())
+      for (const double t : trialTimes(*condition, deck)) {
+        const std::vector<double>& values = condition->evaluate(mesh, t);
+        const bool setsVectors = condition->width() == 3 && !condition->claim().empty();
+        if (setsVectors && std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; }))
           condition->requireMotionAlong(condition->component(), mesh);
+      }
       good.push_back(condition);
     } catch (const DeckError& error) {
       mistakes.add("", error.what());

@@ -20,7 +20,7 @@ struct SurfaceFault {
 /// touch, or lie on each other, are not found). Parts may overlap.
 std::vector<SurfaceFault> faultsOf(const decomposition::TriangleSurface& surface);
 
-/// Its parts, which have no vertex in common. `surface`: without faults.
+/// Its parts, which have no edge in common. `surface`: without faults.
 std::vector<decomposition::TriangleSurface> partsOf(const decomposition::TriangleSurface& surface);
 
 }  // namespace pd
