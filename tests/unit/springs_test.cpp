@@ -68,7 +68,9 @@ class Springs : public ::testing::TestWithParam<Body> {
       }
   }
 
-  void breakBonds() {
+  /// Those whose two global ids and present damage meet `shallBreak`.
+  template <class Test>
+  void breakBondsWhere(const Test& shallBreak) {
     const Discretization& points = model_.discretization();
     PeridigmNS::Block& block = model_.blocks()->front();
     const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
@@ -79,28 +81,21 @@ class Springs : public ::testing::TestWithParam<Body> {
       for (int count = *list++; count > 0; --count, ++list, ++damage) {
         const auto a = points.globalIds[static_cast<std::size_t>(i)],
                    b = points.globalIds[static_cast<std::size_t>(*list)];
-        if (0.5 * (1.0 + rough(a, b)) >= GetParam().broken) continue;
+        if (!shallBreak(a, b, *damage)) continue;
         *damage = 1.0;
         model_.field("Damage")[i] += 0.01;
       }
   }
 
+  void breakBonds() {
+    breakBondsWhere([&](auto a, auto b, double) { return 0.5 * (1.0 + rough(a, b)) < GetParam().broken; });
+  }
+
   /// Two bonds of the point of this number.
   void breakBondsOf(long long centre) {
-    const Discretization& points = model_.discretization();
-    PeridigmNS::Block& block = model_.blocks()->front();
-    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
-    double* damage = nullptr;
-    block.getData(id, PeridigmNS::PeridigmField::STEP_NP1)->ExtractView(&damage);
-    const int* list = points.neighborhoodList.data();
-    for (int i = 0; i < points.nOwned; ++i)
-      for (int count = *list++; count > 0; --count, ++list, ++damage) {
-        const auto a = points.globalIds[static_cast<std::size_t>(i)],
-                   b = points.globalIds[static_cast<std::size_t>(*list)];
-        if (std::min(a, b) != centre || std::max(a, b) > centre + 2 || *damage == 1.0) continue;
-        *damage = 1.0;
-        model_.field("Damage")[i] += 0.01;
-      }
+    breakBondsWhere([&](auto a, auto b, double damage) {
+      return std::min(a, b) == centre && std::max(a, b) <= centre + 2 && damage != 1.0;
+    });
   }
 
   void healBonds() {
