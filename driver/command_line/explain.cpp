@@ -96,6 +96,40 @@ bool hasNumbers(const ParameterDeclarations& declarations) {
 
 void append(std::string& all, const std::string& text) { all += (all.empty() ? "" : "\n") + text; }
 
+/// Sections of that name below `declarations`, which are those of `path`, each with the places where it stands. One
+/// that others take over with all its keys is one section.
+void findBelow(const ParameterDeclarations& declarations, const std::string& path, const std::string& name,
+               std::vector<ReferenceChapter>& found) {
+  for (const auto& sublist : declarations.sublists()) {
+    const std::string below = path + "/" + sublist.name;
+    if (sublist.name == name) {
+      const ParameterDeclarations& keys = sublist.declarations.front();
+      const std::string text = sublist.meaning + declarationsText(keys, "");
+      const auto same = std::find_if(found.begin(), found.end(), [&](const ReferenceChapter& other) {
+        return other.use + declarationsText(other.declarations, "") == text;
+      });
+      if (same == found.end())
+        found.push_back({name, sublist.meaning + " In " + path, keys, "", sublist.meaning, {}});
+      else if (same->brief.find(path) == std::string::npos)
+        same->brief += ", " + path;
+    }
+    findBelow(sublist.declarations.front(), below, name, found);
+  }
+}
+
+std::vector<ReferenceChapter> sectionsBelow(const std::string& name) {
+  std::vector<ReferenceChapter> found;
+  for (const ReferenceChapter& chapter : reference()) {
+    findBelow(chapter.declarations, chapter.name(), name, found);
+    for (const ReferenceTopic& topic : chapter.topics) findBelow(topic.declarations, topic.name, name, found);
+  }
+  for (ReferenceChapter& chapter : found) {
+    chapter.use.clear();
+    chapter.brief += "; * stands for any name.";
+  }
+  return found;
+}
+
 }  // namespace
 
 const char* const numbersOfDecks =
@@ -130,6 +164,7 @@ std::vector<ReferenceChapter> chaptersAbout(const std::string& name) {
     }
     result.push_back(chapter);
   }
+  if (result.empty()) result = sectionsBelow(name);
   if (!result.empty()) return result;
   throw DeckError("--explain: nothing is called \"" + name + "\"" + didYouMean(name, known) +
                   "; pdrun --list names everything");

@@ -20,8 +20,8 @@ inline FieldDescription bondFlow() {
   return field.state();
 }
 inline FieldDescription bondOpening() {
-  FieldDescription field =
-      bondScalar("Bond_Opening", "1", "Share of the bond up to a wall; 1 within the flow, 0 beyond an outflow.");
+  FieldDescription field = bondScalar(
+      "Bond_Opening", "1", "Share of the bond up to a wall; 1 within the flow, 0 beyond an outflow and at metal.");
   field.temporal = PeridigmNS::PeridigmField::CONSTANT;
   return field.state();
 }

@@ -203,6 +203,16 @@ class Pdrun(unittest.TestCase):
         self.assertIn("    reads <Variable> (unit of the deck): What it is taken of.", explained)
         self.assertIn("    writes Velocity (m/s): Velocity.", self.run_pdrun("--explain", "Verlet").stdout)
 
+    def test_sections_below_solvers_are_explained(self):
+        explained = self.run_pdrun("--explain", "When")
+        self.assertEqual(explained.returncode, 0, explained.stderr)
+        self.assertTrue(explained.stdout.startswith("When (a section)\n"), explained.stdout)
+        self.assertIn("In Staggered/Solvers/*", explained.stdout)
+        self.assertIn("Has Changed By: ", explained.stdout)
+        self.assertIn("Stop When (a section)", self.run_pdrun("--explain", "Stop When").stdout)
+        self.assertIn("# When", self.run_pdrun("--explain", "When", "--markdown").stdout)
+        self.assertEqual(self.run_pdrun("--explain", "Whenever").returncode, 2)
+
     def test_the_whole_reference_is_pages_of_a_folder_or_text(self):
         done = self.run_pdrun("--explain", "--all", "--markdown", "reference")
         self.assertEqual(done.returncode, 0, done.stderr)
