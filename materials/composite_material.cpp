@@ -294,6 +294,19 @@ const LinearBonds* CompositeMaterial::springPart() const {
   return found;
 }
 
+std::string CompositeMaterial::springsObstacle() const {
+  if (hasSprings()) return "";
+  std::string loaded;
+  int nLoaded = 0;
+  for (const Part& part : parts_) {
+    if (!part.hasForce()) continue;
+    loaded += (nLoaded++ == 0 ? "\"" : ", \"") + part.name + "\"";
+  }
+  if (nLoaded == 0) return "none of its materials carries load";
+  return nLoaded == 1 ? "its material " + loaded + " has none"
+                      : "its materials " + loaded + " all carry load, not one alone";
+}
+
 const FlowLaw* CompositeMaterial::flowLaw() const {
   for (const Part& part : parts_)
     if (const auto* flow = dynamic_cast<const FlowMaterial*>(part.material.get())) return flow->flowLaw();

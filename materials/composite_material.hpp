@@ -70,6 +70,7 @@ class CompositeMaterial : public PeridigmNS::Material,
   void stepTakenBack() const override;
   /// Those of the one part that has forces.
   bool hasSprings() const override { return springPart() != nullptr; }
+  std::string springsObstacle() const override;
   LinearSprings::Family springFamily() const override { return springPart()->springFamily(); }
   LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const override {
     return springPart()->springs(call, data);

@@ -9,8 +9,7 @@ namespace pd {
 namespace {
 
 const LinearBonds* bondsOf(PeridigmNS::Block& block) {
-  const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
-  return bonds != nullptr && bonds->hasSprings() ? bonds : nullptr;
+  return dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
 }
 
 /// An unbroken bond of a point.
@@ -41,10 +40,12 @@ Vector3 rotationOf(const std::vector<Spring>& family) {
 }  // namespace
 
 void SpringState::require(PeridigmNS::Block& block, const std::string& compute) {
-  if (bondsOf(block) == nullptr)
-    throw std::invalid_argument(compute + ": the material of block \"" + block.getName() +
-                                "\" has no bonds that are springs (PDHE, Elastic, Elastic Bond Based have); use "
-                                "J_Integral");
+  const LinearBonds* bonds = bondsOf(block);
+  const std::string obstacle = bonds == nullptr ? "its material has none" : bonds->springsObstacle();
+  if (!obstacle.empty())
+    throw std::invalid_argument(
+        compute + ": block \"" + block.getName() +
+        "\" has no bonds that are springs (PDHE, Elastic, Elastic Bond Based have): " + obstacle + "; use J_Integral");
 }
 
 LinearSprings SpringState::springsOf(PeridigmNS::Block& block) {

@@ -166,19 +166,20 @@ std::string Newton::preconditionerName() const {
 }
 
 void Newton::requireSprings(Model& model) const {
-  if ((settings_.preconditioner == "Two Level" || settings_.hasSmallStrain) && !SpringTangent::fits(model))
+  if (settings_.preconditioner != "Two Level" && !settings_.hasSmallStrain) return;
+  if (const std::string obstacle = SpringTangent::obstacle(model); !obstacle.empty())
     throw RunError(fmt::format(
         "\"{}\" takes the bonds of every material for springs, which PDHE, Elastic and Elastic Bond Based know how to "
-        "give, one of the latter two kinds in a run; a material of this run does not: leave it out",
-        settings_.hasSmallStrain ? "Kinematics: Small Strain" : "Preconditioner: Two Level"));
+        "give, one of the latter two kinds in a run; {}: leave it out",
+        settings_.hasSmallStrain ? "Kinematics: Small Strain" : "Preconditioner: Two Level", obstacle));
 }
 
 void Newton::chooseTangent(Model& model) {
   if (hasChosen_) return;
   const bool isDamped = settings_.diagonalScale != 1.0 || settings_.diagonalShift != 0.0;
   const bool mayUseSprings = settings_.preconditioner.empty() || settings_.preconditioner == "Two Level";
-  usesSprings_ = settings_.hasSmallStrain ||
-                 (mayUseSprings && settings_.linearSolver == "CG" && !isDamped && SpringTangent::fits(model));
+  usesSprings_ = settings_.hasSmallStrain || (mayUseSprings && settings_.linearSolver == "CG" && !isDamped &&
+                                              SpringTangent::obstacle(model).empty());
   tangent_ = usesSprings_ ? Tangent::Springs : Tangent::Assembled;
   hasChosen_ = true;
   if (!usesSprings_) return;

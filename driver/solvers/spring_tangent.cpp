@@ -32,26 +32,26 @@ bool hasForce(Block& block) {
 }
 
 const LinearBonds* linearBondsOf(Block& block) {
-  const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
-  return bonds != nullptr && bonds->hasSprings() ? bonds : nullptr;
+  return dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
 }
 
 }  // namespace
 
-bool SpringTangent::fits(Model& model) {
+std::string SpringTangent::obstacle(Model& model) {
   bool isKnown = false;
   LinearSprings::Family family{};
   for (Block& block : *model.blocks()) {
     if (!hasForce(block)) continue;
     const LinearBonds* bonds = linearBondsOf(block);
-    if (bonds == nullptr) return false;
+    const std::string obstacle = bonds == nullptr ? "its material has none" : bonds->springsObstacle();
+    if (!obstacle.empty()) return "block \"" + block.getName() + "\": " + obstacle;
     const LinearSprings::Family own = bonds->springFamily();
     if (isKnown && own != family && own != LinearSprings::Family::None && family != LinearSprings::Family::None)
-      return false;
+      return "block \"" + block.getName() + "\": its material is of another kind than those of the blocks before";
     if (!isKnown || own != LinearSprings::Family::None) family = own;
     isKnown = true;
   }
-  return isKnown;
+  return isKnown ? "" : "no block carries load";
 }
 
 SpringNetwork SpringTangent::networkOf(Model& model) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "../linear/linear_system.hpp"
@@ -16,8 +17,8 @@ namespace pd {
 /// Of a model whose materials have LinearBonds. No matrix: conjugate gradients with a TwoLevel preconditioner.
 class SpringTangent {
  public:
-  /// Whether all materials with forces have springs, and of one kind.
-  static bool fits(Model& model);
+  /// Which material with forces has no springs, or of another kind than the rest; empty where it fits the model.
+  static std::string obstacle(Model& model);
   /// Refers to the model. After its initialize(). Collective.
   explicit SpringTangent(Model& model);
 

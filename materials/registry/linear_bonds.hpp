@@ -2,6 +2,7 @@
 #ifndef PD_LINEAR_BONDS_HPP
 #define PD_LINEAR_BONDS_HPP
 
+#include <string>
 #include <vector>
 
 #include "Peridigm_DataManager.hpp"
@@ -31,6 +32,8 @@ class LinearBonds {
   virtual ~LinearBonds() = default;
   /// False where the material has no mechanics, or none of this kind.
   virtual bool hasSprings() const { return true; }
+  /// Why it has none, for messages; empty where it has.
+  virtual std::string springsObstacle() const { return hasSprings() ? "" : "its material carries no load"; }
   virtual LinearSprings::Family springFamily() const = 0;
   virtual LinearSprings springs(const Call& call, PeridigmNS::DataManager& data) const = 0;
 };

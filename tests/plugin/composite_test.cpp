@@ -8,6 +8,7 @@
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "bond_family.hpp"
 #include "damage_run.hpp"
+#include "linear_bonds.hpp"
 #include "material_run.hpp"
 #include "plugins.hpp"
 #include "separate_rates.hpp"
@@ -150,6 +151,17 @@ TEST(CompositeMaterial, BondsGetAStateWhereWhatDissolvesBearsLoad) {
   EXPECT_TRUE(hasBondDamage({elastic(), dissolving()}));
   EXPECT_FALSE(hasBondDamage({elastic(), diffusive(1.0)}));
   EXPECT_FALSE(hasBondDamage({diffusive(1.0, "Hydrogen"), dissolving()}));
+}
+
+TEST(CompositeMaterial, NamesThePartsThatKeepItFromBeingSprings) {
+  const auto obstacle = [](const std::vector<Teuchos::ParameterList>& parts) {
+    const auto made = pd::MaterialRegistry::self().create("Combined", parametersOf(material(parts)));
+    return dynamic_cast<const pd::LinearBonds&>(*made).springsObstacle();
+  };
+  EXPECT_EQ(obstacle({elastic(), diffusive(3.0)}), "");
+  EXPECT_EQ(obstacle({elastic(), diffusive(3.0), elastic()}),
+            "its materials \"A\", \"C\" all carry load, not one alone");
+  EXPECT_EQ(obstacle({diffusive(3.0), diffusive(2.0)}), "none of its materials carries load");
 }
 
 TEST(CompositeMaterial, RefusesPartsThatDoNotGoTogether) {
