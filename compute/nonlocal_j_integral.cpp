@@ -13,9 +13,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <sstream>
 #include <unordered_map>
 
 #include "plugins.hpp"
+#include "rectangle_cover.hpp"
+#include "run_notes.hpp"
 #include "spring_state.hpp"
 #include "tip_place.hpp"
 #include "whole_body.hpp"
@@ -43,7 +47,7 @@ double softStep(double t, double& slope) {
 
 }  // namespace
 
-class NonlocalJIntegral : public TabledCompute {
+class NonlocalJIntegral : public TabledCompute, public RunNotes {
  public:
   struct Fields : TipFields {
     SpringState::Fields springs;
@@ -59,6 +63,7 @@ class NonlocalJIntegral : public TabledCompute {
   const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
+  std::vector<std::string> runNotes() const override;
 
  private:
   struct Inside {
@@ -76,6 +81,8 @@ class NonlocalJIntegral : public TabledCompute {
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
   Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
   Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
+  /// Notes where the body does not fill the rectangle, the first time. Collective.
+  void watchCover(const Blocks& blocks, const TipPlace::Tip& tip) const;
   double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
                  const Slopes& slopes) const;
 
@@ -85,6 +92,8 @@ class NonlocalJIntegral : public TabledCompute {
   double ahead_, behind_, above_, below_;       ///< m
   double longestBond_ = 0.0;                    ///< m
   mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
+  mutable std::optional<Vector3> watched_;      ///< the tip for which the cover was looked at last
+  mutable std::string gap_;                     ///< what there is to note
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -226,8 +235,39 @@ double NonlocalJIntegral::sumOver(PeridigmNS::Block& block, const LinearSprings&
   return sum;
 }
 
+void NonlocalJIntegral::watchCover(const Blocks& blocks, const TipPlace::Tip& tip) const {
+  if (!gap_.empty() || watched_ == tip.place) return;
+  watched_ = tip.place;
+  RectangleCover cover(ahead_, behind_, above_, below_, longestBond_);
+  for (PeridigmNS::Block& block : *blocks) {
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    const auto points = block.getNeighborhoodData();
+    for (int p = 0; p < points->NumOwnedPoints(); ++p) {
+      const int i = points->OwnedIDs()[p];
+      const auto [a, b] = fromTip(x + 3 * i, tip);
+      cover.add(a, b, volume[i] / place_.thickness());
+    }
+  }
+  const auto gap = cover.gap(*epetraComm);
+  if (!gap) return;
+  const auto [a, b] = *gap;
+  const double x = tip.place[0] + a * tip.direction[0] - b * tip.direction[1];
+  const double y = tip.place[1] + a * tip.direction[1] + b * tip.direction[0];
+  std::ostringstream text;
+  text << parameters_.get<std::string>("Output Label") << ": with the tip at (" << tip.place[0] << ", " << tip.place[1]
+       << ") m the body does not fill the rectangle, as around (" << x << ", " << y
+       << ") m: across an end of the body, or over a hole, this is not the energy release rate; make the rectangle "
+          "smaller";
+  gap_ = text.str();
+}
+
+std::vector<std::string> NonlocalJIntegral::runNotes() const {
+  return gap_.empty() ? std::vector<std::string>() : std::vector<std::string>{gap_};
+}
+
 int NonlocalJIntegral::compute(Blocks blocks) const {
   const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  watchCover(blocks, tip);
   std::vector<Sides> sides;
   for (PeridigmNS::Block& block : *blocks) {
     if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));

@@ -6,6 +6,7 @@
 #include "../model/collective.hpp"
 #include "../model/state_fields.hpp"
 #include "plugins.hpp"
+#include "run_notes.hpp"
 #include "whole_body.hpp"
 
 namespace pd {
@@ -116,6 +117,16 @@ void ComputeSet::initialize(Model& model) {
   }
   // A compute may add over ranks here, so its mistakes are those of all ranks: the same names are known to each.
   for (const Entry& entry : entries_) atPlace(entry.place, [&] { entry.compute->initialize(model.blocks()); });
+}
+
+std::vector<std::string> ComputeSet::newNotes() {
+  std::vector<std::string> lines;
+  for (const Entry& entry : entries_)
+    if (const auto* notes = dynamic_cast<const RunNotes*>(entry.compute.get()))
+      for (const std::string& note : notes->runNotes())
+        if (const std::string line = (entry.place.empty() ? "" : entry.place + ": ") + note; notes_.insert(line).second)
+          lines.push_back(line);
+  return lines;
 }
 
 void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {

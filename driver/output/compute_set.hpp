@@ -26,6 +26,8 @@ class ComputeSet {
 
   /// Evaluates all computes, or only those that yield values for the whole body. Collective.
   void evaluate(Model& model, bool onlyGlobal) const;
+  /// What computes have found out (RunNotes) since this was last asked, with the place of each in the deck.
+  std::vector<std::string> newNotes();
   /// Fields that must be made of the state before (state_fields.hpp).
   std::set<std::string> fieldsOfState(bool onlyGlobal) const;
 
@@ -46,6 +48,7 @@ class ComputeSet {
   void add(const std::string& className, const DeckNode& node, const Communicator& comm);
 
   std::vector<Entry> entries_;
+  std::set<std::string> notes_;
   std::vector<std::string> globalLabels_;
   class SymmetricBody;
   // Filled as the run starts.

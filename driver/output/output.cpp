@@ -86,6 +86,7 @@ struct Output::Implementation {
   int firstStep = 0;
   bool isOpen = false;
   std::string timeUnit = "s";
+  std::vector<std::string> warnings;
 
   Implementation(const Deck& deck_, const Communicator& comm_, const std::string& folder_)
       : deck(deck_),
@@ -98,6 +99,8 @@ struct Output::Implementation {
   OutputLabels sortLabels(Model& model, const OutputSection& section, Mistakes& mistakes);
   void refuse(Model& model, const OutputVariable& variable, Mistakes& mistakes);
   const GlobalOrder& orderOf(Model& model);
+  /// All computes, or those for the whole body alone; what they find out is logged.
+  void evaluate(Model& model, bool onlyGlobal);
   /// Evaluates the computes that are due; whether fields are, and whether anything is.
   std::pair<bool, bool> evaluateDue(Model& model, int step, bool isLast);
   void line(const std::string& text) {
@@ -154,6 +157,14 @@ const GlobalOrder& Output::Implementation::orderOf(Model& model) {
   return *order;
 }
 
+void Output::Implementation::evaluate(Model& model, bool onlyGlobal) {
+  computes->evaluate(model, onlyGlobal);
+  for (const std::string& note : computes->newNotes()) {
+    line("warning: " + note);
+    warnings.push_back(note);
+  }
+}
+
 std::pair<bool, bool> Output::Implementation::evaluateDue(Model& model, int step, bool isLast) {
   const auto isAnyDue = [&](auto isDue) {
     return std::any_of(files.begin(), files.end(), [&](OutputFiles& each) { return (each.*isDue)(step, isLast); });
@@ -163,7 +174,7 @@ std::pair<bool, bool> Output::Implementation::evaluateDue(Model& model, int step
   std::set<std::string> ofState = computes->fieldsOfState(!areFieldsDue);
   if (areFieldsDue) ofState.insert(fieldsOfState.begin(), fieldsOfState.end());
   makeOfState(model, ofState);
-  computes->evaluate(model, !areFieldsDue);
+  evaluate(model, !areFieldsDue);
   return {areFieldsDue, true};
 }
 
@@ -250,8 +261,10 @@ void Output::evaluate(Model& model, int step) { implementation_->evaluateDue(mod
 void Output::evaluateGlobals(Model& model) {
   Implementation& self = *implementation_;
   makeOfState(model, self.computes->fieldsOfState(true));
-  self.computes->evaluate(model, true);
+  self.evaluate(model, true);
 }
+
+const std::vector<std::string>& Output::warnings() const { return implementation_->warnings; }
 
 bool Output::isCheckpointDue(int step, bool isLast) const {
   const auto& files = implementation_->files;

@@ -47,6 +47,8 @@ class Output {
   void evaluate(Model& model, int step);
   /// Evaluates the computes of whole bodies, whether or not they are due, and writes nothing.
   void evaluateGlobals(Model& model);
+  /// What computes have found out so far; the log has it too.
+  const std::vector<std::string>& warnings() const;
 
   bool isCheckpointDue(int step, bool isLast) const;
   /// Writes the checkpoint of the files that are due (Output key "Checkpoint Frequency").

@@ -7,7 +7,8 @@
 
 namespace pd {
 
-/// A host that knows of it asks materials after initialize() and puts the lines into its report; others need not.
+/// A host that knows of it asks materials after initialize(), and computes after compute(), of which each line is a
+/// warning, and puts the lines into its report; others need not.
 class RunNotes {
  public:
   virtual ~RunNotes() = default;

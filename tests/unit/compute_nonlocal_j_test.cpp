@@ -7,6 +7,7 @@
 #include "Peridigm_Material.hpp"
 #include "bond_family.hpp"
 #include "linear_bonds.hpp"
+#include "run_notes.hpp"
 
 using namespace pdtest;
 
@@ -100,6 +101,51 @@ TEST_F(NonlocalJ, IsTheEnergyReleaseRateOverAnyRectangle) {
   for (const auto& [ahead, behind, above] : {std::array<double, 3>{16.0, 9.0, 12.0}, {10.3, 15.7, 18.2}}) {
     rectangle(ahead, behind, above);
     EXPECT_NEAR(value() / first, 1.0, 0.015);
+  }
+}
+
+/// What is noted of a body in a square from -30 to 30 without the points of `isGone`, with the crack to the origin
+/// along x and the rectangle `ahead`, `behind`, `above` of it.
+std::string noteOf(const std::function<bool(const Point&)>& isGone, std::array<double, 3> sides, double angle = 0.0,
+                   Point tip = {0.0, 0.0, 0.0}) {
+  std::vector<Point> points;
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (const Point& p : lattice(90, 90, 1, 1.0, {-44.4, -44.7, 0.0})) {
+    const Point turned{c * p[0] - s * p[1], s * p[0] + c * p[1], 0.0};
+    if (std::max(std::abs(turned[0]), std::abs(turned[1])) < 30.0 && !isGone(turned)) points.push_back(turned);
+  }
+  BodyOptions options;
+  options.horizon = 3.015;
+  options.volumes.assign(points.size(), thickness);
+  SmallBody body(points, options);
+  body.block().setMaterialModel(Teuchos::rcp(new Springs(body, options.horizon)));
+  Teuchos::ParameterList parameters;
+  parameters.set("Thickness", thickness);
+  parameters.set("Ahead", sides[0]);
+  parameters.set("Behind", sides[1]);
+  parameters.set("Above", sides[2]);
+  parameters.set("Tip X", tip[0]);
+  parameters.set("Tip Y", tip[1]);
+  const auto compute = makeCompute(body, "Nonlocal_J_Integral", parameters);
+  compute->compute(body.blocks());
+  const std::vector<std::string> notes = dynamic_cast<const pd::RunNotes&>(*compute).runNotes();
+  return notes.empty() ? "" : notes.front();
+}
+
+TEST(RectangleOfJ, IsToBeFilledByTheBody) {
+  const auto nothing = [](const Point&) { return false; };
+  const auto hole = [](const Point& x) { return std::hypot(x[0] - 10.0, x[1] - 8.0) < 5.0; };
+  const auto notch = [](const Point& x) { return x[0] < -5.0 && std::abs(x[1]) < 4.0; };
+  for (const double angle : {0.0, 0.35}) {
+    EXPECT_EQ(noteOf(nothing, {16.0, 16.0, 16.0}, angle), "");
+    // Beyond the sides of the body along the crack there is nothing to add.
+    EXPECT_EQ(noteOf(nothing, {16.0, 16.0, 45.0}, angle), "");
+    EXPECT_EQ(noteOf(notch, {16.0, 20.0, 16.0}, angle), "");
+    EXPECT_NE(noteOf(nothing, {40.0, 16.0, 16.0}, angle), "");
+    EXPECT_NE(noteOf(nothing, {16.0, 40.0, 16.0}, angle), "");
+    EXPECT_NE(noteOf(nothing, {16.0, 16.0, 16.0}, angle, {20.0, 0.0, 0.0}), "");
+    EXPECT_NE(noteOf(hole, {18.0, 16.0, 16.0}, angle), "");
+    EXPECT_EQ(noteOf(hole, {4.0, 16.0, 16.0}, angle), "");
   }
 }
 
