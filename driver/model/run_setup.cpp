@@ -106,22 +106,23 @@ void rehearse(const Deck& deck, const Communicator& comm) {
   mistakes.report();
   const auto evaluate = [&] { setup.output->evaluate(*setup.model, 0); };
   const bool isMeasured = rehearsePart(ofRun, mistakes, evaluate);
-  // Later solvers start from what the first one makes.
   const Stage& first = setup.stages.front();
-  const DeckNode section = deck[first.section][first.name];
-  const std::string ofSolver = section.keyPlace() + ": " + section.path();
   Simulation simulation = setup.simulation();
   double end = first.startTime;
-  const bool isReady = rehearsePart(ofSolver, mistakes, [&] {
+  const bool isReady = rehearsePart(first.place, mistakes, [&] {
     first.solver->initialize(simulation);
     const int n = first.solver->numberOfIncrements(simulation, first.startTime, first.endTime);
     if (n > 0) end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
   });
   // A solver may have told them more, as which points are fluid.
   if (isReady && isMeasured) rehearsePart(ofRun, mistakes, evaluate);
+  for (const std::string& warning : setup.output->warnings()) deck.warnings().add("", warning);
   if (isReady && end > first.startTime)
-    rehearsePart(ofSolver, mistakes,
+    rehearsePart(first.place, mistakes,
                  [&] { first.solver->rehearse(simulation, first.startTime, end - first.startTime); });
+  // Later solvers start from what the first one makes: what they refuse of the model alone is known.
+  for (std::size_t k = 1; isReady && k < setup.stages.size(); ++k)
+    rehearsePart(setup.stages[k].place, mistakes, [&] { setup.stages[k].solver->initialize(simulation); });
   mistakes.report();
 }
 

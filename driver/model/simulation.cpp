@@ -62,7 +62,7 @@ class Run {
       int nSteps = 0, done = 0;
       double start = stage.startTime;
       orAbortUnlessShared([&] {
-        stage.solver->initialize(simulation_);
+        initialize(stage);
         if (isRestarted) restart->setState(*stage.solver);
         // After the state is set: a solver that chooses its increments must choose the same again.
         nSteps = stage.solver->numberOfIncrements(simulation_, stage.startTime, stage.endTime);
@@ -80,6 +80,15 @@ class Run {
   }
 
  private:
+  /// A solver that refuses the run does not know where it is in the deck.
+  void initialize(Stage& stage) {
+    try {
+      stage.solver->initialize(simulation_);
+    } catch (const RunError& error) {
+      throw RunError(stage.place + ": " + error.what());
+    }
+  }
+
   /// The increments of a stage after the first `done`, from time `start`. Returns the time at their end. An increment
   /// that ends early with an event is a step of its own, and the rest of it another.
   double advance(std::size_t stageNumber, double start, int done, int nSteps) {

@@ -15,6 +15,7 @@ Stage createStage(const DeckNode& section) {
     const auto* plugin = SolverRegistry::self().find(name);
     if (plugin == nullptr) continue;
     stage.name = name;
+    stage.place = node.keyPlace() + ": " + node.path();
     stage.solver = plugin->create(node.parameters(plugin->declare()));
     return stage;
   }

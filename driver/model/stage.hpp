@@ -14,6 +14,7 @@ namespace pd {
 struct Stage {
   std::string section;  ///< its key in the deck
   std::string name;     ///< of the solver
+  std::string place;    ///< where it is in the deck, for messages
   Teuchos::RCP<Solver> solver;
   double startTime = 0.0, endTime = 1.0;  ///< s
 };
