@@ -222,11 +222,25 @@ class NeedCheck {
   void carriedScalars() {
     std::set<std::string> told;
     for (const BlockParts& block : parts_.blocks)
-      for (const RunPart* part : BlockParts::thatUse(block.materials, fields::bondFlow(), FieldAccess::Reads))
+      for (const RunPart* part : BlockParts::thatUse(block.materials, fields::bondFlow(), FieldAccess::Reads)) {
+        flowsInBlock(block, *part);
         for (const std::string& label : scalarsOf(*part)) {
           diffusesTwice(block, *part, label);
           if (told.insert(part->node.path() + "/" + label).second) advancesCarried(*part, label);
         }
+      }
+  }
+
+  /// A block without a fluid is a wall.
+  void flowsInBlock(const BlockParts& block, const RunPart& carried) {
+    const auto mayFlow = [](const RunPart& part) {
+      return !part.hasTable || useOf(part.table, fields::viscosity().label) != nullptr;
+    };
+    if (std::any_of(block.materials.begin(), block.materials.end(), mayFlow)) return;
+    mistakes_.add(placeOfKey(block.block, "Material"),
+                  block.block.path() + ": a flow is to carry what " + carried.node.path() +
+                      " is about, but no material of this block is a fluid; name one in its list, as in \"Material: "
+                      "[Water, Salt]\"");
   }
 
   void advancesCarried(const RunPart& part, const std::string& label) {

@@ -77,6 +77,22 @@ class FlowDecks(SceneTest):
             deck["Materials"]["Water"] = {"Material Model": "Diffusion", "Plane Strain": True, "Coefficient": 1.0}
         self.assert_refused(solidify, "Navier Stokes")
 
+    def test_a_channel_without_fluid(self):
+        def swap(deck):
+            # The fluid is named for the walls alone.
+            deck["Materials"]["Stone"] = {"Material Model": "Diffusion", "Coefficient": 1e-9}
+            deck["Blocks"]["Left"]["Material"] = deck["Blocks"]["Right"]["Material"] = "Stone"
+            deck["Blocks"]["Far"] = {"Block Names": "block_3", "Material": "Water", "Horizon": 0.3015}
+        points = lattice([1.8, 1.8], 0.1, origin=[-0.4, -0.4])
+        inside = np.all((points[:, :2] > 0) & (points[:, :2] < 1), axis=1)
+        self.write_mesh(points, 0.01, block=np.where(inside, np.where(points[:, 0] < 0.5, 1, 2), 3))
+        self.assert_refused(swap, "no point is fluid")
+
+        def leave_out(deck):
+            self.carry(deck, Diffusivity=1e-6)
+            deck["Blocks"]["Left"]["Material"] = "Salt"
+        self.assert_refused(leave_out, "Blocks/Left", "no material of this block is a fluid")
+
     def test_gradients_of_neighbours_lie_within_the_horizon(self):
         def reach_further(deck):
             deck["Materials"]["Water"]["Gradient Horizon"] = 0.25
@@ -219,6 +235,15 @@ class FlowDecks(SceneTest):
             self.carry(deck, Diffusivity=1e-6)
             deck["Materials"]["Water"]["Flux Horizon"] = 0.09
         self.assert_refused(shorten, "within the Flux Horizon")
+
+    def test_later_solvers_refuse_at_once(self):
+        for solver in ({"ImplicitDiffusion": {"Field": "Concentration"}}, {"Diffusion": {"Method": "RKL"}},
+                       {"Staggered": {"Load Steps": 1, "Solvers": {"Salt": {"Diffusion": {"Method": "Euler"}}}}}):
+            def explicit(deck):
+                self.carry(deck, Diffusivity=1e-6)
+                deck["Solver2"].pop("ImplicitDiffusion")
+                deck["Solver2"].update(solver)
+            self.assert_refused(explicit, f": Solver2/{next(iter(solver))}: ", "a flow carries \"Concentration\"")
 
     def test_what_a_flow_carries_is_advanced(self):
         self.assert_refused(lambda deck: self.carry(deck, Field="Ions"), "Materials/Salt", 'advances "Ions"')

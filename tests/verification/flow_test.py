@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The solver Steady Flow against exact solutions and those of other methods."""
+import re
 import sys
 import unittest
 
@@ -102,6 +103,28 @@ class SteadyFlow(SceneTest):
         error, slope = self.channel_errors(points, self.solve(deck, ranks=2))
         self.assertLess(error, 1e-7)
         self.assertLess(abs(slope), 1e-7)
+
+    def test_fluid_that_enters_through_an_outflow_is_told_of(self):
+        # u = 1.5 y - 0.5 between walls that move: 1/12 comes in through the outflow and 1/3 leaves, and nothing drives it.
+        def words(points, spacing, profile):
+            self.write_mesh(points, spacing**2)
+            deck = self.channel(spacing)
+            conditions = deck["Boundary Conditions"]
+            conditions["Walls"]["Velocity"] = conditions["Inlet"]["Velocity"] = [profile, 0.0]
+            self.solve(deck)
+            with open(self.path("result.log")) as log:
+                return [line for line in log if "fluid enters through this outflow" in line]
+        for shift, angle, error in (((0.5, 0.5), 0.0, 0.03), ((0.3, 0.1), 20.0, 0.1)):
+            points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.05, shift, angle)
+            line, = words(points, 0.05, "1.5*y - 0.5")
+            self.assertIn('condition "Outlet"', line)
+            entering, leaving, fastest = (float(line.split(before)[1].split()[0]) for before in
+                                          ("outflow, ", "while ", "fastest is "))
+            self.assertAlmostEqual(entering * 12, 1.0, delta=error)
+            self.assertAlmostEqual(leaving * 3, 1.0, delta=error)
+            y = float(re.search(r" at \(([^,]+), ([^,]+),", line).group(2))
+            self.assertAlmostEqual(fastest, 0.5 - 1.5 * y, delta=0.01)
+        self.assertEqual(words(points, 0.05, "4*y*(1 - y)"), [])
 
     def test_square_duct_between_two_pressures(self):
         # Flow rate of a unit square under dp/dx = -1: 0.035144/viscosity (White, Viscous Fluid Flow).

@@ -61,6 +61,8 @@ class FlowGeometry {
   const std::string& titleOf(int boundary) const {
     return titles_[static_cast<std::size_t>(boundary)];
   }  ///< with its place
+  int nBoundaries() const { return static_cast<int>(boundaries_.size()); }
+  bool isOutflow(int boundary) const { return boundaries_[index(boundary)]->isOutflow(); }
   bool isBeyondOutflow(int point) const { return kindOf(point) == Kind::Beyond; }
   /// Local ids of the neighbours of an owned point.
   std::vector<int> neighborsOf(int point) const;

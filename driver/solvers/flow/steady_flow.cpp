@@ -96,6 +96,10 @@ void SteadyFlow::initialize(Simulation& simulation) {
     for (const FieldHandle& field : {fields_.flow, fields_.opening})
       wantsFlows_ = wantsFlows_ || block.hasData(field.id(), PeridigmNS::PeridigmField::STEP_NONE);
   takeUpPhases(simulation);
+  if (model.comm().sum(static_cast<long long>(equations_->geometry().fluid().size())) == 0)
+    throw RunError(
+        "Steady Flow: no point is fluid: those of blocks whose materials name a fluid are all metal, of walls or "
+        "inlets, or beyond outflows. Look at the Material of the block between them, and at the node sets");
   if (wantsFlows_) requireWayOut(simulation, equations_->geometry(), law_->fluxHorizon);
 }
 
@@ -223,6 +227,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
         "Outflow, or velocities that let out what they let in",
         nLoadSteps_, t + dt, netFlow));
   equations_->settle(t + dt);
+  for (const std::string& line : outflows_.look(model, equations_->geometry())) simulation.output.log(line);
   if (flows_) flows_->update(t + dt);
   cellReynolds_ = equations_->largestCellReynolds();
   leakage_ = equations_->leakage();

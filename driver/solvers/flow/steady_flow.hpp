@@ -11,6 +11,7 @@
 #include "bond_flows.hpp"
 #include "flow_equations.hpp"
 #include "flow_fields.hpp"
+#include "outflow_watch.hpp"
 
 namespace pd {
 
@@ -64,6 +65,7 @@ class SteadyFlow : public Solver {
   bool wantsFlows_ = false, mustRenew_ = false;
   std::unique_ptr<FlowEquations> equations_;
   std::unique_ptr<RowSystem> system_;
+  OutflowWatch outflows_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;
   long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
