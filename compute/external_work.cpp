@@ -5,12 +5,13 @@
 // loads at both, times the displacement in between (trapezoidal rule), so evaluate it in every increment if the load
 // bends sharply. Evaluating it twice in one state adds nothing. The state of the last evaluation is kept in fields, so
 // that it survives a restart.
+#include "needs_loads.hpp"
 #include "plugins.hpp"
 #include "point_selection.hpp"
 
 namespace pd {
 
-class ExternalWork : public TabledCompute {
+class ExternalWork : public TabledCompute, public NeedsLoads {
  public:
   struct Fields : FieldTable {
     FieldHandle volume = reads(pd::fields::volume());
@@ -38,6 +39,9 @@ class ExternalWork : public TabledCompute {
         fields_(parameters_) {}
 
   const Fields& fields() const override { return fields_; }
+  std::string inPlaceOfLoads() const override {
+    return held_.isAll() ? "name the \"Node Set\" or \"Node Sets\" whose prescribed displacements do work" : "";
+  }
   void initialize(Blocks blocks) override { held_.initialize(blocks); }
   int compute(Blocks blocks) const override;
 

@@ -1,4 +1,6 @@
 // Relative_Volume_Loss: volume of the metal that has dissolved, in % of what was there at the start.
+#include <stdexcept>
+
 #include "dissolved_metal_sum.hpp"
 #include "plugins.hpp"
 
@@ -22,7 +24,11 @@ class RelativeVolumeLoss : public DissolvedMetalSum {
 
   int compute(Blocks blocks) const override {
     const double whole = volumeOfMetal(blocks);
-    sum(blocks, whole > 0.0 ? 100.0 / whole : 0.0, [](const DissolvedMetal::View&, int) { return 1.0; });
+    if (whole == 0.0)
+      throw std::invalid_argument(
+          "Relative_Volume_Loss: there is no metal that dissolves where it looks; name a \"Block\" or \"Node Set\" "
+          "with some, or neither");
+    sum(blocks, 100.0 / whole, [](const DissolvedMetal::View&, int) { return 1.0; });
     return 0;
   }
 

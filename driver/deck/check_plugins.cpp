@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "../../materials/registry/needs_loads.hpp"
 #include "../../materials/registry/plugins.hpp"
 #include "../boundary/condition.hpp"
 #include "../solvers/solver.hpp"
@@ -75,6 +76,7 @@ class PluginCheck {
     for (const CheckedSection* solver : check_.ofKind(Kind::Solver)) watchedFields(*solver);
     bool hasAllConditions = true;
     for (const CheckedSection* checked : check_.ofKind(Kind::Condition)) hasAllConditions &= condition(*checked);
+    mayHaveLoads_ = mayHaveLoads_ || !hasAllConditions;
     computes();
     isComplete_ = isComplete_ && hasAllConditions;
     if (isComplete_) checkNeeds(deck_, parts_);
@@ -258,6 +260,7 @@ class PluginCheck {
       const auto made = ConditionRegistry::self().create(section.plugin, {section.name, section.node, checked.list});
       const std::vector<int> ids = made->fieldIds();
       parts_.ofConditions.insert(made->field());
+      mayHaveLoads_ = mayHaveLoads_ || made->isLoad();
       const std::string obstacle = isComplete_ ? made->obstacle(run_) : "";
       if (!obstacle.empty())
         mistakes_.add(section.node.keyPlace(),
@@ -312,13 +315,16 @@ class PluginCheck {
     }
     // Others may use their fields.
     for (const std::string& name : computesWithoutSection(deck_))
-      if (isComplete_) ComputeRegistry::self().create(name, Teuchos::null, oneRank, noGlobalData);
+      if (isComplete_)
+        needsLoads(*ComputeRegistry::self().create(name, Teuchos::null, oneRank, noGlobalData), deck_.root(), name);
     for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
       labels_.insert(compute->section.plugin);
       if (!isComplete_) continue;
       makePart(*compute, [&] {
         const auto list = Teuchos::rcp<const Teuchos::ParameterList>(new Teuchos::ParameterList(compute->list));
-        return ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData)->FieldIds();
+        const auto made = ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData);
+        needsLoads(*made, compute->section.node, compute->section.node.path());
+        return made->FieldIds();
       });
     }
     // Those that need no parameters may be named among the output variables alone.
@@ -328,6 +334,13 @@ class PluginCheck {
       if (std::none_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return p.isRequired; }))
         labels_.insert(name);
     }
+  }
+
+  void needsLoads(const PeridigmNS::Compute& compute, const DeckNode& node, const std::string& name) {
+    const auto* needs = dynamic_cast<const NeedsLoads*>(&compute);
+    if (needs == nullptr || mayHaveLoads_ || needs->inPlaceOfLoads().empty()) return;
+    mistakes_.add(node.keyPlace(),
+                  name + ": no condition of this deck is a load, so that it would stay 0; " + needs->inPlaceOfLoads());
   }
 
   void outputVariables(const DeckNode& output) {
@@ -394,8 +407,9 @@ class PluginCheck {
   std::map<std::string, std::string> origins_;  ///< of fields that materials and damage models set
   RunContents run_;
   bool hasListedLabels_ = false;
-  double nSteps_ = 0.0;     ///< of all solvers, at least
-  bool isComplete_ = true;  ///< all plug-ins could be made
+  bool mayHaveLoads_ = false;  ///< some condition is one, or could not be made
+  double nSteps_ = 0.0;        ///< of all solvers, at least
+  bool isComplete_ = true;     ///< all plug-ins could be made
 };
 
 }  // namespace

@@ -287,6 +287,10 @@ std::vector<Broken> brokenRuns() {
        {"deck.yaml:74:15: Compute Class Parameters/Pulling Force/Node Set: there is no node set \"Wrong Node Set\" in "
         "Boundary Conditions (did you mean \"Top Node Set\"?); there are: \"Left Node Set\", \"Right Node Set\", \"Top "
         "Node Set\", \"Corner Node Set\""}},
+      {"WorkOfNothing",
+       {{"    Compute Class: Reaction_Force\n    Node Set: Right Node Set\n", "    Compute Class: External_Work\n"}},
+       {"deck.yaml:72:3: Compute Class Parameters/Pulling Force: no condition of this deck is a load, so that it would "
+        "stay 0; name the \"Node Set\""}},
       {"ComputeKey",
        {{"    Output Label: Pulling_Force\n", "    Output Lable: Pulling_Force\n"}},
        {"deck.yaml:75:5: unknown key \"Output Lable\" in Compute Class Parameters/Pulling Force (did you mean \"Output "

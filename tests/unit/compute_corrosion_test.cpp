@@ -101,6 +101,16 @@ TEST_F(Plate, LossesOfLiquidAloneAndOfARegion) {
   EXPECT_DOUBLE_EQ(run("Volume_Loss", ofSet), 50.0 * 3.0);
 }
 
+TEST_F(Plate, RelativeLossIsOfTheMetalThere) {
+  EXPECT_NEAR(run("Relative_Volume_Loss", List()), 100.0 * 6.75 / 24.0, 1e-10);
+  List surfaceAlone, electrolyte;
+  surfaceAlone.set<std::string>("Node Set", "Surface");
+  EXPECT_NEAR(run("Relative_Volume_Loss", surfaceAlone), 75.0, 1e-10);
+  body.addNodeSet("Electrolyte", range(0, 8));
+  electrolyte.set<std::string>("Node Set", "Electrolyte");
+  EXPECT_TRUE(mentions(complaintOf([&] { run("Relative_Volume_Loss", electrolyte); }), "no metal that dissolves"));
+}
+
 TEST_F(Plate, MassLossNeedsTheMolarMass) {
   EXPECT_TRUE(mentions(complaintOf([&] { run("Mass_Loss", List()); }), "Molar Mass"));
 }
