@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "diffusion_kernel.hpp"
@@ -19,11 +20,24 @@ namespace {
 
 constexpr double faraday = 96485.33212;  ///< C/mol, CODATA 2018 (exact since 2019 to these digits)
 constexpr int checkStride = 8;           ///< a mesh that is no grid is none nearly everywhere
+constexpr double leastMetal = 0.1;       ///< of the solid's: less is no initial state of metal
 constexpr const char* corrosionDissolution = "material Corrosion Dissolution";
 
 bool has(DataManager& dataManager, const char* label, Field::Step step) {
   FieldManager& fields = FieldManager::self();
   return fields.hasField(label) && dataManager.hasData(fields.getFieldId(label), step);
+}
+
+/// Points above saturation are metal at the start. Throws std::invalid_argument where one at x [3] can hardly be meant
+/// so.
+void requireMetal(double concentration, double saturation, double solid, const double* x) {
+  if (concentration - saturation >= leastMetal * (solid - saturation)) return;
+  std::ostringstream text;
+  text << corrosionDissolution << ": the point at (" << x[0] << ", " << x[1] << ", " << x[2] << ") m begins with "
+       << concentration << " mol/m3, above the Saturation Concentration " << saturation
+       << ", by which it is metal, but with no tenth of its Solid Concentration " << solid
+       << "; give metal that at the start, and electrolyte no more than saturation";
+  throw std::invalid_argument(text.str());
 }
 
 }  // namespace
@@ -119,6 +133,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
     const int i = ownedIDs[p];
     const std::size_t phase = views.blockId == nullptr ? 0 : phases_.ofBlock(views.blockId[i]);
     views.solid[i] = views.concentration[i] > saturation_ ? phases_[phase].solidConcentration : 0.0;
+    if (views.solid[i] > 0.0) requireMetal(views.concentration[i], saturation_, views.solid[i], views.x + 3 * i);
     views.saturation[i] = saturation_;
     views.diffusivity[i] = weights_.diffusivity();
     if (views.ph != nullptr) views.ph[i] = std::numeric_limits<double>::quiet_NaN();
