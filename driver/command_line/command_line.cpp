@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "../../materials/registry/long_work.hpp"
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "../model/run_setup.hpp"
@@ -90,7 +91,20 @@ bool explains(const CommandLine& commandLine) {
   return true;
 }
 
+/// Lines about work of plug-ins that takes more than seconds, on the terminal of the root.
+void showLongWork(const Communicator& comm) {
+  if (!comm.isRoot()) return;
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds patience(2);
+  LongWork::listen([patience, shown = Clock::now()](const std::string& what) mutable {
+    if (Clock::now() - shown < patience) return;
+    shown = Clock::now();
+    print(stderr, what + " ...");
+  });
+}
+
 void perform(const CommandLine& commandLine, const Communicator& comm) {
+  if (!commandLine.options.isQuiet) showLongWork(comm);
   switch (commandLine.action) {
     case CommandLine::Action::Print:
     case CommandLine::Action::WriteReference:

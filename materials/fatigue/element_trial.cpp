@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "long_work.hpp"
 
 namespace pd {
 
@@ -31,6 +34,8 @@ BondLaw improved(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw 
   BondLaw best = law;
   double least = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < passesInALargeBody; ++pass) {
+    LongWork::tell("trials for Element Length, pass " + std::to_string(pass + 1) + " of " +
+                   std::to_string(passesInALargeBody));
     const BondLaw before = law;
     const double deviation = improve(trial, wanted, law, TrialBody::Large, correctedPart);
     if (deviation < least) best = before;

@@ -54,6 +54,13 @@ double FatigueElement::trialGrowth(double intensityRange, const kernels::StrainL
   return lattice_.horizon() * pd::trialGrowth(lattice_.trial(life.power()), ofStrain, TrialBody::Large);
 }
 
+/// dK of mode I at which the largest principal strain a horizon from the tip, in plane stress with a Poisson's ratio of
+/// 1/3 at 73 degrees, is the limit: cos(a) ((1 - nu) + (1 + nu) sin(a)) K/(E sqrt(2 pi r)), a half of that angle.
+double FatigueElement::rangeOfWings(const kernels::StrainLife& life) const {
+  constexpr double largestOfAngles = 1.17;
+  return life.limitOfRange() / (largestOfAngles * elasticStrain_ * std::sqrt(length_ / lattice_.horizon()));
+}
+
 std::string FatigueElement::note(const kernels::StrainLife& life) const {
   std::ostringstream text;
   text.precision(4);
@@ -62,7 +69,12 @@ std::string FatigueElement::note(const kernels::StrainLife& life) const {
        << 100.0 * bonds_.deviationBelowYield << " % where they do not"
        << "; a bond near a tip reads dK = e E' delta^0.5 / k, k = " << bonds_.law.reading;
   if (life.limit > 0.0)
-    text << "; a crack stands below dK = " << 1e-6 * life.limitOfRange() / elasticStrain_ << " MPa m^0.5";
+    text << "; a crack stands below dK = " << 1e-6 * life.limitOfRange() / elasticStrain_
+         << " MPa m^0.5, and above about " << 1e-6 * rangeOfWings(life)
+         << " bonds a horizon beside its tip exceed the Strain Limit, and break in wings along its path in time";
+  else
+    text << "; without a Strain Limit bonds beside the path of a crack lose life, too, and break in wings along it in "
+            "time";
   text << "; predicted da/dN at dK = 5, 10, 20, 50 MPa m^0.5: ";
   for (const double range : {5.0, 10.0, 20.0, 50.0})
     text << growth(1e6 * range, life) << (range < 50.0 ? ", " : " m/cycle");

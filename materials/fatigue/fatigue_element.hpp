@@ -32,6 +32,8 @@ class FatigueElement {
   std::string note(const kernels::StrainLife& life) const;
 
  private:
+  double rangeOfWings(const kernels::StrainLife& life) const;  ///< Pa sqrt(m)
+
   GrowthLattice lattice_;
   double length_, yieldStrain_;  ///< r, m; sigma_y / E
   double elasticStrain_;         ///< dK / (E sqrt(2 pi r)) at 1 Pa sqrt(m)

@@ -52,6 +52,23 @@ void declareGrowth(ParameterDeclarations& declare) {
       .defaultTo(false);
 }
 
+/// Throws std::invalid_argument where the Fatigue Limit, or the flag beside it, would do nothing.
+void requireUseOfLimit(const Teuchos::ParameterList& params, const std::string& owner) {
+  const bool hasLimit = params.get<double>("Fatigue Limit") > 0.0,
+             isOfGrowth = params.get<bool>("Fatigue Limit In Growth");
+  const bool hasInitiation = params.isParameter("Initiation Coefficient") || params.isParameter("Lives");
+  if (hasLimit && !hasInitiation && !isOfGrowth)
+    throw std::invalid_argument(
+        owner +
+        ": \"Fatigue Limit\" is of bonds away from cracks, which lose no life here: give their Initiation "
+        "Coefficient or Lives, or, of Paris' law, \"Paris Threshold\" in its place" +
+        (params.isParameter("Growth Coefficient") ? ", or set \"Fatigue Limit In Growth: true\"" : ""));
+  if (isOfGrowth && !hasLimit)
+    throw std::invalid_argument(owner + ": \"Fatigue Limit In Growth\" does nothing without a \"Fatigue Limit\"");
+  if (isOfGrowth && !params.isParameter("Growth Coefficient") && !params.isParameter("Paris Coefficient"))
+    throw std::invalid_argument(owner + ": \"Fatigue Limit In Growth\" does nothing without a Growth Coefficient");
+}
+
 }  // namespace
 
 void RemainingLife::declareParameters(ParameterDeclarations& declare) {
@@ -65,6 +82,7 @@ RemainingLife::RemainingLife(const Teuchos::ParameterList& given)
   const Teuchos::ParameterList params = completed<RemainingLife>(given, owner());
   const double limit = params.get<double>("Fatigue Limit");
   const double growthLimit = params.get<bool>("Fatigue Limit In Growth") ? limit : 0.0;
+  requireUseOfLimit(params, owner());
   if (params.isParameter("Initiation Coefficient"))
     initiation_ = kernels::LifeLaw::power(params.get<double>("Initiation Coefficient"),
                                           params.get<double>("Initiation Exponent"), limit);

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
+
+#include "long_work.hpp"
 
 namespace pd {
 
@@ -27,6 +30,8 @@ BondLaw bestThresholdLaw(const GrowthTrialCase& trial, const GrowthLaw& wanted) 
   for (const double range : thresholdRanges) law.factor.factors.push_back(factorOfPower * (1.0 + 1.0 / range));
   double least = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < mostThresholdPasses && least > thresholdMet; ++pass) {
+    LongWork::tell("trials for Paris Threshold, pass " + std::to_string(pass + 1) + " of at most " +
+                   std::to_string(mostThresholdPasses));
     const BondLaw before = law;
     const double deviation = improve(trial, wanted, law, TrialBody::Large, 1.0);
     if (deviation < least) best = before;

@@ -88,6 +88,21 @@ TEST(FatigueElement, ACrackOnALatticeGrowsAsTheElementFails) {
   EXPECT_EQ(element.trialGrowth(1.3e6, life), 0.0);
 }
 
+TEST(FatigueElement, SaysFromWhichRangeBondsBesideTheTipExceedTheLimit) {
+  // Williams' field of mode I in plane stress: the largest principal strain a horizon from the tip.
+  const StrainLife life = titanium();
+  const double horizon = 2e-3, poisson = 1.0 / 3.0;
+  double largest = 0.0;
+  for (double angle = 0.0; angle < 3.14; angle += 1e-3) {
+    const double mean = std::cos(0.5 * angle), half = mean * std::sin(0.5 * angle);
+    largest = std::max(largest, (mean + half - poisson * (mean - half)) / modulus);
+  }
+  const double range = life.limitOfRange() * std::sqrt(2.0 * M_PI * horizon) / largest;
+  const std::string note = FatigueElement(plateOf(horizon, 1e-3), life, "test").note(life), before = "above about ";
+  ASSERT_NE(note.find(before), std::string::npos) << note;
+  EXPECT_NEAR(1e6 * std::stod(note.substr(note.find(before) + before.size())) / range, 1.0, 0.01);
+}
+
 TEST(BondNormals, AreThePublishedGenerator) {
   // Known answer of Philox 4x32 with ten rounds, counter and key 0, from the distribution of Random123 (kat_vectors).
   const double radius = std::sqrt(-2.0 * std::log((0x6627e8d5u + 0.5) / 4294967296.0));

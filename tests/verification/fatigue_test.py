@@ -18,9 +18,9 @@ DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
 class SmoothBar(SceneTest):
     """decks/smooth_bar: a bar in uniform tension lives as long as one of its bonds."""
 
-    def bar(self, strain, *settings):
+    def bar(self, strain, *settings, restart=None):
         deck = os.path.join(DECKS, "smooth_bar/bar.yaml")
-        command = [pdrun_path(), deck, "--quiet"]
+        command = [pdrun_path(), deck, "--quiet", *(["--restart", restart] if restart else [])]
         for setting in (*(f"Boundary Conditions/{side} Grip/Value={strain}*x" for side in ("Left", "Right")), *settings):
             command += ["--set", setting]
         process = subprocess.run(command, cwd=self.folder, capture_output=True, text=True)
@@ -66,6 +66,16 @@ class SmoothBar(SceneTest):
             self.assertAlmostEqual(result.history()["time"][-1] / exact, 1.0, delta=error)
             self.assertEqual("loads changed within steps" in " ".join(result.report["solver"]), intervals == 10)
 
+    def test_what_was_misjudged_before_a_checkpoint_is_told_after_it(self):
+        def told(end, intervals, *more, restart=None):
+            result = self.bar("2.0e-7*t", f"Solver/Final Time={end}", f"Solver/Fatigue/Intervals={intervals}", *more,
+                              restart=restart)
+            return next((line for line in result.report["solver"] if "loads changed within steps" in line), None)
+        whole = told(1.8e4, 12)
+        self.assertIsNotNone(whole)
+        self.assertIsNotNone(told(1.5e4, 10, "Output/Checkpoint Frequency=10"))
+        self.assertEqual(told(1.8e4, 12, restart="smooth_bar.checkpoint.h5"), whole)
+
     def test_as_a_part_of_staggered_time_scale_is_the_frequency(self):
         solver = {"Final Time": 1e4, "Staggered": {"Load Steps": 20, "Solvers": {"Cycles": {
             "Fatigue": {"Load Ratio": -1.0}, "Time Scale": 10.0}}}}
@@ -89,6 +99,12 @@ class CrackedPlate(SceneTest):
         lives = {ratio: self.life({"Load Ratio": ratio}) for ratio in (-1.0, 0.0, 0.7)}
         for ratio, life in lives.items():
             self.assertAlmostEqual(life * (1 - ratio) ** 3 / lives[0.0], 1.0, delta=1e-9, msg=f"R = {ratio}")
+
+    def test_ends_by_a_value_that_no_history_shows(self):
+        def end(**output):
+            result = self.solve(cracked_plate(self, solver=self.grown, **output))
+            return next(line for line in result.report["solver"] if "Length has reached" in line)
+        self.assertEqual(end(**{"History Frequency": -1}), end())
 
     def test_steps_of_fixed_length_find_the_same_life(self):
         life = self.life()
