@@ -80,7 +80,7 @@ class FlowDecks(SceneTest):
     def test_a_channel_without_fluid(self):
         def swap(deck):
             # The fluid is named for the walls alone.
-            deck["Materials"]["Stone"] = {"Material Model": "Diffusion", "Coefficient": 1e-9}
+            deck["Materials"]["Stone"] = {"Material Model": "Diffusion", "Coefficient": 1e-9, "Plane Strain": True}
             deck["Blocks"]["Left"]["Material"] = deck["Blocks"]["Right"]["Material"] = "Stone"
             deck["Blocks"]["Far"] = {"Block Names": "block_3", "Material": "Water", "Horizon": 0.3015}
         points = lattice([1.8, 1.8], 0.1, origin=[-0.4, -0.4])
