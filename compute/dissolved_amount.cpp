@@ -20,7 +20,7 @@ class DissolvedAmount : public DissolvedMetalSum {
   const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
-    sum(blocks, 1.0, [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
+    setGlobal(blocks, fields_.result, amounts(blocks).dissolved);
     return 0;
   }
 

@@ -12,14 +12,14 @@ namespace pd {
 class FrontSpeed : public SurfaceCompute {
  public:
   struct Fields : SurfaceCompute::Fields {
-    FieldHandle time = reads(stepped(pd::fields::globalScalar("Time", "s", "Time of the run.")));
+    FieldHandle time = reads(timeOfRun());
     FieldHandle last;
     explicit Fields(const Teuchos::ParameterList& parameters)
         : SurfaceCompute::Fields(parameters, pd::fields::globalScalar, "m/s",
                                  "Speed of the depth since the last evaluation.") {
-      last = writes(
-          stepped(pd::fields::globalVector(parameters.get<std::string>("Output Label") + "_Last", "m, s, 1",
-                                           "Depth and time of the last evaluation, and 1 where there was one.")));
+      last =
+          writes(kept(pd::fields::globalVector(parameters.get<std::string>("Output Label") + "_Last", "m, s, 1",
+                                               "Depth and time of the last evaluation, and 1 where there was one.")));
     }
   };
   static void declareParameters(ParameterDeclarations& declarations) {
@@ -35,12 +35,6 @@ class FrontSpeed : public SurfaceCompute {
   int compute(Blocks blocks) const override;
 
  private:
-  /// With steps: state, no result.
-  static FieldDescription stepped(FieldDescription field) {
-    field.temporal = PeridigmNS::PeridigmField::TWO_STEP;
-    return field;
-  }
-
   bool isMaximum_;
   Fields fields_;
 };

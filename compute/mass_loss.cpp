@@ -22,7 +22,7 @@ class MassLoss : public DissolvedMetalSum {
   const Fields& fields() const override { return fields_; }
 
   int compute(Blocks blocks) const override {
-    sum(blocks, molarMass_, [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
+    setGlobal(blocks, fields_.result, molarMass_ * amounts(blocks).dissolved);
     return 0;
   }
 

@@ -69,25 +69,17 @@ class PitWidth : public SurfaceCompute {
 int PitWidth::compute(Blocks blocks) const {
   const SurfaceColumns::Profile columns = profile(blocks);
   const double largest = maximumDepth(columns);
-  Place2 low = columns.front().across, high = low;
-  for (const SurfaceColumns::Column& column : columns)
-    for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], column.across[k]);
-      high[k] = std::max(high[k], column.across[k]);
-    }
-  const std::size_t longer = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
-  if (high[longer] - low[longer] <= columns_.tolerance())
-    throw std::runtime_error("Pit_Width: the node set is one column, which has no width");
-  const bool isPlane = high[1 - longer] - low[1 - longer] <= columns_.tolerance();
+  const SurfaceColumns::Extent extent = columns_.extent();
+  if (extent.isPoint) throw std::runtime_error("Pit_Width: the node set is one column, which has no width");
   std::vector<Excess> line;
   double area = 0.0;
   for (const SurfaceColumns::Column& column : columns) {
     if (!column.isMetal()) continue;
-    line.push_back({column.across[longer], excess(column, largest)});
+    line.push_back({column.across[extent.longer], excess(column, largest)});
     if (line.back().value > 0.0) area += column.area;
   }
   constexpr double pi = 3.14159265358979323846;
-  setGlobal(blocks, fields_.result, isPlane ? lengthAbove(line) : std::sqrt(4.0 * area / pi));
+  setGlobal(blocks, fields_.result, extent.isLine ? lengthAbove(line) : std::sqrt(4.0 * area / pi));
   return 0;
 }
 

@@ -19,6 +19,13 @@ FieldDescription outputField(const Teuchos::ParameterList& parameters,
                                      : fields::namedBy(key, unit, meaning);
 }
 
+FieldDescription kept(FieldDescription field) {
+  field.temporal = PeridigmNS::PeridigmField::TWO_STEP;
+  return field;
+}
+
+FieldDescription timeOfRun() { return kept(fields::globalScalar("Time", "s", "Time of the run.")); }
+
 void declareVector(ParameterDeclarations& declarations, const std::string& prefix, const std::string& unit,
                    const std::string& meaning) {
   for (const char* axis : {" X", " Y", " Z"}) declarations.real(prefix + axis, unit, meaning);

@@ -51,6 +51,11 @@ FieldDescription outputField(const Teuchos::ParameterList& parameters,
                              FieldDescription (*make)(const std::string&, const std::string&, const std::string&),
                              const std::string& unit, const std::string& meaning);
 
+/// With steps: what a compute keeps from one evaluation to the next, restarts included, and no result.
+FieldDescription kept(FieldDescription field);
+/// The field Time, s, which the host fills.
+FieldDescription timeOfRun();
+
 /// Keys "<prefix> X", "<prefix> Y", "<prefix> Z".
 void declareVector(ParameterDeclarations& declarations, const std::string& prefix, const std::string& unit,
                    const std::string& meaning);

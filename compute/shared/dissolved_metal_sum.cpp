@@ -1,5 +1,7 @@
 #include "dissolved_metal_sum.hpp"
 
+#include <stdexcept>
+
 namespace pd {
 
 void DissolvedMetalSum::declareParameters(ParameterDeclarations& declarations, const char* defaultLabel) {
@@ -23,6 +25,13 @@ DissolvedMetalSum::DissolvedMetalSum(const Teuchos::ParameterList& completed, Co
 void DissolvedMetalSum::initialize(Blocks blocks) {
   points_.initialize(blocks);
   metal_.initialize(blocks);
+}
+
+void DissolvedMetalSum::requireMetal(bool isThere) const {
+  if (!isThere)
+    throw std::runtime_error(points_.name() +
+                             " had no metal at the start, of which something could dissolve: check the initial "
+                             "concentration, which is that of the solid in metal, and the block or node set");
 }
 
 }  // namespace pd

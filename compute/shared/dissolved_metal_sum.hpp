@@ -1,4 +1,4 @@
-// Dissolved metal summed over chosen points: what Volume_Loss, Dissolved_Amount and Mass_Loss have in common.
+// Dissolved metal summed over chosen points: what the computes of losses have in common.
 #ifndef PD_DISSOLVED_METAL_SUM_HPP
 #define PD_DISSOLVED_METAL_SUM_HPP
 
@@ -23,26 +23,44 @@ class DissolvedMetalSum : public TabledCompute {
   DissolvedMetalSum(const Teuchos::ParameterList& completed, ComputeParameters params, ComputeComm comm,
                     ComputeParameters globalData);
 
-  /// Stores `factor` times the sum of what(metal, id) over dissolved volume. Collective.
-  template <class What>
-  void sum(const Blocks& blocks, double factor, What&& what) const {
+  /// Calls visit(block number, local id, fields of the block) for every chosen point of this rank that was metal.
+  template <class Visit>
+  void forEachMetal(const Blocks& blocks, Visit&& visit) const {
     std::vector<DissolvedMetal::View> metal;
     for (PeridigmNS::Block& block : *blocks) metal.push_back(metal_.of(block));
-    double sum = 0.0;
-    points_.forEach(
-        blocks, [&](std::size_t b, int id) { sum += metal[b].share(id) * metal[b].volume(id) * what(metal[b], id); });
-    setGlobal(blocks, fields().result, factor * sumOverRanks(*epetraComm, sum));
+    points_.forEach(blocks, [&](std::size_t b, int id) {
+      if (metal[b].wasMetal(id)) visit(b, id, metal[b]);
+    });
   }
 
-  /// m3, at the start. Collective.
-  double volumeOfMetal(const Blocks& blocks) const {
-    std::vector<DissolvedMetal::View> metal;
-    for (PeridigmNS::Block& block : *blocks) metal.push_back(metal_.of(block));
-    double volume = 0.0;
-    points_.forEach(blocks,
-                    [&](std::size_t b, int id) { volume += metal[b].wasMetal(id) ? metal[b].volume(id) : 0.0; });
-    return sumOverRanks(*epetraComm, volume);
+  struct Sums {
+    double dissolved, whole;
+  };
+  /// what(metal, id) summed over the volume of metal that has dissolved, and over that of all metal at the start.
+  /// Throws std::runtime_error where there was none. Collective.
+  template <class What>
+  Sums sums(const Blocks& blocks, What&& what) const {
+    std::vector<double> sums(2, 0.0);
+    forEachMetal(blocks, [&](std::size_t, int id, const DissolvedMetal::View& metal) {
+      const double whole = metal.volume(id) * what(metal, id);
+      sums[0] += metal.share(id) * whole;
+      sums[1] += whole;
+    });
+    sums = sumOverRanks(*epetraComm, sums);
+    requireMetal(sums[1] > 0.0);
+    return {sums[0], sums[1]};
   }
+  /// m3
+  Sums volumes(const Blocks& blocks) const {
+    return sums(blocks, [](const DissolvedMetal::View&, int) { return 1.0; });
+  }
+
+  /// mol
+  Sums amounts(const Blocks& blocks) const {
+    return sums(blocks, [](const DissolvedMetal::View& metal, int id) { return metal.solidConcentration(id); });
+  }
+
+  void requireMetal(bool isThere) const;
 
  private:
   PointSelection points_;

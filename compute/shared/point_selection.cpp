@@ -49,6 +49,11 @@ PointSelection::PointSelection(const Teuchos::ParameterList& parameters, const C
   discretization_ = *globalData->get<Teuchos::RCP<PeridigmNS::Discretization>*>("discretization");
 }
 
+std::string PointSelection::name() const {
+  if (!blockName_.empty()) return "block \"" + blockName_ + "\"";
+  return nodeSetNames_.empty() ? "the body" : "node set " + quotedList(nodeSetNames_);
+}
+
 void PointSelection::initialize(const Blocks& blocks) {
   if (isAll()) return;
   std::unordered_set<int> members;

@@ -21,6 +21,8 @@ class PointSelection {
   /// Declares "Block" and "Node Set", of which one may be given.
   static void declareParameters(ParameterDeclarations& declarations);
 
+  /// `block "A"`, `node set "B"`, `the body`.
+  std::string name() const;
   bool isAll() const { return blockName_.empty() && nodeSetNames_.empty(); }
 
   /// Throws std::invalid_argument, with the known names, where the block or a node set does not exist.

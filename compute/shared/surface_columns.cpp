@@ -270,6 +270,17 @@ Vector3 SurfaceColumns::bottom(const Column& column) const {
   return result;
 }
 
+SurfaceColumns::Extent SurfaceColumns::extent() const {
+  Place2 low = layout_.place(0), high = low;
+  for (int c = 1; c < layout_.count(); ++c)
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], layout_.place(c)[k]);
+      high[k] = std::max(high[k], layout_.place(c)[k]);
+    }
+  const std::size_t longer = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+  return {longer, high[longer] - low[longer] <= tolerance_, high[1 - longer] - low[1 - longer] <= tolerance_};
+}
+
 double maximumDepth(const SurfaceColumns::Profile& profile) {
   double largest = 0.0;
   for (const SurfaceColumns::Column& column : profile) largest = std::max(largest, column.depth);

@@ -39,8 +39,12 @@ class SurfaceColumns {
 
   /// Place in the body at the depth of a column.
   Vector3 bottom(const Column& column) const;
-  /// Two columns closer than this are one.
-  double tolerance() const { return tolerance_; }
+  struct Extent {
+    std::size_t longer;  ///< the axis across the direction along which the columns reach further
+    bool isPoint;        ///< one column
+    bool isLine;         ///< a row of columns: a plane body
+  };
+  Extent extent() const;
 
   /// Calls visit(block number, local id, column number) for the points of the node set that this rank owns.
   template <class Visit>

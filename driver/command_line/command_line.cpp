@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -10,7 +12,9 @@
 #include "../model/collective.hpp"
 #include "../model/run_setup.hpp"
 #include "../parallel/launch.hpp"
+#include "../study/check_fit.hpp"
 #include "../study/check_study.hpp"
+#include "../study/run_fit.hpp"
 #include "../study/run_study.hpp"
 #include "explain.hpp"
 #include "markdown.hpp"
@@ -31,6 +35,7 @@ const char* const sampleRuns =
     "  pdrun plate.yaml --output-folder /scratch/plate    results go there\n"
     "  pdrun --check plate.yaml                           look for mistakes only\n"
     "  pdrun --study study.yaml                           a deck for many values: errors, histories\n"
+    "  pdrun --fit fit.yaml                               values of a deck, adjusted to measured series\n"
     "  pdrun --list                                       materials, solvers, conditions ...\n"
     "  pdrun --explain \"Critical Stretch\"                 keys of one of them, or of a section of the deck\n"
     "  pdrun --explain --all --markdown reference         the whole reference, pages in a folder\n"
@@ -80,6 +85,20 @@ void performStudy(const CommandLine& commandLine, const Communicator& comm) {
   print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(study.runs.size()) + " runs");
 }
 
+/// Throws DeckError on more than one rank: the runs of a fit are processes of their own.
+void performFit(const CommandLine& commandLine, const Communicator& comm) {
+  if (comm.size() > 1)
+    throw DeckError("pdrun: a fit runs its decks side by side, each on one rank (Processes); start it without mpirun");
+  Fit fit = readFit(commandLine.fitFile, commandLine.options.overrides);
+  const bool isRun = commandLine.action == CommandLine::Action::Fit;
+  checkFit(fit, comm, !isRun);
+  checkFitResults(fit, commandLine.options.outputFolder);
+  if (isRun) return runFit(fit, commandLine.options.outputFolder, commandLine.options.isQuiet);
+  print(comm, stdout,
+        fmt::format("{}: no mistakes found, {} values, {} runs a step", commandLine.fitFile, fit.values.size(),
+                    fit.runs.size()));
+}
+
 /// Does what any process can do alone; false where that is not what is asked for.
 bool explains(const CommandLine& commandLine) {
   if (commandLine.action == CommandLine::Action::Print)
@@ -119,6 +138,10 @@ void perform(const CommandLine& commandLine, const Communicator& comm) {
     case CommandLine::Action::Study:
     case CommandLine::Action::CheckStudy:
       performStudy(commandLine, comm);
+      break;
+    case CommandLine::Action::Fit:
+    case CommandLine::Action::CheckFit:
+      performFit(commandLine, comm);
       break;
   }
 }
@@ -230,6 +253,9 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   app.add_option("--study", result.studyFile,
                  "Run a deck over lists of overrides: its errors against work, its histories.")
       ->type_name("FILE");
+  app.add_option("--fit", result.fitFile,
+                 "Adjust values of a deck until histories of its runs agree with measured series.")
+      ->type_name("FILE");
   app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
   app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");
   const CLI::Option* const explainOption =
@@ -272,12 +298,19 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   if (isList) return printing(listEverything());
   explained.isMarkdown = markdownOption->count() > 0;
   if (explainOption->count() > 0) return explanation(explained);
-  if (!result.studyFile.empty()) {
+  if (!result.studyFile.empty() && !result.fitFile.empty())
+    throw DeckError("pdrun: --study and --fit are two things; give one of them");
+  const bool isStudy = !result.studyFile.empty();
+  if (isStudy || !result.fitFile.empty()) {
+    const std::string what = isStudy ? "study" : "fit";
     if (!options.deckFile.empty() || !options.restartFile.empty())
-      throw DeckError("pdrun: a study names its deck itself and starts it anew; leave out the deck and --restart");
+      throw DeckError("pdrun: a " + what +
+                      " names its deck itself and starts it anew; leave out the deck and --restart");
     if (options.unknownKeys != UnknownKeys::AreMistakes)
-      throw DeckError("pdrun: the deck of a study is read strictly; leave out --peridigm-keys");
-    result.action = isCheck ? CommandLine::Action::CheckStudy : CommandLine::Action::Study;
+      throw DeckError("pdrun: the deck of a " + what + " is read strictly; leave out --peridigm-keys");
+    using Action = CommandLine::Action;
+    result.action =
+        isStudy ? (isCheck ? Action::CheckStudy : Action::Study) : (isCheck ? Action::CheckFit : Action::Fit);
     return result;
   }
   if (options.deckFile.empty()) throw DeckError("pdrun: no deck is given.\nTry pdrun --help.");

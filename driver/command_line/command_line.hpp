@@ -11,11 +11,12 @@
 namespace pd {
 
 struct CommandLine {
-  enum class Action { Run, Check, Study, CheckStudy, Print, WriteReference };
+  enum class Action { Run, Check, Study, CheckStudy, Fit, CheckFit, Print, WriteReference };
   Action action = Action::Run;
   RunOptions options;
   int nRanks = 0;               ///< of a run or check that starts itself under mpirun; 0: as it was started
   std::string studyFile;        ///< of Study and CheckStudy
+  std::string fitFile;          ///< of Fit and CheckFit
   std::string text;             ///< of Print: help, version, list or explanation
   std::string referenceFolder;  ///< of WriteReference
 };

@@ -9,6 +9,7 @@
 #include "../deck/sections.hpp"
 #include "../solvers/diffusion/rate_integrator.hpp"
 #include "../solvers/solver.hpp"
+#include "../study/fit_file.hpp"
 #include "../study/study_file.hpp"
 
 namespace pd {
@@ -128,22 +129,31 @@ std::vector<ReferenceChapter> sectionsOfSolvers() {
 }
 
 std::vector<ReferenceChapter> sectionsOfResults() {
-  return {{"Compute Class Parameters",
-           "Quantities derived from fields: entries by names of your choice, each with a Compute Class and its keys.",
-           {},
-           "Computes",
-           "an entry of Compute Class Parameters with \"Compute Class: {}\"",
-           pluginsOf<ComputeRegistry>()},
-          ownKeysOnly("Output",
-                      "What is written, and when. Every section whose name contains \"Output\" writes its own files.",
-                      outputDeclarations()),
-          ownKeysOnly("Exact Solution", "Entries that the result is compared with at the end of the run.",
-                      exactSolutionDeclarations()),
-          ownKeysOnly("Study",
-                      "A file of its own for pdrun --study: a deck, what is asked of its runs, and Series, a list of "
-                      "what they change in it.",
-                      studyDeclarations()),
-          ownKeysOnly("Series", "In a study: each entry of this list is a row of runs.", studySeriesDeclarations())};
+  return {
+      {"Compute Class Parameters",
+       "Quantities derived from fields: entries by names of your choice, each with a Compute Class and its keys.",
+       {},
+       "Computes",
+       "an entry of Compute Class Parameters with \"Compute Class: {}\"",
+       pluginsOf<ComputeRegistry>()},
+      ownKeysOnly("Output",
+                  "What is written, and when. Every section whose name contains \"Output\" writes its own files.",
+                  outputDeclarations()),
+      ownKeysOnly("Exact Solution", "Entries that the result is compared with at the end of the run.",
+                  exactSolutionDeclarations()),
+      ownKeysOnly("Study",
+                  "A file of its own for pdrun --study: a deck, what is asked of its runs, and Series, a list of "
+                  "what they change in it.",
+                  studyDeclarations()),
+      ownKeysOnly("Series", "In a study: each entry of this list is a row of runs.", studySeriesDeclarations()),
+      ownKeysOnly("Fit",
+                  "A file of its own for pdrun --fit: a deck; Values that are adjusted; Overrides, paths of the deck "
+                  "whose texts name these values in braces; and Series of measurements, a list.",
+                  fitDeclarations()),
+      ownKeysOnly("Values", "In a fit: values that are adjusted, entries by names of your choice.",
+                  fitValueDeclarations()),
+      ownKeysOnly("Fit Series", "In a fit, each entry of Series: measurements, and the history they are compared with.",
+                  fitSeriesDeclarations())};
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <set>
 
 #include "../model/model.hpp"
 #include "atomic_file.hpp"
@@ -46,6 +45,15 @@ const std::vector<FileKind>& kindsOfStudies() {
   return all;
 }
 
+const std::vector<FileKind>& kindsOfFits() {
+  static const std::string software("Software\0pdfit", 14);
+  static const std::vector<FileKind> all = {
+      {endings::fitPicture, software},          {endings::residuals, "series,place,"},
+      {endings::iterations, "iteration,runs,"}, {endings::fitResult, "\"writer\": \"pdfit\""},
+      {endings::fitted, "# Fitted by pdrun"},   {endings::problem, "\"writer\": \"pdrun\""}};
+  return all;
+}
+
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
@@ -53,7 +61,7 @@ bool endsWith(const std::string& text, const std::string& ending) {
 /// Of endings that end alike the longest.
 const FileKind* kindOf(const std::string& fileName) {
   const FileKind* found = nullptr;
-  for (const std::vector<FileKind>* kinds : {&kindsOfRuns(), &kindsOfStudies()})
+  for (const std::vector<FileKind>* kinds : {&kindsOfRuns(), &kindsOfStudies(), &kindsOfFits()})
     for (const FileKind& kind : *kinds)
       if (endsWith(fileName, kind.ending) && (found == nullptr || kind.ending.size() > found->ending.size()))
         found = &kind;
@@ -98,6 +106,17 @@ void removeWithUnfinished(const std::string& path) {
 }
 
 bool isNamedAsOfSteps(const fs::path& path) { return stepOfFile(path) >= 0 || path.filename() == "mesh.h5"; }
+
+/// Of all runs in a folder but those whose names begin with one of `kept` and "_".
+void removeRuns(const fs::path& folder, const std::set<std::string>& kept) {
+  std::set<fs::path> runs;
+  forEachEntry(folder, [&](const fs::path& path) {
+    const std::string name = path.filename().string();
+    if (kept.count(name.substr(0, name.find('_'))) == 0) runs.insert(folder / name.substr(0, name.find('.')));
+  });
+  for (const fs::path& run : runs) removeResults(run.string());
+  rmdir(folder.c_str());
+}
 
 /// Adds why it stands in the way, where it does.
 void addObstacleOf(const fs::path& path, std::vector<std::string>& found) {
@@ -155,6 +174,14 @@ std::vector<std::string> obstaclesOfStudy(const std::string& base) {
   return found;
 }
 
+std::vector<std::string> obstaclesOfFit(const std::string& base, const std::vector<std::string>& decks) {
+  std::vector<std::string> found;
+  for (const FileKind& kind : kindsOfFits()) addObstacleOf(base + kind.ending, found);
+  for (const std::string& deck : decks)
+    if (deck != base + endings::fitted) addObstacleOf(deck, found);
+  return found;
+}
+
 void removeReport(const std::string& base) { removeWithUnfinished(base + endings::report); }
 
 void removeResults(const std::string& base) {
@@ -170,14 +197,14 @@ void removeResults(const std::string& base) {
 
 void removeStudyResults(const std::string& base) {
   for (const FileKind& kind : kindsOfStudies()) removeWithUnfinished(base + kind.ending);
-  const fs::path folder = base + endings::runs;
-  std::set<fs::path> runs;
-  forEachEntry(folder, [&](const fs::path& path) {
-    const std::string name = path.filename().string();
-    runs.insert(folder / name.substr(0, name.find('.')));
-  });
-  for (const fs::path& run : runs) removeResults(run.string());
-  rmdir(folder.c_str());
+  removeRuns(base + endings::runs, {});
+}
+
+void removeFitResults(const std::string& base, const std::vector<std::string>& decks,
+                      const std::set<std::string>& origins) {
+  for (const FileKind& kind : kindsOfFits()) removeWithUnfinished(base + kind.ending);
+  for (const std::string& deck : decks) removeWithUnfinished(deck);
+  removeRuns(base + endings::fitRuns, origins);
 }
 
 std::string stepName(long long step) { return fmt::format("{:06}", step); }

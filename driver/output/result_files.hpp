@@ -7,6 +7,7 @@
 #define PD_RESULT_FILES_HPP
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ inline const std::string index = ".h5", xdmf = ".xdmf", history = ".csv", units 
                          log = ".log", steps = ".steps";
 // Of a study.
 inline const std::string table = ".study.csv", errors = ".study.png", histories = ".histories.png", runs = ".study";
+// Of a fit.
+inline const std::string iterations = ".fit.csv", residuals = ".fit.residuals.csv", fitPicture = ".fit.png",
+                         fitResult = ".fit.json", fitted = ".fitted.yaml", problem = ".fit.problem.json",
+                         fitRuns = ".fit";
 }  // namespace endings
 
 /// The path of results "sub/plate" below `folder`, or below the working folder where that is empty.
@@ -35,6 +40,9 @@ std::vector<std::string> obstaclesOfFiles(const std::string& base);
 /// The same of a study: its table and pictures. Those of its runs are their own.
 std::vector<std::string> obstaclesOfStudy(const std::string& base);
 
+/// And of a fit: its tables, picture, results, and the decks that it writes.
+std::vector<std::string> obstaclesOfFit(const std::string& base, const std::vector<std::string>& decks);
+
 /// Removes what an earlier run has left of `base`: first the files that list others, so that no list names what is
 /// gone, at last the steps. Leaves what has no mark. Throws RunError.
 void removeResults(const std::string& base);
@@ -42,6 +50,10 @@ void removeResults(const std::string& base);
 void removeReport(const std::string& base);
 /// Of a study, with all of its runs.
 void removeStudyResults(const std::string& base);
+
+/// Of a fit, with its decks; of its runs, whose names begin with their origin, all but those of these origins.
+void removeFitResults(const std::string& base, const std::vector<std::string>& decks,
+                      const std::set<std::string>& origins);
 
 /// Number of the step whose file has this name in a folder of steps, "000123.h5"; -1 where it is no step's.
 long long stepOfFile(const std::filesystem::path& path);

@@ -8,65 +8,11 @@
 #include "../deck/deck_parameters.hpp"
 #include "../deck/sections.hpp"
 #include "../model/run_setup.hpp"
-#include "../output/compute_set.hpp"
-#include "../output/history.hpp"
-#include "../output/output_section.hpp"
-#include "Peridigm_Field.hpp"
+#include "deck_of_run.hpp"
 
 namespace pd {
 
 namespace {
-
-using PeridigmNS::FieldManager;
-namespace Field = PeridigmNS::PeridigmField;
-
-std::vector<std::string> textsOf(const std::vector<StudyOverride>& overrides) {
-  std::vector<std::string> texts;
-  for (const StudyOverride& item : overrides) texts.push_back(item.text());
-  return texts;
-}
-
-/// `line` with the place in the study in place of the override that the deck's reader names.
-std::string placedInStudy(const std::string& line, const std::vector<StudyOverride>& overrides) {
-  for (const StudyOverride& item : overrides) {
-    const std::string source = "--set \"" + item.text() + "\"";
-    if (!item.place.empty() && line.compare(0, source.size(), source) == 0)
-      return item.place + line.substr(source.size());
-  }
-  return line;
-}
-
-bool lists(const OutputSection& section, const std::string& label) {
-  return std::any_of(section.variables.begin(), section.variables.end(),
-                     [&](const OutputVariable& variable) { return variable.label == label; });
-}
-
-/// A field for the whole body with its columns of the CSV file.
-struct WrittenHistory {
-  std::string label;
-  std::vector<std::string> columns;
-};
-
-/// What a run of the deck writes into the CSV file of its first section: what that names, and of the computes what no
-/// other section names.
-std::vector<WrittenHistory> historiesOf(const Deck& deck, const Communicator& comm) {
-  const ComputeSet computes(deck, comm);  // first: it makes their fields known
-  const std::vector<OutputSection> sections = readOutputSections(deck);
-  std::vector<std::string> labels;
-  for (const OutputVariable& variable : sections.front().variables)
-    if (FieldManager::self().hasField(variable.label) &&
-        FieldManager::self().getFieldSpec(variable.label).relation == Field::GLOBAL)
-      labels.push_back(variable.label);
-  for (const std::string& label : computes.globalLabels())
-    if (std::none_of(sections.begin(), sections.end(),
-                     [&](const OutputSection& section) { return lists(section, label); }))
-      labels.push_back(label);
-  std::vector<WrittenHistory> histories;
-  for (const std::string& label : labels)
-    histories.push_back(
-        {label, columnNames(label, Field::variableDimension(FieldManager::self().getFieldSpec(label).length))});
-  return histories;
-}
 
 class StudyCheck {
  public:
@@ -80,8 +26,7 @@ class StudyCheck {
         check(deck);
         for (auto& [path, value] : run.swept) value = understood(deck, path, value);
       } catch (const DeckError& error) {
-        std::istringstream lines(error.what());
-        for (std::string line; std::getline(lines, line);) add(placedInStudy(line, run.overrides), run);
+        for (const std::string& line : placedLines(error, run.overrides)) add(line, run);
       }
     }
     mistakes_.report();
@@ -104,19 +49,11 @@ class StudyCheck {
   void check(const Deck& deck) {
     checkDeck(deck);
     if (!study_.errorNorm.empty()) errorNorm(deck);
-    if (firstOutput(deck) != "Output")
-      deck.mistakes().add(study_.deckFile,
-                          "the first section for output must be called Output: a study gives it the name of each run");
+    requireOutput(deck);
     deck.mistakes().report();
     if (!study_.histories.empty()) histories(deck);
     deck.mistakes().report();
     if (withMeshes_ && readMeshes_.insert(textOfMesh(deck)).second) rehearse(deck, comm_);
-  }
-
-  static std::string firstOutput(const Deck& deck) {
-    for (const auto& entry : deck.root().entries())
-      if (isSectionOf(deck, entry.first, "Output")) return entry.first;
-    return "";
   }
 
   void errorNorm(const Deck& deck) {
@@ -150,43 +87,17 @@ class StudyCheck {
   }
 
   void histories(const Deck& deck) {
-    const OutputSection output = readOutputSections(deck).front();
-    if (output.historyFrequency <= 0)
-      deck.mistakes().add(deck["Output"]["History Frequency"].place(),
-                          "Output/History Frequency: the study asks for histories, which the deck does not write; give "
-                          "1 or more increments");
+    requireHistories(deck);
     const auto known = historiesOf(deck, comm_);
     for (StudyHistory& history : study_.histories) {
-      std::vector<std::string> names;
       history.columns.clear();
       for (const auto& [label, columns] : known) {
-        names.push_back(label);
         if (label == history.name) history.columns = columns;
         if (std::find(columns.begin(), columns.end(), history.name) != columns.end()) history.columns = {history.name};
       }
       if (history.columns.empty())
-        deck.mistakes().add(history.place,
-                            "Histories: no run writes \"" + history.name + "\"" + didYouMean(history.name, names) +
-                                (names.empty() ? "; the deck has no computes for the whole body; add them to Compute "
-                                                 "Class Parameters"
-                                               : "; there are: " + quotedList(names)));
+        deck.mistakes().add(history.place, "Histories: " + missingHistory(history.name, known));
     }
-  }
-
-  /// Of all that a discretization may depend on: runs that agree in it have one mesh.
-  static std::string textOfMesh(const Deck& deck) {
-    std::string text;
-    for (const auto& [key, node] : deck.root().entries())
-      if (!isSectionOf(deck, key, "Solver") && !isSectionOf(deck, key, "Output")) text += textOf(key, node);
-    return text;
-  }
-
-  static std::string textOf(const std::string& key, const DeckNode& node) {
-    std::string text = key + ":";
-    if (node.isScalar()) text += node.text();
-    for (const auto& [name, entry] : node.entries()) text += "{" + textOf(name, entry) + "}";
-    for (const DeckNode& item : node.items()) text += "[" + textOf("", item) + "]";
-    return text;
   }
 
   Study& study_;

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "../output/atomic_file.hpp"
 
@@ -22,6 +23,11 @@ bool belongsToThisJob(const char* variable) {
 }
 
 }  // namespace
+
+std::string toolBeside(const std::string& program, const std::string& name) {
+  const std::filesystem::path neighbor = std::filesystem::path(program).parent_path() / name;
+  return std::filesystem::exists(neighbor) ? neighbor.string() : name;
+}
 
 int runProgram(const std::vector<std::string>& arguments) {
   std::vector<char*> argumentPointers, environment;

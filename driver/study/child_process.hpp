@@ -12,6 +12,9 @@ namespace pd {
 /// program cannot be started.
 int runProgram(const std::vector<std::string>& arguments);
 
+/// The tool of this name that stands beside `program`; the name alone, for the PATH, where none does.
+std::string toolBeside(const std::string& program, const std::string& name);
+
 }  // namespace pd
 
 #endif

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -85,9 +84,7 @@ void print(bool isQuiet, const std::string& line) {
 }
 
 void draw(const Study& study, const std::string& base, const std::string& program, bool isQuiet) {
-  namespace fs = std::filesystem;
-  const fs::path neighbor = fs::path(program).parent_path() / "pdstudy";
-  const std::string tool = fs::exists(neighbor) ? neighbor.string() : "pdstudy";
+  const std::string tool = toolBeside(program, "pdstudy");
   try {
     if (runProgram({tool, base + endings::table, "--reference", study.reference, "--error", study.errorNorm}) != 0)
       return print(isQuiet, "pdstudy drew no picture");

@@ -6,6 +6,7 @@
 #include "../deck/deck.hpp"
 #include "../deck/deck_parameters.hpp"
 #include "../deck/names.hpp"
+#include "override_values.hpp"
 
 namespace pd {
 
@@ -38,36 +39,9 @@ ParameterDeclarations declareSeries() {
   return declare;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
-/// The value on one line, in YAML.
-std::string flowYaml(const DeckNode& value) {
-  std::string text;
-  if (value.isSequence()) {
-    for (const DeckNode& item : value.items()) text += (text.empty() ? "" : ", ") + flowYaml(item);
-    return "[" + text + "]";
-  }
-  if (value.isMap()) {
-    for (const auto& [key, entry] : value.entries())
-      text += (text.empty() ? "" : ", ") + quoted(key) + ": " + flowYaml(entry);
-    return "{" + text + "}";
-  }
-  return value.isQuoted() ? quoted(value.text()) : value.text();
-}
-
 StudyOverride overrideOf(const std::string& path, const DeckNode& value) {
   return {path, flowYaml(value), value.place()};
 }
-
-/// Keys without a value are empty maps to a deck, and no value of an override.
-bool isMissing(const DeckNode& value) { return value.isMap() && value.entries().empty(); }
 
 class StudyReader {
  public:
@@ -94,7 +68,7 @@ class StudyReader {
   void head() {
     Mistakes own;
     const Teuchos::ParameterList list = readParameters(file_.root(), studyDeclarations(), own, {{"Series"}, {}});
-    for (const std::string& line : own.lines()) addOfRoot(line);
+    addOfRoot(own, file_, "study", mistakes_);
     study_.name = file_.root().isMap() && list.isParameter("Name")
                       ? list.get<std::string>("Name")
                       : std::filesystem::path(file_.fileName()).stem().string();
@@ -111,14 +85,6 @@ class StudyReader {
     if (!std::filesystem::is_regular_file(study_.deckFile, error))
       mistakes_.add(file_["Deck"].place(),
                     "Deck: there is no file \"" + study_.deckFile + "\" (names start at the folder of the study)");
-  }
-
-  /// Those of the file as a whole lack a path that says where they are.
-  void addOfRoot(const std::string& line) {
-    const std::string place = file_.root().keyPlace() + ": ";
-    const bool lacksPath =
-        line.compare(0, place.size(), place) == 0 && (line[place.size()] == ' ' || line[place.size()] == ':');
-    mistakes_.add("", lacksPath ? place + "the study" + line.substr(place.size()) : line);
   }
 
   void histories() {
@@ -159,12 +125,7 @@ class StudyReader {
   }
 
   void addCommandLine(StudyRun& run) const {
-    for (const std::string& text : overrides_) {
-      const std::size_t equals = text.find('=');
-      if (equals == std::string::npos)
-        throw DeckError("--set \"" + text + "\": write it as path=value, as in --set \"Solver/Final Time=1.0\"");
-      run.overrides.push_back({text.substr(0, equals), text.substr(equals + 1), ""});
-    }
+    for (const std::string& text : overrides_) run.overrides.push_back(overrideOfCommandLine(text));
   }
 
   std::vector<StudyRun> runsOf(const DeckNode& series) {

@@ -38,7 +38,7 @@ deck= mesh= voids= options=()
 for word in "$@"; do
   case "$word" in
     *.yaml) [[ -n "$deck" ]] || deck="$word" ;;
-    --quiet | --study) ;;
+    --quiet | --study | --fit) ;;
     *) options+=("$word") ;;
   esac
   case "$word" in
@@ -46,7 +46,7 @@ for word in "$@"; do
     Discretization/Voids/*"/File Name="*) voids="${word#*=}" ;;
   esac
 done
-if [[ " $* " == *" --study "* ]]; then
+if [[ " $* " == *" --study "* || " $* " == *" --fit "* ]]; then
   deck="$(dirname "$deck")/$(sed -n 's/^Deck: *//p' "$deck")"
 fi
 log='@LOG@'

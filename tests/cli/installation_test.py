@@ -54,11 +54,12 @@ class Installation(unittest.TestCase):
         self.assertIn(f"\nversion: {version}\n", (documents / "CITATION.cff").read_text())
         self.assertIn(f"\n## {version}\n", (documents / "CHANGELOG.md").read_text())
 
-    def test_a_study_finds_the_tool_that_draws_it(self):
-        test = "StudyOfErrors.test_table_and_picture_have_every_run_with_its_error"
-        done = subprocess.run([sys.executable, HERE / "study_test.py", test], text=True, capture_output=True,
-                              env={**os.environ, "PDRUN": str(self.prefix / "bin" / "pdrun")})
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+    def test_studies_and_fits_find_their_tools(self):
+        for file, test in (("study_test.py", "StudyOfErrors.test_table_and_picture_have_every_run_with_its_error"),
+                           ("fit_test.py", "Twins.test_known_values_are_found_again_and_their_deck_runs")):
+            done = subprocess.run([sys.executable, HERE / file, test], text=True, capture_output=True,
+                                  env={**os.environ, "PDRUN": str(self.prefix / "bin" / "pdrun")})
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_another_project_adds_a_damage_model_and_a_condition(self):
         self.succeed("cmake", "-S", HERE / "outside_project", "-B", "build", f"-DCMAKE_PREFIX_PATH={self.prefix}",

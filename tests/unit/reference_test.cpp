@@ -11,6 +11,7 @@
 #include "driver/deck/sections.hpp"
 #include "driver/solvers/diffusion/rate_integrator.hpp"
 #include "driver/solvers/solver.hpp"
+#include "driver/study/fit_file.hpp"
 #include "driver/study/study_file.hpp"
 #include "materials/registry/plugins.hpp"
 
@@ -116,6 +117,9 @@ TEST(Reference, HasEverySectionOfADeckAndAStudyWithAllOfItsKeys) {
   expectAllKeys(exactSolutionDeclarations(), partOf("Exact Solution"), "Exact Solution");
   expectAllKeys(studyDeclarations(), partOf("Study"), "Study");
   expectAllKeys(studySeriesDeclarations(), partOf("Series"), "Series");
+  expectAllKeys(fitDeclarations(), partOf("Fit"), "Fit");
+  expectAllKeys(fitValueDeclarations(), partOf("Values"), "Values");
+  expectAllKeys(fitSeriesDeclarations(), partOf("Fit Series"), "Fit Series");
 }
 
 /// Numbers with the declared unit are read as they are, so that "3 GPa" can be checked against it.

@@ -1,0 +1,1 @@
+"""Calibration: values of decks that are adjusted to measured series."""
