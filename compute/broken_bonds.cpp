@@ -1,4 +1,6 @@
 // Broken_Bonds: how many bonds of the body are broken, each counted once.
+#include <algorithm>
+
 #include "compute_support.hpp"
 #include "plugins.hpp"
 
@@ -22,15 +24,15 @@ class BrokenBonds : public TabledCompute {
 
   const Fields& fields() const override { return fields_; }
   int compute(Blocks blocks) const override {
-    double directedBonds = 0.0;
+    std::ptrdiff_t directedBonds = 0;
     for (PeridigmNS::Block& block : *blocks) {
       const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
       if (bondDamage == nullptr) continue;
       const auto neighborhood = block.getNeighborhoodData();
       const int nBonds = neighborhood->NeighborhoodListSize() - neighborhood->NumOwnedPoints();
-      for (int k = 0; k < nBonds; ++k) directedBonds += bondDamage[k] >= 1.0 ? 1.0 : 0.0;
+      directedBonds += std::count_if(bondDamage, bondDamage + nBonds, [](double damage) { return damage >= 1.0; });
     }
-    setGlobal(blocks, fields_.number, 0.5 * sumOverRanks(*epetraComm, directedBonds));
+    setGlobal(blocks, fields_.number, 0.5 * sumOverRanks(*epetraComm, static_cast<double>(directedBonds)));
     return 0;
   }
 

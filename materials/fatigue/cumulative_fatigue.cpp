@@ -57,7 +57,7 @@ CumulativeFatigue::CumulativeFatigue(const Teuchos::ParameterList& given)
   scatter_ = LifeScatter(params, owner());
   life_ = scatter_.ofSpecimen(median);
   if (params.isParameter("Element Length")) element_ = std::make_unique<FatigueElement>(params, median, owner());
-  haveLaws(true, element_ != nullptr);
+  haveLaws(true, element_ != nullptr, scatter_.isBetweenBonds() ? 0.0 : life_.limitOfRange());
 }
 
 std::vector<std::string> CumulativeFatigue::runNotes() const {

@@ -62,6 +62,7 @@ CyclicDamage::CyclicDamage(const Teuchos::ParameterList& params, const Fields& f
 void CyclicDamage::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                               const int* neighborhoodList, DataManager& data) const {
   prepared_.clear();
+  points_.clear();
   const bool hostCounts = fields_.cycles.isIn(data);
   if (hostCounts && hasOwnCycles_)
     throw std::invalid_argument(owner() +
@@ -88,11 +89,14 @@ void CyclicDamage::precompute(const double, const int numOwnedPoints, const int*
   prepared_.insert(&data);
   double* nearTip = fields_.nearTip.of(data);
   if (!hasGrowth_) return;
-  const double* damage = fields_.damage.before(data);
-  for (int p = 0; p < numOwnedPoints; ++p) nearTip[ownedIDs[p]] = damage[ownedIDs[p]] >= growthDamage_ ? 1.0 : 0.0;
-  forEachBond({numOwnedPoints, ownedIDs, neighborhoodList}, [&](int i, int j, std::size_t) {
-    if (damage[j] >= growthDamage_) nearTip[i] = 1.0;
-  });
+  pointsOf({numOwnedPoints, ownedIDs, neighborhoodList}, data)
+      .markTips(fields_.damage.before(data), fields_.damage.length(data), growthDamage_, nearTip);
+}
+
+TiringPoints& CyclicDamage::pointsOf(const Call& call, DataManager& data) const {
+  const auto found = points_.find(&data);
+  if (found != points_.end() && found->second.isFor(call)) return found->second;
+  return points_.insert_or_assign(&data, TiringPoints(call)).first->second;
 }
 
 void CyclicDamage::requirePrecompute(double dt, const Call& call, DataManager& data) const {

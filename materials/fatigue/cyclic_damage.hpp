@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 #include <string>
 
@@ -11,6 +13,8 @@
 #include "bond_family.hpp"
 #include "cycle_fields.hpp"
 #include "run_notes.hpp"
+#include "step_listener.hpp"
+#include "tiring_points.hpp"
 
 namespace pd {
 
@@ -20,7 +24,7 @@ namespace pd {
 /// neighbour has lost `Growth Damage` of its bonds; a bond where either end is. What points lost by the start of the
 /// step counts: exchanged by precompute(). A host says how many cycles a step has, and their load (cycle_fields.hpp),
 /// or the parameters do.
-class CyclicDamage : public BondDamageModel, public RunNotes {
+class CyclicDamage : public BondDamageModel, public RunNotes, public StepListener {
  public:
   struct Fields : BondDamageModel::Fields {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -43,6 +47,7 @@ class CyclicDamage : public BondDamageModel, public RunNotes {
                   PeridigmNS::DataManager& data) const override;
   void precompute(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   PeridigmNS::DataManager& data) const override;
+  void stepTakenBack() const override { points_.clear(); }
 
  protected:
   /// All parameters but those of the laws.
@@ -51,10 +56,12 @@ class CyclicDamage : public BondDamageModel, public RunNotes {
   CyclicDamage(const Teuchos::ParameterList& params, const Fields& fields, const std::string& name);
   std::string owner() const { return "damage model " + name_; }
 
-  /// Which of the two laws there are; without one for tips that of other bonds holds there, too.
-  void haveLaws(bool awayFromCracks, bool nearTips) {
+  /// Which of the two laws there are; without one for tips that of other bonds holds there, too. `restingRange`: strain
+  /// range that takes no life of a bond away from cracks.
+  void haveLaws(bool awayFromCracks, bool nearTips, double restingRange) {
     hasInitiation_ = awayFromCracks;
     hasGrowth_ = nearTips;
+    restingRange_ = awayFromCracks ? restingRange : std::numeric_limits<double>::infinity();
   }
   /// What worsen() does: takes lossRate(isNearTip, strainRange, i, j) of the life of the bond i-j a cycle, the same of
   /// j-i, and breaks bonds. Throws std::runtime_error where neighbours are ghosts and precompute() has not been called.
@@ -67,14 +74,16 @@ class CyclicDamage : public BondDamageModel, public RunNotes {
   };
   Cycles cyclesOf(PeridigmNS::DataManager& data) const;
   void requirePrecompute(double dt, const Call& call, PeridigmNS::DataManager& data) const;
+  TiringPoints& pointsOf(const Call& call, PeridigmNS::DataManager& data) const;
 
   std::string name_;
   Fields fields_;
   bool hasOwnCycles_ = false;
   Cycles own_{0.0, 1.0, 1.0};
   bool seesOpeningAlone_ = true, hasInitiation_ = false, hasGrowth_ = false;
-  double growthDamage_, lifeTolerance_, criticalStretch_;
-  mutable std::set<const PeridigmNS::DataManager*> prepared_;  ///< blocks whose Growth_Phase is there
+  double growthDamage_, lifeTolerance_, criticalStretch_, restingRange_ = 0.0;
+  mutable std::set<const PeridigmNS::DataManager*> prepared_;              ///< blocks whose Growth_Phase is there
+  mutable std::map<const PeridigmNS::DataManager*, TiringPoints> points_;  ///< of blocks
 };
 
 template <class LossRate>
@@ -87,15 +96,18 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   double *lost = fields_.lostLife.of(data), *bondDamage = fields_.bondDamage.of(data);
   double *worstRate = fields_.lossRate.of(data), *overdrawn = fields_.overdrawn.of(data);
   for (int p = 0; p < call.nOwned; ++p) worstRate[call.ownedIds[p]] = overdrawn[call.ownedIds[p]] = 0.0;
-  bool hasBroken = false;
+  TiringPoints& points = pointsOf(call, data);
+  points.startFrom(lostBefore, lost);
+  const TiringPoints::Limits limits{std::abs(cycles.range), restingRange_, cycles.peak, criticalStretch_};
+  const auto& tiring = points.find(hasGrowth_ ? nearTip : nullptr, x, y, fields_.damage.length(data), limits);
   // Away from cracks nothing happens to a bond where neither a law nor a largest stretch holds there.
   const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
-  // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken.
-  forEachBond(call, [&](int i, int j, std::size_t bond) {
-    lost[bond] = lostBefore[bond];
+  // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken. Returns
+  // whether this one breaks.
+  const auto passCycles = [&](int i, int j, std::size_t bond) {
     const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
-    if (!grows && isIdleElsewhere) return;
-    if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return;
+    if (!grows && isIdleElsewhere) return false;
+    if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return false;
     const double stretch = ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
     double rate = 0.0;
     if ((stretch > 0.0 || !seesOpeningAlone_) && (grows || hasInitiation_))
@@ -103,13 +115,22 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     lost[bond] += cycles.number * rate;
     if (lost[bond] < 1.0 - lifeTolerance_ && cycles.peak * stretch < criticalStretch_) {
       if (bondDamage[bond] < 1.0) worstRate[i] = std::max(worstRate[i], rate / (1.0 - lost[bond]));
-      return;
+      return false;
     }
     overdrawn[i] = std::max(overdrawn[i], lost[bond] - 1.0);
     lost[bond] = bondDamage[bond] = 1.0;
-    hasBroken = true;
-  });
-  if (hasBroken) countBrokenBonds(call, bondDamage, fields_.damage.of(data));
+    return true;
+  };
+  for (const std::size_t p : tiring) {
+    const std::size_t first = points.firstBond(p);
+    const int i = call.ownedIds[p], count = points.nBonds(p);
+    bool hasBroken = false;
+    for (int k = 0; k < count; ++k) {
+      const std::size_t bond = first + static_cast<std::size_t>(k);
+      hasBroken = passCycles(i, points.neighbor(bond, p), bond) || hasBroken;
+    }
+    if (hasBroken) fields_.damage.of(data)[i] = shareOfBroken(bondDamage + first, count);
+  }
 }
 
 }  // namespace pd

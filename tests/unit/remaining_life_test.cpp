@@ -1,11 +1,18 @@
 // Laws of bond life, and the trial that finds the growth coefficient, against numbers from elsewhere.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
+#include "../support/small_body.hpp"
 #include "banded_cholesky.hpp"
+#include "cycle_fields.hpp"
 #include "growth_strip.hpp"
 #include "life_law.hpp"
+#include "plugins.hpp"
 #include "threshold_trial.hpp"
 
 namespace pd {
@@ -133,6 +140,113 @@ TEST(ThresholdTrial, IsThatOfAPowerFarAbove) {
   const BondLaw& bonds = thresholdTrial(trial).law;
   const double coefficient = bonds.factor.at(1e3) * std::pow(bonds.reading, -3.0);
   EXPECT_NEAR(coefficient * growthTrial(trial).factor, 1.0, 1e-12);
+}
+
+/// Lives of the bonds of a plate, each looked at in each step.
+class PlainLives {
+ public:
+  static constexpr double initiation = 20.0, initiationExponent = 1.5, limit = 2e-3, growth = 30.0,
+                          growthExponent = 2.0, criticalStretch = 0.03, growthDamage = 0.35, tolerance = 1e-3;
+
+  PlainLives(const std::vector<pdtest::Point>& points, double horizon) : x_(points), damage_(points.size(), 0.0) {
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      for (std::size_t j = 0; j < x_.size(); ++j)
+        if (i != j && distance(x_[i], x_[j]) <= horizon * (1.0 + 1e-10)) lost_[{i, j}] = 0.0;
+  }
+
+  void pass(const std::vector<pdtest::Point>& y, double cycles, double range, double peak) {
+    std::vector<char> isNear(x_.size(), 0);
+    std::vector<double> all(x_.size(), 0.0), broken = all;
+    for (std::size_t i = 0; i < x_.size(); ++i) isNear[i] = damage_[i] >= growthDamage ? 1 : 0;
+    for (const auto& [bond, lost] : lost_)
+      if (damage_[bond.second] >= growthDamage) isNear[bond.first] = 1;
+    for (auto& [bond, lost] : lost_) {
+      const auto [i, j] = bond;
+      const double stretch = distance(y[i], y[j]) / distance(x_[i], x_[j]) - 1.0, strain = range * stretch;
+      if (lost < 1.0 && stretch > 0.0) {
+        if (isNear[i] != 0 || isNear[j] != 0)
+          lost += cycles * growth * std::pow(strain, growthExponent);
+        else if (strain > limit)
+          lost += cycles * initiation * std::pow(strain - limit, initiationExponent);
+      }
+      if (lost >= 1.0 - tolerance || peak * stretch >= criticalStretch) lost = 1.0;
+      all[i] += 1.0;
+      broken[i] += lost == 1.0 ? 1.0 : 0.0;
+    }
+    for (std::size_t i = 0; i < x_.size(); ++i) damage_[i] = broken[i] / all[i];
+  }
+  double lost(std::size_t i, std::size_t j) const { return lost_.at({i, j}); }
+  double damage(std::size_t i) const { return damage_[i]; }
+
+ private:
+  static double distance(const pdtest::Point& a, const pdtest::Point& b) {
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  std::vector<pdtest::Point> x_;
+  std::map<std::pair<std::size_t, std::size_t>, double> lost_;
+  std::vector<double> damage_;
+};
+
+/// Strain that is largest in the middle of the lower edge, and moves the plate away at times.
+pdtest::Point pulled(const pdtest::Point& x, int step) {
+  const double load = 8e-3 * (1.0 + 0.8 * std::sin(0.9 * step)), away = step % 7 == 5 ? 0.3 : 0.0;
+  return {x[0] + load * (x[0] - 6.0) * std::exp(-0.5 * (std::pow(0.5 * (x[0] - 6.0), 2) + x[1])) + away, x[1], x[2]};
+}
+
+TEST(RemainingLife, BondsThatAreNotLookedAtWouldNotHaveChanged) {
+  const std::vector<pdtest::Point> points = pdtest::lattice(13, 9, 1, 1.0);
+  constexpr double horizon = 2.1;
+  Teuchos::ParameterList list;
+  list.set("Initiation Coefficient", PlainLives::initiation);
+  list.set("Initiation Exponent", PlainLives::initiationExponent);
+  list.set("Fatigue Limit", PlainLives::limit);
+  list.set("Growth Coefficient", PlainLives::growth);
+  list.set("Growth Exponent", PlainLives::growthExponent);
+  list.set("Critical Stretch", PlainLives::criticalStretch);
+  for (const pdtest::BondSteps steps :
+       {pdtest::BondSteps::Shared, pdtest::BondSteps::Copied, pdtest::BondSteps::Swapped}) {
+    pdtest::BodyOptions options;
+    options.horizon = horizon;
+    options.bondSteps = steps;
+    pdtest::SmallBody body(points, options);
+    const auto model = DamageModelRegistry::self().create("Remaining Life", list);
+    body.allocate(model->FieldIds());
+    for (const auto& description : {fields::cycleIncrement(), fields::loadRange(), fields::peakLoad()})
+      body.allocate({description.id()});
+    auto& data = *body.block().getDataManager();
+    const auto owned = body.block().getNeighborhoodData();
+    const int n = owned->NumOwnedPoints();
+    model->initialize(0.0, n, owned->OwnedIDs(), owned->NeighborhoodList(), data);
+    PlainLives plain(points, horizon);
+    for (int step = 0; step < 40; ++step) {
+      const double cycles = step % 3 == 0 ? 0.0 : 40.0, range = 0.9, peak = 1.0 + 0.05 * step;
+      body.deform([step](const pdtest::Point& x) { return pulled(x, step); });
+      *body.field("Load_Range") = range;
+      *body.field("Peak_Load") = peak;
+      for (const double tried : {3.0 * cycles, cycles}) {                     // what is found last counts
+        if (tried != cycles && steps == pdtest::BondSteps::Shared) continue;  // what breaks stays so
+        *body.field("Cycle_Increment") = tried;
+        model->precompute(tried, n, owned->OwnedIDs(), owned->NeighborhoodList(), data);
+        model->computeDamage(tried, n, owned->OwnedIDs(), owned->NeighborhoodList(), data);
+      }
+      std::vector<pdtest::Point> places;
+      for (const pdtest::Point& x : points) places.push_back(pulled(x, step));
+      plain.pass(places, cycles, range, peak);
+      const double *lost = body.field("Lost_Life"), *damage = body.field("Damage");
+      const int* entry = owned->NeighborhoodList();
+      for (int p = 0; p < n; ++p) {
+        const auto i = static_cast<std::size_t>(owned->OwnedIDs()[p]);
+        EXPECT_DOUBLE_EQ(damage[i], plain.damage(i)) << step;
+        for (int count = *entry++; count > 0; --count, ++entry, ++lost)
+          EXPECT_NEAR(*lost, plain.lost(i, static_cast<std::size_t>(*entry)), 1e-11) << step;
+      }
+      data.updateState();
+    }
+    const double* damage = body.field("Damage");
+    const auto nWhole = std::count(damage, damage + n, 0.0);
+    EXPECT_GT(nWhole, n / 4);  // or nothing is left out
+    EXPECT_LT(nWhole, n - 5);
+  }
 }
 
 }  // namespace

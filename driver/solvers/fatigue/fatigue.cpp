@@ -162,6 +162,7 @@ void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
       reasonToStop_ =
           fmt::format("after {:.6g} cycles the body carries a thousandth of its load: it has come apart", t);
     const bool hasBroken = passCycles(simulation, 0.0);
+    ratesAreKnown_ = !hasBroken;
     if (hasBroken) noteBreakage(simulation, t);
     simulation.model.acceptStep(t, 0.0);
     if (!hasBroken || !reasonToStop_.empty()) return;
@@ -184,8 +185,11 @@ void Fatigue::start(Simulation& simulation, double t) {
 void Fatigue::setLoad(Simulation& simulation, double t) {
   const LoadBlocks::Load load = loads_.at(t);
   const CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
-  *simulation.model.field(fields_.range) = (1.0 - load.ratio) * outcome.peak;
-  *simulation.model.field(fields_.peak) = outcome.peak;
+  double &range = *simulation.model.field(fields_.range), &peak = *simulation.model.field(fields_.peak);
+  const double newRange = (1.0 - load.ratio) * outcome.peak;
+  ratesAreKnown_ = ratesAreKnown_ && range == newRange && peak == outcome.peak;
+  range = newRange;
+  peak = outcome.peak;
   if (reasonToStop_.empty()) reasonToStop_ = outcome.reason;
 }
 
@@ -228,7 +232,7 @@ double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   const double stop = std::min(end, loads_.at(t).end);
   const long long nEventsBefore = nEvents_;
   double cycles = stop - t;
-  bool hasBroken = passCycles(simulation, 0.0);  // the load may be another since the last step
+  bool hasBroken = !ratesAreKnown_ && passCycles(simulation, 0.0);
   const double rateBefore = worst(model).lossRate;
   if (hasBroken) {
     cycles = 0.0;
@@ -242,6 +246,7 @@ double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   const double reached = cycles < stop - t ? t + cycles : stop;
   if (hasBroken) noteBreakage(simulation, reached);
   model.acceptStep(reached, cycles);
+  ratesAreKnown_ = false;
   settle(simulation, reached, false);
   if (nEvents_ == nEventsBefore && reasonToStop_.empty()) watchLoad(simulation, rateBefore, cycles, reached);
   if (reasonToStop_.empty()) setLoad(simulation, reached);

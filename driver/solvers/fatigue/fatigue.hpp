@@ -49,7 +49,7 @@ class Fatigue : public EventSolver {
   RestartState restartState() const override;
   void checkpointWritten() override { equilibrium_.forgetHistory(); }
   void setRestartState(const RestartState& state) override;
-  void fieldsHaveChanged() override { isSettled_ = false; }
+  void fieldsHaveChanged() override { isSettled_ = ratesAreKnown_ = false; }
 
  private:
   struct Worst {
@@ -76,6 +76,7 @@ class Fatigue : public EventSolver {
   std::string reasonToStop_;
 
   bool hasStarted_ = false, isSettled_ = false;
+  bool ratesAreKnown_ = false;  ///< Life_Loss_Rate is that of the present strains and loads
   int nLoadedParts_ = 0;
   double bondDamage_ = 0.0;  ///< sum over all bonds
   double firstBreak_ = 0.0;  ///< cycles

@@ -1,0 +1,137 @@
+#include "tiring_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bond_family.hpp"
+
+namespace pd {
+
+namespace {
+
+// Where bonds of more points than one in so many may have reached a limit, all are looked at again.
+constexpr std::size_t mostReaching = 4;
+// Where that shows as many, so many calls do without a look.
+constexpr int callsBetweenVainLooks = 20;
+// Of a stretch: what rounding of coordinates may make of it.
+constexpr double roundingOfStretch = 1e-12;
+
+double squaredDistance(const double* a, const double* b) {
+  double sum = 0.0;
+  for (int d = 0; d < 3; ++d) sum += (b[d] - a[d]) * (b[d] - a[d]);
+  return sum;
+}
+
+}  // namespace
+
+TiringPoints::TiringPoints(const Call& call)
+    : nOwned_(call.nOwned), ownedIds_(call.ownedIds), list_(call.neighborhoodList), firstBond_{0} {
+  const int* entry = call.neighborhoodList;
+  for (int p = 0; p < call.nOwned; ++p, entry += *entry + 1)
+    firstBond_.push_back(firstBond_.back() + static_cast<std::size_t>(*entry));
+}
+
+bool TiringPoints::isFor(const Call& call) const {
+  return nOwned_ == call.nOwned && ownedIds_ == call.ownedIds && list_ == call.neighborhoodList;
+}
+
+void TiringPoints::markTips(const double* damage, int nPoints, double cracked, double* nearTip) {
+  std::vector<char> isCracked(static_cast<std::size_t>(nPoints));
+  for (std::size_t i = 0; i < isCracked.size(); ++i) isCracked[i] = damage[i] >= cracked ? 1 : 0;
+  const auto nPointsOfBlock = static_cast<std::size_t>(nOwned_);
+  if (isCracked != isCracked_) {
+    isCracked_ = std::move(isCracked);
+    marks_.assign(nPointsOfBlock, 0.0);
+    for (std::size_t p = 0; p < nPointsOfBlock; ++p) {
+      bool isNear = isCracked_[static_cast<std::size_t>(ownedIds_[p])] != 0;
+      for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isNear; ++bond)
+        isNear = isCracked_[static_cast<std::size_t>(neighbor(bond, p))] != 0;
+      marks_[p] = isNear ? 1.0 : 0.0;
+    }
+  }
+  for (std::size_t p = 0; p < nPointsOfBlock; ++p) nearTip[ownedIds_[p]] = marks_[p];
+}
+
+void TiringPoints::startFrom(const double* before, double* lost) {
+  if (before_ != before || lost_ != lost) {
+    std::copy(before, before + firstBond_.back(), lost);
+  } else {
+    for (const std::size_t p : tiring_)
+      std::copy(before + firstBond_[p], before + firstBond_[p + 1], lost + firstBond_[p]);
+  }
+  before_ = before;
+  lost_ = lost;
+  tiring_.clear();
+}
+
+void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
+  if (nearTip_.size() == static_cast<std::size_t>(nPoints) && std::equal(nearTip_.begin(), nearTip_.end(), nearTip))
+    return;
+  nearTip_.assign(nearTip, nearTip + nPoints);
+  isBesideTip_.assign(static_cast<std::size_t>(nOwned_), 0);
+  for (std::size_t p = 0; p < isBesideTip_.size(); ++p) {
+    bool isBeside = nearTip[ownedIds_[p]] != 0.0;
+    for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isBeside; ++bond)
+      isBeside = nearTip[neighbor(bond, p)] != 0.0;
+    isBesideTip_[p] = isBeside ? 1 : 0;
+  }
+}
+
+/// Since all were looked at no bond has stretched by more than twice the largest displacement over its length. Returns
+/// false where too many may have reached a limit.
+bool TiringPoints::findReaching(const double* y, const Limits& limits) {
+  double moved2 = 0.0;
+  for (std::size_t i = 0; i < seenPlaces_.size(); i += 3)
+    moved2 = std::max(moved2, squaredDistance(y + i, seenPlaces_.data() + i));
+  const double reach = 2.0 * std::sqrt(moved2) / shortestBond_ * (1.0 + 1e-9) + roundingOfStretch;
+  tiring_.clear();
+  for (std::size_t p = 0; p < largest_.size(); ++p) {
+    if (!isBesideTip(p) && !limits.areReachedBy(largest_[p] + reach)) continue;
+    tiring_.push_back(p);
+    if (tiring_.size() > largest_.size() / mostReaching) return false;
+  }
+  return true;
+}
+
+void TiringPoints::lookAtAll(const double* x, const double* y, int nPoints) {
+  seenPlaces_.assign(y, y + 3LL * nPoints);
+  largest_.assign(static_cast<std::size_t>(nOwned_), 0.0);
+  shortestBond_ = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < largest_.size(); ++p)
+    for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1]; ++bond) {
+      const int i = ownedIds_[p], j = neighbor(bond, p);
+      const double length = ReferenceBond(x, i, j).length;
+      shortestBond_ = std::min(shortestBond_, length);
+      largest_[p] = std::max(largest_[p], std::abs(ReferenceBond(y, i, j).length / length - 1.0));
+    }
+}
+
+const std::vector<std::size_t>& TiringPoints::find(const double* nearTip, const double* x, const double* y, int nPoints,
+                                                   const Limits& limits) {
+  if (nearTip != nullptr) findBesideTips(nearTip, nPoints);
+  const auto all = [&]() -> const std::vector<std::size_t>& {
+    tiring_.resize(static_cast<std::size_t>(nOwned_));
+    std::iota(tiring_.begin(), tiring_.end(), 0U);
+    return tiring_;
+  };
+  if (!limits.areReachedBy(std::numeric_limits<double>::max())) {
+    tiring_.clear();
+    for (std::size_t p = 0; p < isBesideTip_.size(); ++p)
+      if (isBesideTip(p)) tiring_.push_back(p);
+    return tiring_;
+  }
+  if (limits.areReachedBy(roundingOfStretch)) return all();
+  if (nCallsToWait_ > 0) {
+    --nCallsToWait_;
+    return all();
+  }
+  if (seenPlaces_.size() == 3 * static_cast<std::size_t>(nPoints) && findReaching(y, limits)) return tiring_;
+  lookAtAll(x, y, nPoints);
+  if (findReaching(y, limits)) return tiring_;
+  nCallsToWait_ = callsBetweenVainLooks;
+  return all();
+}
+
+}  // namespace pd

@@ -1,0 +1,72 @@
+// Which points of a block have bonds that cycles may do something to.
+#ifndef PD_TIRING_POINTS_HPP
+#define PD_TIRING_POINTS_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "call.hpp"
+
+namespace pd {
+
+/// Most bonds of a cracked body lose no life, and are far from any limit: they need not be looked at in each step. This
+/// remembers, from one call to the next, how far. What is found is the same to the last bit as by a look at every bond.
+/// Points are named by their place in the block's list.
+class TiringPoints {
+ public:
+  explicit TiringPoints(const Call& call);
+  /// Whether it was made for these very lists.
+  bool isFor(const Call& call) const;
+
+  int neighbor(std::size_t bond, std::size_t point) const { return list_[bond + point + 1]; }
+  std::size_t firstBond(std::size_t point) const { return firstBond_[point]; }
+  int nBonds(std::size_t point) const { return static_cast<int>(firstBond_[point + 1] - firstBond_[point]); }
+
+  /// Writes `nearTip`, by local id, at the block's points: 1 where they or a neighbour have lost the part `cracked` of
+  /// their bonds. `damage` [nPoints].
+  void markTips(const double* damage, int nPoints, double cracked, double* nearTip);
+
+  /// `lost` of NP1 becomes that of N, both [bonds]. A host that swaps their memory has all of it copied; in another
+  /// one NP1 is N at the start of a step, but for what has been written since.
+  void startFrom(const double* before, double* lost);
+
+  /// What leaves bonds away from tips alone: a strain range (`strainRange` for each part that a bond is longer or
+  /// shorter by) up to `restingRange`, and a stretch (`peak` for each) below `criticalStretch`.
+  struct Limits {
+    double strainRange, restingRange, peak, criticalStretch;
+    bool areReachedBy(double stretch) const {
+      return !(strainRange * stretch <= restingRange) || !(peak * stretch < criticalStretch);
+    }
+  };
+  /// Points with a bond near a tip (`nearTip` [nPoints]; null: there are none), or with one that may have reached a
+  /// limit. `x`, `y` [3 nPoints]: places in the reference configuration, and now. The caller may write their bonds.
+  const std::vector<std::size_t>& find(const double* nearTip, const double* x, const double* y, int nPoints,
+                                       const Limits& limits);
+
+ private:
+  bool isBesideTip(std::size_t point) const { return !isBesideTip_.empty() && isBesideTip_[point] != 0; }
+  void findBesideTips(const double* nearTip, int nPoints);
+  bool findReaching(const double* y, const Limits& limits);
+  void lookAtAll(const double* x, const double* y, int nPoints);
+
+  int nOwned_;
+  const int *ownedIds_, *list_;
+  std::vector<std::size_t> firstBond_;  ///< [points + 1]
+
+  std::vector<char> isCracked_;    ///< [nPoints] as markTips() last found it
+  std::vector<double> marks_;      ///< [points] what it made of it
+  std::vector<double> nearTip_;    ///< [nPoints] as find() last found it
+  std::vector<char> isBesideTip_;  ///< [points]
+
+  std::vector<double> seenPlaces_;  ///< [3 nPoints] when all bonds were looked at
+  std::vector<double> largest_;     ///< [points] largest |stretch| of a bond then
+  double shortestBond_ = 0.0;       ///< m
+  int nCallsToWait_ = 0;            ///< before the next look
+
+  const double *before_ = nullptr, *lost_ = nullptr;
+  std::vector<std::size_t> tiring_;  ///< whose bonds NP1 may differ from N at
+};
+
+}  // namespace pd
+
+#endif
