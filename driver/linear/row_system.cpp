@@ -1,11 +1,11 @@
 #include "row_system.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "methods/krylov.hpp"
 #include "methods/mumps_factor.hpp"
+#include "methods/rows_to_tpetra.hpp"
 
 namespace pd {
 
@@ -72,16 +72,8 @@ RowSystem::~RowSystem() = default;
 
 void RowSystem::setMatrix(const SparseRows& rows) {
   Implementation& self = *implementation_;
-  const auto comm = Teuchos::rcp(new Teuchos::MpiComm<int>(self.comm.mpi()));
-  const auto map =
-      Teuchos::rcp(new tpetra::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), rows.count(), 0, comm));
-  std::vector<std::size_t> lengths(rows.count());
-  for (std::size_t row = 0; row < rows.count(); ++row) lengths[row] = rows.start[row + 1] - rows.start[row];
-  self.matrix = Teuchos::rcp(new tpetra::Matrix(map, Teuchos::ArrayView<const std::size_t>(lengths)));
-  for (std::size_t row = 0; row < rows.count(); ++row)
-    self.matrix->insertGlobalValues(map->getGlobalElement(static_cast<int>(row)), static_cast<int>(lengths[row]),
-                                    rows.values.data() + rows.start[row], rows.columns.data() + rows.start[row]);
-  self.matrix->fillComplete();
+  const auto map = mapOfRows(self.comm.mpi(), rows.count());
+  self.matrix = matrixOfRows(map, rows);
   if (!self.factor.is_null() && !self.factor->getRangeMap()->isSameAs(*map)) self.factor = Teuchos::null;
 }
 

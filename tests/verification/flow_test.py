@@ -7,24 +7,13 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from flow_scene import RATIO, plane_lattice  # noqa: E402
+from flow_scene import RATIO, flow_deck, plane_lattice  # noqa: E402
 from scene import SceneTest  # noqa: E402
 
 
 class SteadyFlow(SceneTest):
-    def deck(self, spacing, conditions, viscosity=0.05, solver=None, **more):
-        deck = {
-            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
-            "Materials": {"Fluid": {"Material Model": "Navier Stokes", "Plane Strain": True, "Density": 1.0,
-                                    "Viscosity": viscosity}},
-            "Blocks": {"Fluid": {"Block Names": "block_1", "Material": "Fluid", "Horizon": RATIO * spacing}},
-            "Boundary Conditions": conditions,
-            "Solver": {"Final Time": 1.0, "Steady Flow": solver or {}},
-            "Output": {"Output Filename": "result", "Output Frequency": 1,
-                       "Output Variables": ["Velocity", "Pressure", "Fluid", *more.pop("variables", [])]}}
-        for section, content in more.items():
-            deck[section.replace("_", " ")] = content
-        return deck
+    def deck(self, spacing, conditions, **more):
+        return flow_deck(RATIO * spacing, conditions, **more)
 
     def channel(self, spacing, walls=True, **more):
         """Of height 1 and length 2, with a parabola of mean 2/3 at its inlet: dp/dx = -8 viscosity."""

@@ -15,9 +15,6 @@ using Manager = Belos::SolverManager<double, tpetra::MultiVector, tpetra::Operat
 using ConjugateGradients = Belos::PseudoBlockCGSolMgr<double, tpetra::MultiVector, tpetra::Operator>;
 using Gmres = Belos::PseudoBlockGmresSolMgr<double, tpetra::MultiVector, tpetra::Operator>;
 
-// Vectors that GMRES keeps before it restarts: memory of 200 solutions at most.
-constexpr int krylovSpaceSize = 200;
-
 Teuchos::RCP<Teuchos::ParameterList> settings(double tolerance, int maximumIterations) {
   auto list = Teuchos::parameterList();
   list->set("Convergence Tolerance", tolerance);
@@ -28,21 +25,21 @@ Teuchos::RCP<Teuchos::ParameterList> settings(double tolerance, int maximumItera
 }
 
 Teuchos::RCP<Manager> makeManager(const std::string& method, const Teuchos::RCP<Problem>& problem, double tolerance,
-                                  int maximumIterations) {
+                                  int maximumIterations, int nKept) {
   const auto list = settings(tolerance, maximumIterations);
   if (method == "CG") return Teuchos::rcp(new ConjugateGradients(problem, list));
   list->set("Explicit Residual Scaling", "Norm of RHS");
-  list->set("Num Blocks", std::min(krylovSpaceSize, maximumIterations));
-  list->set("Maximum Restarts", maximumIterations / krylovSpaceSize + 1);
+  list->set("Num Blocks", std::min(nKept, maximumIterations));
+  list->set("Maximum Restarts", maximumIterations / nKept + 1);
   return Teuchos::rcp(new Gmres(problem, list));
 }
 
 }  // namespace
 
-KrylovResult runKrylov(const std::string& method, const Teuchos::RCP<const tpetra::Matrix>& matrix,
+KrylovResult runKrylov(const std::string& method, const Teuchos::RCP<const tpetra::Operator>& matrix,
                        const Teuchos::RCP<const tpetra::Operator>& preconditioner,
                        const Teuchos::RCP<const tpetra::MultiVector>& b, const Teuchos::RCP<tpetra::MultiVector>& x,
-                       double tolerance, int maximumIterations) {
+                       double tolerance, int maximumIterations, int nKept) {
   const auto problem = Teuchos::rcp(new Problem(matrix, x, b));
   if (!preconditioner.is_null()) {
     if (method == "CG")
@@ -51,7 +48,7 @@ KrylovResult runKrylov(const std::string& method, const Teuchos::RCP<const tpetr
       problem->setRightPrec(preconditioner);  // the residual that GMRES minimises stays the true one
   }
   problem->setProblem();
-  const Teuchos::RCP<Manager> manager = makeManager(method, problem, tolerance, maximumIterations);
+  const Teuchos::RCP<Manager> manager = makeManager(method, problem, tolerance, maximumIterations, nKept);
   KrylovResult result;
   try {
     manager->solve();

@@ -22,11 +22,14 @@ struct KrylovResult {
   bool hasBrokenDown = false;  ///< not positive definite, or not a number
 };
 
+/// Vectors that GMRES keeps before it begins anew.
+constexpr int krylovSpaceSize = 200;
+
 /// Runs "CG" or "GMRES" from the first guess `x` until |b - A x| <= tolerance |b| as the recurrence sees it.
-KrylovResult runKrylov(const std::string& method, const Teuchos::RCP<const tpetra::Matrix>& matrix,
+KrylovResult runKrylov(const std::string& method, const Teuchos::RCP<const tpetra::Operator>& matrix,
                        const Teuchos::RCP<const tpetra::Operator>& preconditioner,
                        const Teuchos::RCP<const tpetra::MultiVector>& b, const Teuchos::RCP<tpetra::MultiVector>& x,
-                       double tolerance, int maximumIterations);
+                       double tolerance, int maximumIterations, int nKept = krylovSpaceSize);
 
 }  // namespace pd
 

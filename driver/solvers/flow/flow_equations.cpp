@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "flow_products.hpp"
 
 namespace pd {
 
@@ -29,6 +32,8 @@ void FlowEquations::markFluid() {
 }
 
 void FlowEquations::setTime(double t) {
+  if (t == time_) return refreshSmoothing();
+  time_ = t;
   rows_ = makeFlowRows(geometry_, model_.comm(), t);
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();
@@ -68,6 +73,8 @@ double FlowEquations::speed(int point) const {
 
 void FlowEquations::refreshSmoothing() {
   tau_.clear();
+  gradients_.resize(geometry_.fluid().size());
+  for (std::size_t row = 0; row < gradients_.size(); ++row) gradients_[row] = gradientAt(row);
   for (const int point : geometry_.fluid()) {
     const double h = geometry_.spacingOf(point), cellReynolds = density_ * speed(point) * h / viscosity_;
     tau_.push_back(smoothing_ * h * h / (viscosity_ * (1.0 + 0.25 * cellReynolds)));
@@ -77,17 +84,48 @@ void FlowEquations::refreshSmoothing() {
 std::array<double, 9> FlowEquations::gradientAt(std::size_t row) const {
   const double* velocity = model_.field("Velocity");
   std::array<double, 9> gradient = rows_.gradient.constants[row];
-  for (const auto* term = rows_.gradient.begin(row); term != rows_.gradient.end(row); ++term)
+  rows_.gradient.forEach(row, [&](const auto& term) {
     for (std::size_t a = 0; a < n_; ++a)
       for (std::size_t b = 0; b < n_; ++b)
-        gradient[3 * a + b] += term->weights[3 * a + b] * velocity[3 * index(term->point) + a];
+        gradient[3 * a + b] += term.weights[3 * a + b] * velocity[3 * index(term.point) + a];
+  });
   return gradient;
+}
+
+/// What is linear in the velocity and pressure of a row, but for constants and lambda; `own` [n_ + 1].
+void FlowEquations::addLinear(std::size_t row, const std::vector<double>& state, double* own) const {
+  const double ofMomentum = unit_ * unit_ / viscosity_;
+  std::array<double, 3> sum{};
+  flow_products::addGradient(rows_.pressureGradient.row(row), state, ofMomentum, sum.data());
+  flow_products::addProduct(rows_.viscous.row(row), state, -viscosity_ * ofMomentum, sum.data());
+  for (std::size_t a = 0; a < n_; ++a) own[a] += sum[a];
+  own[n_] += (flow_products::divergence(rows_.divergence.row(row), state) -
+              tau_[row] * flow_products::smoothing(rows_.smoothing.row(row), state)) *
+             unit_;
+}
+
+void FlowEquations::addConvection(std::size_t row, const std::vector<double>& state, double* own) const {
+  const double factor = density_ * unit_ * unit_ / viscosity_;
+  const int point = geometry_.fluid()[row];
+  const double* change = flow_products::valuesOf(state, point);
+  std::array<double, 3> sum{};
+  flow_products::addCarried(rows_.gradient.row(row), state, model_.field("Velocity") + 3 * index(point), factor,
+                            sum.data());
+  for (std::size_t a = 0; a < n_; ++a) {
+    own[a] += sum[a];
+    for (std::size_t b = 0; b < n_; ++b) own[a] += factor * gradients_[row][3 * a + b] * change[b];
+  }
 }
 
 std::vector<double> FlowEquations::residual(bool hasConvection) const {
   const double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
   const double ofMomentum = unit_ * unit_ / viscosity_;
   std::vector<double> result(nOfPoints() + ownPockets_.size(), 0.0);
+  std::vector<double> state(flow_products::width * static_cast<std::size_t>(model_.nPoints()));
+  for (std::size_t point = 0; point < static_cast<std::size_t>(model_.nPoints()); ++point) {
+    std::copy_n(velocity + 3 * point, 3, &state[flow_products::width * point]);
+    state[flow_products::width * point + 3] = pressure[point];
+  }
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     const int point = geometry_.fluid()[row];
     double* own = &result[place(row, 0)];
@@ -100,26 +138,39 @@ std::vector<double> FlowEquations::residual(bool hasConvection) const {
     for (std::size_t a = 0; a < n_; ++a)
       own[a] +=
           (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a]) * ofMomentum;
-    for (const auto* term = rows_.pressureGradient.begin(row); term != rows_.pressureGradient.end(row); ++term)
-      for (std::size_t a = 0; a < n_; ++a) own[a] += term->weights[a] * pressure[term->point] * ofMomentum;
-    for (const auto* term = rows_.viscous.begin(row); term != rows_.viscous.end(row); ++term)
-      for (std::size_t a = 0; a < n_; ++a)
-        for (std::size_t b = 0; b < n_; ++b)
-          own[a] -= viscosity_ * term->weights[3 * a + b] * velocity[3 * index(term->point) + b] * ofMomentum;
-
-    double& mass = own[n_];
-    mass = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
-    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
-      for (std::size_t a = 0; a < n_; ++a) mass += term->weights[a] * velocity[3 * index(term->point) + a] * unit_;
-    for (const auto* term = rows_.smoothing.begin(row); term != rows_.smoothing.end(row); ++term)
-      mass -= tau_[row] * term->weights[0] * pressure[term->point] * unit_;
+    own[n_] = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
+    addLinear(row, state, own);
     const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
-    if (pocketColumn_[pocket] >= 0) mass += lambda_[pocket];
+    if (pocketColumn_[pocket] >= 0) own[n_] += lambda_[pocket];
   }
   for (std::size_t k = 0; k < ownPockets_.size(); ++k)
     result[nOfPoints() + k] =
         pressure[pockets_.pockets[static_cast<std::size_t>(ownPockets_[k])].firstPoint] * unit_ / viscosity_;
   return result;
+}
+
+void FlowEquations::apply(bool hasConvection, const double* x, double* y) const {
+  std::vector<double> state(flow_products::width * static_cast<std::size_t>(model_.nPoints()), 0.0);
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    double* values = &state[flow_products::width * index(geometry_.fluid()[row])];
+    std::copy_n(x + place(row, 0), n_, values);
+    values[3] = x[place(row, n_)] * viscosity_ / unit_;
+  }
+  model_.exchange().import(state.data(), static_cast<int>(flow_products::width), std::nullopt);
+  std::copy_n(x, nOfPoints(), y);  // for points that are solid
+  const std::vector<double> lambdas = ofPockets(x);
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    const int point = geometry_.fluid()[row];
+    double* own = y + place(row, 0);
+    std::fill_n(own, n_ + 1, 0.0);
+    addLinear(row, state, own);
+    if (hasConvection) addConvection(row, state, own);
+    own[n_] += lambdas[static_cast<std::size_t>(pockets_.pocketOf[index(point)])];
+  }
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    y[nOfPoints() + k] =
+        state[flow_products::width * index(pockets_.pockets[static_cast<std::size_t>(ownPockets_[k])].firstPoint) + 3] *
+        unit_ / viscosity_;
 }
 
 SparseRows FlowEquations::matrix(bool hasConvection) const {
@@ -136,31 +187,35 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     addIdentityUpTo(place(row, 0));
     const int point = geometry_.fluid()[row];
-    const std::array<double, 9> gradient = hasConvection ? gradientAt(row) : std::array<double, 9>{};
+    const std::array<double, 9>& gradient = gradients_[row];
     for (std::size_t a = 0; a < n_; ++a) {
       entries.clear();
-      for (const auto* term = rows_.viscous.begin(row); term != rows_.viscous.end(row); ++term)
+      rows_.viscous.forEach(row, [&](const auto& term) {
         for (std::size_t b = 0; b < n_; ++b)
-          if (term->weights[3 * a + b] != 0.0)
-            entries.emplace_back(column(term->point, b), -viscosity_ * term->weights[3 * a + b] * ofMomentum);
-      for (const auto* term = rows_.pressureGradient.begin(row); term != rows_.pressureGradient.end(row); ++term)
-        entries.emplace_back(column(term->point, n_), term->weights[a] * ofMomentum * ofPressure);
+          if (term.weights[3 * a + b] != 0.0)
+            entries.emplace_back(column(term.point, b), -viscosity_ * term.weights[3 * a + b] * ofMomentum);
+      });
+      rows_.pressureGradient.forEach(row, [&](const auto& term) {
+        entries.emplace_back(column(term.point, n_), term.weights[a] * ofMomentum * ofPressure);
+      });
       if (hasConvection) {
-        for (const auto* term = rows_.gradient.begin(row); term != rows_.gradient.end(row); ++term) {
+        rows_.gradient.forEach(row, [&](const auto& term) {
           double along = 0.0;
-          for (std::size_t b = 0; b < n_; ++b) along += velocity[3 * index(point) + b] * term->weights[3 * a + b];
-          entries.emplace_back(column(term->point, a), density_ * along * ofMomentum);
-        }
+          for (std::size_t b = 0; b < n_; ++b) along += velocity[3 * index(point) + b] * term.weights[3 * a + b];
+          entries.emplace_back(column(term.point, a), density_ * along * ofMomentum);
+        });
         for (std::size_t b = 0; b < n_; ++b)
           entries.emplace_back(column(point, b), density_ * gradient[3 * a + b] * ofMomentum);
       }
       result.addRow(entries);
     }
     entries.clear();
-    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
-      for (std::size_t a = 0; a < n_; ++a) entries.emplace_back(column(term->point, a), term->weights[a] * unit_);
-    for (const auto* term = rows_.smoothing.begin(row); term != rows_.smoothing.end(row); ++term)
-      entries.emplace_back(column(term->point, n_), -tau_[row] * term->weights[0] * unit_ * ofPressure);
+    rows_.divergence.forEach(row, [&](const auto& term) {
+      for (std::size_t a = 0; a < n_; ++a) entries.emplace_back(column(term.point, a), term.weights[a] * unit_);
+    });
+    rows_.smoothing.forEach(row, [&](const auto& term) {
+      entries.emplace_back(column(term.point, n_), -tau_[row] * term.weights[0] * unit_ * ofPressure);
+    });
     const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
     if (pocketColumn_[pocket] >= 0) entries.emplace_back(pocketColumn_[pocket], 1.0);
     result.addRow(entries);
@@ -173,6 +228,45 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
   return result;
 }
 
+/// Of the unknowns `x` of this rank, lambda of all pockets.
+std::vector<double> FlowEquations::ofPockets(const double* x) const {
+  std::vector<double> all(lambda_.size(), 0.0);
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    all[static_cast<std::size_t>(ownPockets_[k])] = x[nOfPoints() + k];
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, model_.comm().mpi());
+  return all;
+}
+
+void FlowEquations::balancePockets(std::vector<double>& divergence, double* z) const {
+  std::vector<double> means(lambda_.size(), 0.0);
+  for (std::size_t row = 0; row < divergence.size(); ++row) {
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(geometry_.fluid()[row])]);
+    if (pocketColumn_[pocket] >= 0)
+      means[pocket] += divergence[row] / static_cast<double>(pockets_.pockets[pocket].nPoints);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, means.data(), static_cast<int>(means.size()), MPI_DOUBLE, MPI_SUM, model_.comm().mpi());
+  for (std::size_t row = 0; row < divergence.size(); ++row)
+    divergence[row] -= means[static_cast<std::size_t>(pockets_.pocketOf[index(geometry_.fluid()[row])])];
+  if (z == nullptr) return;
+  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
+    z[nOfPoints() + k] = means[static_cast<std::size_t>(ownPockets_[k])];
+}
+
+void FlowEquations::shiftPockets(const double* r, std::vector<double>& pressure) const {
+  std::vector<double> shifts = ofPockets(r), atFirst(lambda_.size(), 0.0);
+  for (std::size_t row = 0; row < pressure.size(); ++row) {
+    const int point = geometry_.fluid()[row];
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    if (pocketColumn_[pocket] >= 0 && pockets_.pockets[pocket].firstPoint == point) atFirst[pocket] = pressure[row];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, atFirst.data(), static_cast<int>(atFirst.size()), MPI_DOUBLE, MPI_SUM,
+                model_.comm().mpi());
+  for (std::size_t row = 0; row < pressure.size(); ++row) {
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(geometry_.fluid()[row])]);
+    if (pocketColumn_[pocket] >= 0) pressure[row] += shifts[pocket] - atFirst[pocket];
+  }
+}
+
 void FlowEquations::add(double factor, const std::vector<double>& change) {
   double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
@@ -180,12 +274,8 @@ void FlowEquations::add(double factor, const std::vector<double>& change) {
     for (std::size_t a = 0; a < n_; ++a) velocity[3 * point + a] += factor * change[place(row, a)];
     pressure[point] += factor * change[place(row, n_)] * viscosity_ / unit_;
   }
-  std::vector<double> ofPockets(lambda_.size(), 0.0);
-  for (std::size_t k = 0; k < ownPockets_.size(); ++k)
-    ofPockets[static_cast<std::size_t>(ownPockets_[k])] = factor * change[nOfPoints() + k];
-  MPI_Allreduce(MPI_IN_PLACE, ofPockets.data(), static_cast<int>(ofPockets.size()), MPI_DOUBLE, MPI_SUM,
-                model_.comm().mpi());
-  for (std::size_t k = 0; k < lambda_.size(); ++k) lambda_[k] += ofPockets[k];
+  const std::vector<double> changes = ofPockets(change.data());
+  for (std::size_t k = 0; k < lambda_.size(); ++k) lambda_[k] += factor * changes[k];
   model_.importGhosts("Velocity");
   model_.importGhosts("Pressure");
 }
@@ -242,8 +332,9 @@ double FlowEquations::largestDivergence() const {
   double largest = 0.0;
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     double sum = rows_.divergence.constants[row][0];
-    for (const auto* term = rows_.divergence.begin(row); term != rows_.divergence.end(row); ++term)
-      for (std::size_t a = 0; a < n_; ++a) sum += term->weights[a] * velocity[3 * index(term->point) + a];
+    rows_.divergence.forEach(row, [&](const auto& term) {
+      for (std::size_t a = 0; a < n_; ++a) sum += term.weights[a] * velocity[3 * index(term.point) + a];
+    });
     largest = std::max(largest, std::abs(sum));
   }
   return model_.comm().max(largest);

@@ -2,6 +2,7 @@
 #ifndef PD_FLOW_EQUATIONS_HPP
 #define PD_FLOW_EQUATIONS_HPP
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -33,9 +34,11 @@ class FlowEquations {
   std::vector<double> residual(bool hasConvection) const;
   /// Of the residual by the unknowns.
   SparseRows matrix(bool hasConvection) const;
+  /// y = matrix x, without the matrix, over the unknowns of this rank. Collective.
+  void apply(bool hasConvection, const double* x, double* y) const;
   /// Adds `factor` times a change of the unknowns to the fields; ghosts are brought up to date. Collective.
   void add(double factor, const std::vector<double>& change);
-  /// tau of the present velocities.
+  /// tau of the present velocities, and their gradients, for matrix() and apply().
   void refreshSmoothing();
   /// Pressures of closed pockets get zero mean, and points that are not fluid the boundary's values. Collective.
   void settle(double t);
@@ -43,6 +46,25 @@ class FlowEquations {
   const FlowGeometry& geometry() const { return geometry_; }
   const FlowRows& rows() const { return rows_; }
   const FlowPockets& pockets() const { return pockets_; }
+  double density() const { return density_; }
+  double viscosity() const { return viscosity_; }
+  double unit() const { return unit_; }                                   ///< h of the units, m
+  std::size_t count() const { return nOfPoints() + ownPockets_.size(); }  ///< unknowns of this rank
+  /// The unknown of a row; component n of n dimensions is the pressure.
+  std::size_t place(std::size_t row, std::size_t component) const {
+    return index(geometry_.possibleOf()[row]) * (n_ + 1) + component;
+  }
+
+  /// own[a] += what convection of the present flow makes of a change of the velocities, which `state` has as
+  /// flow_products want it, ghosts included; momentum in the residuals' unit.
+  void addConvection(std::size_t row, const std::vector<double>& state, double* own) const;
+  /// For preconditioners. Of divergences [rows] takes the mean of each closed pocket, which is lambda among the
+  /// unknowns `z`, where that is not null. Collective.
+  void balancePockets(std::vector<double>& divergence, double* z) const;
+  /// Shifts pressures [rows, in the unknowns' unit] of closed pockets to what the residuals `r` say of one of their
+  /// points. Collective.
+  void shiftPockets(const double* r, std::vector<double>& pressure) const;
+
   double largestSpeed() const;         ///< of fluid points, all ranks, m/s
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
   /// Largest net flow into a closed pocket, over its largest velocity times its width. All ranks.
@@ -53,13 +75,12 @@ class FlowEquations {
  private:
   void markFluid();
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
-  std::size_t place(std::size_t row, std::size_t component) const {
-    return index(geometry_.possibleOf()[row]) * (n_ + 1) + component;
-  }
   std::size_t nOfPoints() const { return index(geometry_.nPossible()) * (n_ + 1); }  ///< unknowns, but for pockets
   long long column(int point, std::size_t component) const;
   void numberUnknowns();
   std::array<double, 9> gradientAt(std::size_t row) const;
+  void addLinear(std::size_t row, const std::vector<double>& state, double* own) const;
+  std::vector<double> ofPockets(const double* x) const;
   double speed(int point) const;
 
   Simulation& simulation_;
@@ -68,14 +89,16 @@ class FlowEquations {
   const double smoothing_, density_, viscosity_;
   const std::size_t n_;         ///< components of the velocity
   double unit_ = 0.0;           ///< h of the units, m
+  double time_ = -HUGE_VAL;     ///< of rows_, s
   long long firstUnknown_ = 0;  ///< of this rank
   FlowRows rows_;
   FlowPockets pockets_;
-  std::vector<double> firstColumn_;      ///< [points] of the unknowns of fluid points
-  std::vector<long long> pocketColumn_;  ///< of lambda by pocket; -1: open
-  std::vector<double> lambda_;           ///< by pocket, times unit, m/s
-  std::vector<int> ownPockets_;          ///< closed ones whose lambda is an unknown of this rank
-  std::vector<double> tau_;              ///< [rows] m s/kg
+  std::vector<double> firstColumn_;               ///< [points] of the unknowns of fluid points
+  std::vector<long long> pocketColumn_;           ///< of lambda by pocket; -1: open
+  std::vector<double> lambda_;                    ///< by pocket, times unit, m/s
+  std::vector<int> ownPockets_;                   ///< closed ones whose lambda is an unknown of this rank
+  std::vector<double> tau_;                       ///< [rows] m s/kg
+  std::vector<std::array<double, 9>> gradients_;  ///< [rows] dv_a/dx_b at 3a + b, 1/s
 };
 
 }  // namespace pd

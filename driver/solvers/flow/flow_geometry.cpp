@@ -140,6 +140,12 @@ FlowGeometry::End FlowGeometry::endOf(int point, int neighbor, const std::vector
   return end;
 }
 
+double FlowGeometry::compactWeight(int point, const End& end) const {
+  const double own = mesh_.volume[index(point)], other = mesh_.volume[index(end.point)];
+  const double spacing = 0.5 * (spacingOf(point) + spacingOf(end.point));
+  return kernels::pressureSmoothing(dimension(), spacing, end.length) * 2.0 * other / (own + other);
+}
+
 void FlowGeometry::meetBoundaries(int point, const std::vector<int>& candidates, End& end) const {
   end.fraction = 2.0;
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {

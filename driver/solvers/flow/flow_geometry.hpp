@@ -44,6 +44,8 @@ class FlowGeometry {
   const Discretization& mesh() const { return mesh_; }
   int dimension() const { return mesh_.dimension; }
   bool isFluid(int point) const { return kindOf(point) == Kind::Fluid; }
+  /// Whether a fluid point has neighbours that are not fluid.
+  bool isNearBoundary(int point) const { return isNear_[index(point)] != 0.0; }
   bool isSolid(int point) const { return isSolid_[index(mesh_.sourceOf(point))] != 0; }
   double spacingOf(int point) const { return law_.family.spacing(mesh_.volume[index(point)]); }
   const std::vector<int>& fluid() const { return fluid_; }  ///< owned points
@@ -56,6 +58,9 @@ class FlowGeometry {
   /// Of any fluid point of this rank, to `candidates` within the reach of gradients.
   std::vector<End> compactEndsOf(int point, const std::vector<int>& candidates) const;
   End endOf(int point, int neighbor, const std::vector<int>& candidates) const;
+  /// Of the bond, within the reach of gradients, in a Laplacian over the nearest neighbours that is symmetric but for
+  /// volumes, 1/m2.
+  double compactWeight(int point, const End& end) const;
   /// The last boundary that has the point; -1: none.
   int boundaryOf(int point) const { return boundaryOf_[index(mesh_.sourceOf(point))]; }
   const std::string& titleOf(int boundary) const {

@@ -7,8 +7,8 @@ namespace pd {
 FlowPockets findFlowPockets(Model& model, const FlowGeometry& geometry, const FlowRows& rows) {
   const Discretization& mesh = model.discretization();
   const auto gradientOf = [&](std::size_t row, const auto& connect) {
-    for (const auto* term = rows.pressureGradient.begin(row); term != rows.pressureGradient.end(row); ++term)
-      connect(term->point);
+    const auto stored = rows.pressureGradient.row(row);
+    std::for_each(stored.points, stored.points + stored.count, connect);
   };
   const FlowParts parts = findFlowParts(model, geometry.fluid(), gradientOf);
 
@@ -24,11 +24,12 @@ FlowPockets findFlowPockets(Model& model, const FlowGeometry& geometry, const Fl
     ++pocket.nPoints;
     // Weights of a gradient add up to nothing where all ends are points.
     std::array<double, 3> sum{}, size{};
-    for (const auto* term = rows.pressureGradient.begin(row); term != rows.pressureGradient.end(row); ++term)
+    rows.pressureGradient.forEach(row, [&](const auto& term) {
       for (std::size_t a = 0; a < 3; ++a) {
-        sum[a] += term->weights[a];
-        size[a] += std::abs(term->weights[a]);
+        sum[a] += term.weights[a];
+        size[a] += std::abs(term.weights[a]);
       }
+    });
     for (std::size_t a = 0; a < 3; ++a) pocket.isOpen = pocket.isOpen || std::abs(sum[a]) > 1e-9 * size[a];
   }
   for (FlowPockets::Pocket& pocket : result.pockets) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "../../model/collective.hpp"
 #include "exact_weights.hpp"
@@ -51,18 +52,11 @@ class RowMaker {
       : geometry_(geometry), comm_(comm), t_(t), n_(static_cast<std::size_t>(geometry.dimension())) {}
 
   FlowRows make() {
-    collectively(comm_, [&] { collectEnds(); });
-    const std::vector<double> jumps = comm_.gather(findJumps());
+    std::vector<double> jumpOf;
+    collectively(comm_, [&] { jumpOf = findJumps(); });
+    const std::vector<double> jumps = comm_.gather(placesOfJumps(jumpOf));
     collectively(comm_, [&] {
-      for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
-        velocityRows(row);
-        pressureRow(row);
-        if (isNearJump(geometry_.fluid()[row], jumps))
-          massBalanceRow(row);
-        else
-          divergenceRow(row);
-        smoothingRow(row);
-      }
+      for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) makeRow(row, jumps);
     });
     rows_.nAtJumps = comm_.sum(rows_.nAtJumps);
     return std::move(rows_);
@@ -72,15 +66,20 @@ class RowMaker {
   const Discretization& mesh() const { return geometry_.mesh(); }
   double sign(int copy, std::size_t a) const { return mesh().symmetry.matrix(copy)[4 * a]; }
 
-  void collectEnds() {
-    for (const int point : geometry_.fluid()) {
-      ends_.push_back(geometry_.endsOf(point));
-      for (const FlowEnd& end : ends_.back()) {
-        if (end.kind != FlowKind::Wall) continue;
-        const FlowVector velocity = velocityAt(point, end);
-        rows_.largestVelocity = std::max(rows_.largestVelocity, std::hypot(velocity[0], velocity[1], velocity[2]));
-      }
-    }
+  /// In space the ends of all bonds would take more memory than all rows: they are found when they are needed.
+  void makeRow(std::size_t row, const std::vector<double>& jumps) {
+    constexpr std::size_t sample = 200, mostFits = 50000;
+    const int point = geometry_.fluid()[row];
+    const std::vector<FlowEnd> ends = geometry_.endsOf(point);
+    velocityRows(row, ends);
+    pressureRow(row);
+    if (isNearJump(point, jumps))
+      massBalanceRow(row);
+    else
+      divergenceRow(row);
+    smoothingRow(row, ends);
+    if (row == sample) rows_.expect(geometry_.fluid().size());
+    if (fits_.size() > mostFits) fits_.clear();  // those of the points around come again, few of them
   }
 
   FlowVector velocityAt(int point, const FlowEnd& end) const {
@@ -88,19 +87,36 @@ class RowMaker {
   }
   bool isCompact(const FlowEnd& end) const { return end.length <= geometry_.law().gradientHorizon * (1.0 + 1e-9); }
 
-  /// Places [3 n] beside which the velocities of two walls differ.
+  /// By row, how far the velocities of two walls differ beside the point, m/s; and the largest velocity.
   std::vector<double> findJumps() {
-    rows_.largestVelocity = comm_.max(rows_.largestVelocity);
-    std::vector<double> jumps;
-    for (std::size_t row = 0; row < ends_.size(); ++row) {
+    std::vector<double> jumpOf(geometry_.fluid().size(), 0.0);
+    for (std::size_t row = 0; row < jumpOf.size(); ++row) {
       const int point = geometry_.fluid()[row];
-      if (!seesJump(point, ends_[row])) continue;
-      jumps.insert(jumps.end(), &mesh().x[3 * localIndex(point)], &mesh().x[3 * localIndex(point)] + 3);
+      if (!geometry_.isNearBoundary(point)) continue;
+      const std::vector<FlowEnd> ends = geometry_.endsOf(point);
+      for (const FlowEnd& end : ends) {
+        if (end.kind != FlowKind::Wall) continue;
+        const FlowVector velocity = velocityAt(point, end);
+        rows_.largestVelocity = std::max(rows_.largestVelocity, std::hypot(velocity[0], velocity[1], velocity[2]));
+      }
+      jumpOf[row] = largestJump(point, ends);
     }
-    return jumps;
+    return jumpOf;
   }
 
-  bool seesJump(int point, const std::vector<FlowEnd>& ends) const {
+  /// [3 n]
+  std::vector<double> placesOfJumps(const std::vector<double>& jumpOf) {
+    rows_.largestVelocity = comm_.max(rows_.largestVelocity);
+    std::vector<double> places;
+    for (std::size_t row = 0; row < jumpOf.size(); ++row) {
+      if (!(jumpOf[row] > jumpShare * rows_.largestVelocity)) continue;
+      const double* x = &mesh().x[3 * localIndex(geometry_.fluid()[row])];
+      places.insert(places.end(), x, x + 3);
+    }
+    return places;
+  }
+
+  double largestJump(int point, const std::vector<FlowEnd>& ends) const {
     const double reach = geometry_.spacingOf(point);
     const auto velocity = [&](const FlowEnd& wall, const FlowVector& place) {
       return geometry_.wallVelocity(wall.boundary, place, t_);
@@ -108,6 +124,7 @@ class RowMaker {
     const auto apart = [](const FlowVector& a, const FlowVector& b) {
       return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
     };
+    double largest = 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k)
       for (std::size_t m = 0; m < k; ++m) {
         const FlowEnd &one = ends[k], &other = ends[m];
@@ -116,11 +133,10 @@ class RowMaker {
         const FlowVector there = geometry_.placeOn(point, other, other.fraction);
         if (apart(here, there) > reach) continue;
         // An inlet's profile that ends in the velocity of the wall does not jump, however near to it bonds end.
-        const double jump = std::min(apart(velocity(one, here), velocity(other, here)),
-                                     apart(velocity(one, there), velocity(other, there)));
-        if (jump > jumpShare * rows_.largestVelocity) return true;
+        largest = std::max(largest, std::min(apart(velocity(one, here), velocity(other, here)),
+                                             apart(velocity(one, there), velocity(other, there))));
       }
-    return false;
+    return largest;
   }
 
   bool isNearJump(int point, const std::vector<double>& jumps) const {
@@ -185,9 +201,8 @@ class RowMaker {
     return value;
   }
 
-  void velocityRows(std::size_t row) {
+  void velocityRows(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
-    const std::vector<FlowEnd>& ends = ends_[row];
     viscousRow(point, ends);
     std::vector<FlowEnd> compact;
     for (const FlowEnd& end : ends)
@@ -206,10 +221,10 @@ class RowMaker {
         std::array<double, 9> term{};
         for (std::size_t a = 0; a < n_; ++a)
           for (std::size_t b = 0; b < n_; ++b) term[3 * a + b] = part.weight * weights[n_ * k + b] * sign(part.copy, a);
-        rows_.gradient.terms.push_back({part.point, term});
+        rows_.gradient.add(part.point, term);
       }
     }
-    rows_.gradient.terms.push_back({point, own});
+    rows_.gradient.add(point, own);
     rows_.gradient.close(constant);
   }
 
@@ -232,10 +247,10 @@ class RowMaker {
         for (std::size_t a = 0; a < n_; ++a)
           for (std::size_t b = 0; b < n_; ++b)
             term[3 * a + b] = part.weight * weights[k] * share[3 * a + b] * sign(part.copy, b);
-        rows_.viscous.terms.push_back({part.point, term});
+        rows_.viscous.add(part.point, term);
       }
     }
-    rows_.viscous.terms.push_back({point, own});
+    rows_.viscous.add(point, own);
     rows_.viscous.close(constant);
   }
 
@@ -255,18 +270,19 @@ class RowMaker {
     PressureFit fit;
     if (!used.empty()) {
       const std::vector<double> weights = kernels::linearGradientWeights(wholeBonds(used));
+      FlowVector opposite{};
       for (std::size_t k = 0; k < used.size(); ++k) {
-        FlowVector weight{}, opposite{};
+        FlowVector weight{};
         for (std::size_t a = 0; a < n_; ++a) {
           weight[a] = weights[n_ * k + a];
-          opposite[a] = -weight[a];
+          opposite[a] -= weight[a];
         }
-        fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), opposite});
         if (used[k].openFraction > 1.0)
           fit.terms.push_back({used[k].point, used[k].copy, weight});
         else
           addMirroredPressure(point, used[k], fluid, weight, fit);
       }
+      fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), opposite});
     }
     return fits_.emplace(point, std::move(fit)).first->second;
   }
@@ -320,18 +336,18 @@ class RowMaker {
   void pressureRow(std::size_t row) {
     const int point = geometry_.fluid()[row];
     const PressureFit& fit = fitAt(point, {});
-    for (const auto& term : fit.terms) rows_.pressureGradient.terms.push_back({term.point, term.weight});
+    for (const auto& term : fit.terms) rows_.pressureGradient.add(term.point, term.weight);
     rows_.pressureGradient.close(fit.constant);
   }
 
   /// The trace of the gradient.
   void divergenceRow(std::size_t row) {
     const FlowOperator<9>& gradient = rows_.gradient;
-    for (const auto* term = gradient.begin(row); term != gradient.end(row); ++term) {
+    gradient.forEach(row, [&](const auto& term) {
       FlowVector weight{};
-      for (std::size_t a = 0; a < n_; ++a) weight[a] = term->weights[4 * a];
-      rows_.divergence.terms.push_back({term->point, weight});
-    }
+      for (std::size_t a = 0; a < n_; ++a) weight[a] = term.weights[4 * a];
+      rows_.divergence.add(term.point, weight);
+    });
     double constant = 0.0;
     for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
     rows_.divergence.close({constant, 0.0, 0.0});
@@ -365,7 +381,7 @@ class RowMaker {
       for (std::size_t a = 0; a < n_; ++a) area[a] += weight[a];
       FlowVector term{};
       for (std::size_t a = 0; a < n_; ++a) term[a] = -weight[a] * sign(mesh().copyOf(other), a);
-      rows_.divergence.terms.push_back({mesh().sourceOf(other), term});
+      rows_.divergence.add(mesh().sourceOf(other), term);
       addFacets(other, candidates, facets);
     }
     splitArea(area, facets);
@@ -414,19 +430,15 @@ class RowMaker {
     for (std::size_t i = 0; i < count; ++i) list[i]->area = share[i];
   }
 
-  void smoothingRow(std::size_t row) {
+  void smoothingRow(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     const std::vector<int> candidates = candidatesAround(point);
-    const double spacing = geometry_.spacingOf(point), volume = mesh().volume[localIndex(point)];
     double constant = 0.0;
-    const auto add = [&](int other, double weight) { rows_.smoothing.terms.push_back({other, {weight}}); };
-    for (const FlowEnd& end : ends_[row]) {
+    const auto add = [&](int other, double weight) { rows_.smoothing.add(other, {weight}); };
+    for (const FlowEnd& end : ends) {
       if (!isCompact(end) || end.kind != FlowKind::Fluid || end.openFraction <= 1.0) continue;
       const int neighbor = localNeighbor(point, end);
-      const double itsVolume = mesh().volume[localIndex(end.point)];
-      const double weight = kernels::pressureSmoothing(geometry_.dimension(),
-                                                       0.5 * (spacing + geometry_.spacingOf(end.point)), end.length) *
-                            2.0 * itsVolume / (volume + itsVolume);
+      const double weight = geometry_.compactWeight(point, end);
       add(end.point, weight);
       add(point, -weight);
       for (const int side : {point, neighbor}) {
@@ -452,8 +464,7 @@ class RowMaker {
   const double t_;
   const std::size_t n_;
   FlowRows rows_;
-  std::vector<std::vector<FlowEnd>> ends_;  ///< by row
-  std::map<int, PressureFit> fits_;         ///< by local point
+  std::unordered_map<int, PressureFit> fits_;  ///< by local point
 };
 
 }  // namespace

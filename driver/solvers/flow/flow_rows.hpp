@@ -2,32 +2,10 @@
 #ifndef PD_FLOW_ROWS_HPP
 #define PD_FLOW_ROWS_HPP
 
-#include <array>
-#include <vector>
-
 #include "flow_geometry.hpp"
+#include "flow_operator.hpp"
 
 namespace pd {
-
-/// A row for each owned fluid point: N weights of each point that has a part in it, and a constant from the boundaries.
-template <std::size_t N>
-struct FlowOperator {
-  struct Term {
-    int point;  ///< local id of a fluid point, owned or ghost
-    std::array<double, N> weights;
-  };
-  std::vector<std::size_t> start{0};
-  std::vector<Term> terms;
-  std::vector<std::array<double, N>> constants;
-
-  const Term* begin(std::size_t row) const { return terms.data() + start[row]; }
-  const Term* end(std::size_t row) const { return terms.data() + start[row + 1]; }
-  /// Ends a row.
-  void close(const std::array<double, N>& constant) {
-    start.push_back(terms.size());
-    constants.push_back(constant);
-  }
-};
 
 /// Values at the time of the boundaries. v, p: velocity and pressure of the points.
 struct FlowRows {
@@ -38,6 +16,15 @@ struct FlowRows {
   FlowOperator<1> smoothing;         ///< fourth differences of the pressure (flow_weights.hpp), 1/m2
   double largestVelocity = 0.0;      ///< of walls and inlets where bonds meet them, all ranks, m/s
   long long nAtJumps = 0;            ///< points whose divergence is a balance of mass, all ranks
+
+  /// As of FlowOperator.
+  void expect(std::size_t nRows) {
+    viscous.expect(nRows);
+    gradient.expect(nRows);
+    divergence.expect(nRows);
+    pressureGradient.expect(nRows);
+    smoothing.expect(nRows);
+  }
 };
 
 /// In the solver's time t. Throws DeckError where a point has too few neighbours, with its place. Collective.

@@ -7,15 +7,22 @@
 
 #include "carried_scalars.hpp"
 #include "field_names.hpp"
+#include "flow_preconditioner.hpp"
 
 namespace pd {
 
 namespace {
 
-/// To which a linear solve with a kept factor goes; the next Newton step takes care of the rest.
-constexpr double keptFactorTolerance = 1e-4, newFactorTolerance = 1e-9;
+/// To which a linear solve without a factor of its own goes; the next Newton step takes care of the rest.
+constexpr double linearTolerance = 1e-4, newFactorTolerance = 1e-9;
 /// Iterations of GMRES after which a new factor is cheaper.
 constexpr int mostGmresIterations = 25;
+/// Without any factor, and vectors that GMRES keeps, of which 50 take 1.6 kB a point.
+constexpr int mostIterations = 1000, keptVectors = 50;
+/// With a preconditioner that is better, or fails.
+constexpr int mostTrialIterations = 150;
+/// In space, beyond which a factor is not tried unasked.
+constexpr long long mostPointsInSpace = 2000;
 /// A change above this part of the largest velocity is a new flow, for which the old factor is not tried.
 constexpr double newFlowChange = 0.3;
 
@@ -67,6 +74,12 @@ void SteadyFlow::declareParameters(ParameterDeclarations& declare) {
       .defaultTo(1e-8);
   declare.integer("Maximum Solver Iterations", "Newton steps for one flow.").atLeast(1).defaultTo(25);
   declare
+      .text("Linear Solver",
+            "Direct: a factor of the matrix (MUMPS). GMRES: without the matrix, velocity and pressure in turn as a "
+            "preconditioner. By default Direct in the plane and for up to 2000 points in space, where factors "
+            "grow fast, and GMRES beyond.")
+      .oneOf({"Direct", "GMRES"});
+  declare
       .real("Pressure Smoothing", "1",
             "c of the term c h^2/mu S p beside the divergence, h the spacing: fourth differences by which pressures "
             "that alternate from point to point are seen. 0 leaves them in. It is less where convection rules.")
@@ -113,6 +126,8 @@ void SteadyFlow::takeUpPhases(Simulation& simulation) {
   isSolid_ = isSolid;
   equations_ = std::make_unique<FlowEquations>(simulation, *law_, flowBlocks_,
                                                parameters_.get<double>("Pressure Smoothing"), isSolid_);
+  hasFactor_ = wantsFactor(simulation);
+  convectsPressure_ = true;
   if (wantsFlows_) flows_ = std::make_unique<BondFlows>(simulation, equations_->geometry(), law_->fluxHorizon);
 }
 
@@ -130,17 +145,42 @@ double SteadyFlow::largestVelocity(const std::vector<double>& change) const {
   return largest;
 }
 
-/// change = -matrix^-1 residual. Returns the true relative residual.
-double SteadyFlow::solveLinear(Simulation& simulation, const SparseRows& matrix, const std::vector<double>& residual,
-                               bool mayKeepFactor, std::vector<double>& change) {
-  const Timers::Scope timer(simulation.model.timers(), "linear solve");
-  system_->setMatrix(matrix);
-  std::vector<double> rightSide(residual.size());
+bool SteadyFlow::wantsFactor(Simulation& simulation) const {
+  if (parameters_.isParameter("Linear Solver")) return parameters_.get<std::string>("Linear Solver") == "Direct";
+  const auto nPoints = simulation.model.comm().sum(static_cast<long long>(equations_->geometry().nPossible()));
+  return nComponents_ == 2 || nPoints <= mostPointsInSpace;
+}
+
+/// -matrix^-1 residual.
+std::vector<double> SteadyFlow::newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor,
+                                           const std::vector<double>& residual) {
+  Timers& timers = simulation.model.timers();
+  std::vector<double> rightSide(residual.size()), change(residual.size(), 0.0);
   std::transform(residual.begin(), residual.end(), rightSide.begin(), [](double value) { return -value; });
+  double left = 0.0;
+  if (hasFactor_) {
+    SparseRows matrix;
+    {
+      const Timers::Scope timer(timers, "flow matrix");
+      matrix = equations_->matrix(!isStokes);
+    }
+    const Timers::Scope timer(timers, "linear solve");
+    left = solveByFactor(matrix, rightSide, mayKeepFactor, change);
+  } else {
+    const Timers::Scope timer(timers, "linear solve");
+    left = solveByIteration(simulation, isStokes, rightSide, change);
+  }
+  largestResidual_ = std::max(largestResidual_, left);
+  return change;
+}
+
+/// Returns the true relative residual.
+double SteadyFlow::solveByFactor(const SparseRows& matrix, const std::vector<double>& rightSide, bool mayKeepFactor,
+                                 std::vector<double>& change) {
+  system_->setMatrix(matrix);
   RowSolveReport report;
   if (mayKeepFactor && system_->hasFactor()) {
-    change.assign(residual.size(), 0.0);
-    report = system_->solve(rightSide, change, keptFactorTolerance, mostGmresIterations);
+    report = system_->solve(rightSide, change, linearTolerance, mostGmresIterations);
     nLinearIterations_ += report.iterations;
     if (report.hasConverged) return report.relativeResidual;
   }
@@ -148,14 +188,47 @@ double SteadyFlow::solveLinear(Simulation& simulation, const SparseRows& matrix,
     throw RunError("Steady Flow: the linear solve failed: " + trouble);
   ++nFactors_;
   largestFactor_ = std::max(largestFactor_, system_->factorEntries());
-  change.assign(residual.size(), 0.0);
+  std::fill(change.begin(), change.end(), 0.0);
   report = system_->solve(rightSide, change, newFactorTolerance, mostGmresIterations);
   nLinearIterations_ += report.iterations;
-  if (!(report.relativeResidual < keptFactorTolerance))
+  if (!(report.relativeResidual < linearTolerance))
     throw RunError(fmt::format(
         "Steady Flow: the linear solve left a residual of {:.3g}: the matrix is singular, or nearly so. With "
         "\"Pressure Smoothing: 0\" pressures that alternate from point to point are not seen",
         report.relativeResidual));
+  return report.relativeResidual;
+}
+
+/// The same without a factor, or a matrix.
+double SteadyFlow::solveByIteration(Simulation& simulation, bool isStokes, const std::vector<double>& rightSide,
+                                    std::vector<double>& change) {
+  const auto solve = [&](bool convectsPressure, int iterations) {
+    const FlowPreconditioner preconditioner(simulation.model, *equations_, !isStokes, convectsPressure);
+    const auto matrix = [&](const double* x, double* y) { equations_->apply(!isStokes, x, y); };
+    const auto precondition = [&](const double* r, double* z) { preconditioner.apply(r, z); };
+    return solveByGmres(simulation.model.comm(), matrix, precondition, rightSide, change, linearTolerance, iterations,
+                        keptVectors);
+  };
+  RowSolveReport report;
+  const auto& pockets = equations_->pockets().pockets;
+  const bool isOpen = std::all_of(pockets.begin(), pockets.end(), [](const auto& pocket) { return pocket.isOpen; });
+  if (convectsPressure_ && isOpen && !isStokes) {
+    report = solve(true, mostTrialIterations);
+    convectsPressure_ = report.hasConverged;
+    nLinearIterations_ += report.iterations;
+    if (report.hasConverged) return report.relativeResidual;
+    std::fill(change.begin(), change.end(), 0.0);
+  }
+  report = solve(false, mostIterations);
+  nLinearIterations_ += report.iterations;
+  if (!report.hasConverged)
+    throw RunError(fmt::format(
+        "Steady Flow: GMRES left a residual of {:.3g} after {} iterations. Let velocities grow over several Load Steps "
+        "(\"Velocity\" as a function of t), refine where rho |v| h/mu of the spacing h, here {:.3g}, is well above 1, "
+        "or "
+        "take \"Linear Solver: Direct\", if there is memory for it. With \"Pressure Smoothing: 0\" pressures that "
+        "alternate from point to point are not seen",
+        report.relativeResidual, report.iterations, equations_->largestCellReynolds()));
   return report.relativeResidual;
 }
 
@@ -195,18 +268,11 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
   bool isStokes = equations_->largestSpeed() == 0.0;
   double relativeChange = isStokes ? 1.0 : 0.0;
   for (int iteration = 1;; ++iteration) {
-    std::vector<double> residual, change;
-    SparseRows matrix;
-    {
-      const Timers::Scope timer(model.timers(), "flow matrix");
-      equations_->refreshSmoothing();
-      residual = equations_->residual(!isStokes);
-      matrix = equations_->matrix(!isStokes);
-    }
+    equations_->refreshSmoothing();
+    const std::vector<double> residual = equations_->residual(!isStokes);
     nUnknowns_ = model.comm().sum(static_cast<long long>(residual.size()));
     const double norm = flowNorm(model.comm(), residual);
-    largestResidual_ =
-        std::max(largestResidual_, solveLinear(simulation, matrix, residual, relativeChange < newFlowChange, change));
+    const std::vector<double> change = newtonStep(simulation, isStokes, relativeChange < newFlowChange, residual);
     ++nNewtonSteps_;
     const double part = isStokes ? 1.0 : takeStep(simulation, change, norm);
     if (isStokes) equations_->add(1.0, change);
@@ -240,10 +306,12 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
 }
 
 std::vector<std::string> SteadyFlow::summary() const {
+  const std::string factors =
+      hasFactor_ ? fmt::format("{} factors ({:.3g} entries)", nFactors_, largestFactor_) : "no factor";
   std::vector<std::string> lines{fmt::format(
-      "Steady Flow: {} load steps, {} Newton steps, {} factors of {} unknowns ({:.3g} entries), {} "
-      "iterations of GMRES; largest relative residual of a linear solve {:.3g}",
-      nLoadSteps_, nNewtonSteps_, nFactors_, nUnknowns_, largestFactor_, nLinearIterations_, largestResidual_)};
+      "Steady Flow: {} load steps, {} Newton steps, {} of {} unknowns, {} iterations of GMRES; largest relative "
+      "residual of a linear solve {:.3g}",
+      nLoadSteps_, nNewtonSteps_, factors, nUnknowns_, nLinearIterations_, largestResidual_)};
   if (nLoadSteps_ > 0)
     lines.push_back(fmt::format(
         "Steady Flow: at the end rho |v| h/mu of the spacing h is at most {:.3g}; largest divergence {:.3g} 1/s; what "

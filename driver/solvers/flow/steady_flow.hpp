@@ -47,8 +47,13 @@ class SteadyFlow : public Solver {
 
  private:
   void takeUpPhases(Simulation& simulation);
-  double solveLinear(Simulation& simulation, const SparseRows& matrix, const std::vector<double>& residual,
-                     bool mayKeepFactor, std::vector<double>& change);
+  bool wantsFactor(Simulation& simulation) const;
+  std::vector<double> newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor,
+                                 const std::vector<double>& residual);
+  double solveByFactor(const SparseRows& matrix, const std::vector<double>& rightSide, bool mayKeepFactor,
+                       std::vector<double>& change);
+  double solveByIteration(Simulation& simulation, bool isStokes, const std::vector<double>& rightSide,
+                          std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
@@ -62,7 +67,7 @@ class SteadyFlow : public Solver {
   const FlowLaw* law_ = nullptr;
   std::vector<int> flowBlocks_;
   std::vector<char> isSolid_;  ///< [points] of equations_
-  bool wantsFlows_ = false, mustRenew_ = false;
+  bool wantsFlows_ = false, mustRenew_ = false, hasFactor_ = true, convectsPressure_ = true;
   std::unique_ptr<FlowEquations> equations_;
   std::unique_ptr<RowSystem> system_;
   OutflowWatch outflows_;
