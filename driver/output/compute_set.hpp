@@ -43,7 +43,7 @@ class ComputeSet {
     std::set<std::string> fieldsOfState;
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
-  void add(const std::string& className, const DeckNode& node, const Communicator& comm);
+  void add(const std::string& className, const DeckNode& node, const Deck& deck, const Communicator& comm);
 
   std::vector<Entry> entries_;
   std::vector<std::string> globalLabels_;

@@ -188,7 +188,6 @@ class RowMaker {
   void velocityRows(std::size_t row) {
     const int point = geometry_.fluid()[row];
     const std::vector<FlowEnd>& ends = ends_[row];
-    viscousRow(point, ends);
     std::vector<FlowEnd> compact;
     for (const FlowEnd& end : ends)
       if (isCompact(end)) compact.push_back(end);
@@ -211,9 +210,16 @@ class RowMaker {
     }
     rows_.gradient.terms.push_back({point, own});
     rows_.gradient.close(constant);
+    viscousRow(row);
   }
 
-  void viscousRow(int point, const std::vector<FlowEnd>& ends) {
+  const kernels::Rings& rings() const { return geometry_.rings(); }
+  double radius(int point) const { return rings().radius(mesh().x.data(), point); }
+
+  /// After the gradient's.
+  void viscousRow(std::size_t row) {
+    const int point = geometry_.fluid()[row];
+    const std::vector<FlowEnd>& ends = ends_[row];
     const FlowLaw& law = geometry_.law();
     const kernels::BondEnds bonds = bondsOf(ends);
     const std::vector<double> weights = kernels::viscousWeights(bonds, law.horizonVolume(), law.viscousKernel);
@@ -235,8 +241,23 @@ class RowMaker {
         rows_.viscous.terms.push_back({part.point, term});
       }
     }
+    if (rings().areUsed()) addRingViscosity(row, own, constant);
     rows_.viscous.terms.push_back({point, own});
     rows_.viscous.close(constant);
+  }
+
+  /// What lap v of a body of revolution has besides: dv/dr /r, and along the radius -v_r/r^2.
+  void addRingViscosity(std::size_t row, std::array<double, 9>& own, std::array<double, 9>& constant) {
+    const int point = geometry_.fluid()[row];
+    const double r = radius(point);
+    const std::size_t radial = rings().radial();
+    for (const auto* term = rows_.gradient.begin(row); term != rows_.gradient.end(row); ++term) {
+      std::array<double, 9> part{};
+      for (std::size_t a = 0; a < n_; ++a) part[4 * a] = term->weights[3 * a + radial] / r;
+      rows_.viscous.terms.push_back({term->point, part});
+    }
+    for (std::size_t a = 0; a < n_; ++a) constant[3 * a] += rows_.gradient.constants[row][3 * a + radial] / r;
+    own[4 * radial] -= 1.0 / (r * r);
   }
 
   /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it. Beyond an
@@ -324,13 +345,19 @@ class RowMaker {
     rows_.pressureGradient.close(fit.constant);
   }
 
-  /// The trace of the gradient.
+  /// The trace of the gradient, and in bodies of revolution v_r/r.
   void divergenceRow(std::size_t row) {
     const FlowOperator<9>& gradient = rows_.gradient;
     for (const auto* term = gradient.begin(row); term != gradient.end(row); ++term) {
       FlowVector weight{};
       for (std::size_t a = 0; a < n_; ++a) weight[a] = term->weights[4 * a];
       rows_.divergence.terms.push_back({term->point, weight});
+    }
+    if (rings().areUsed()) {
+      const int point = geometry_.fluid()[row];
+      FlowVector weight{};
+      weight[rings().radial()] = 1.0 / radius(point);
+      rows_.divergence.terms.push_back({point, weight});
     }
     double constant = 0.0;
     for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
@@ -368,6 +395,8 @@ class RowMaker {
       rows_.divergence.terms.push_back({mesh().sourceOf(other), term});
       addFacets(other, candidates, facets);
     }
+    // Without walls there would be -1/r left: the divergence of 1 along the radius.
+    if (rings().areUsed()) area[rings().radial()] += 1.0 / radius(point);
     splitArea(area, facets);
     for (const auto& [key, facet] : facets) {
       FlowVector outward{};
