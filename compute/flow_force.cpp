@@ -4,6 +4,7 @@
 #include "compute_support.hpp"
 #include "flow_fields.hpp"
 #include "plugins.hpp"
+#include "rings.hpp"
 
 namespace pd {
 
@@ -36,6 +37,11 @@ class FlowForce : public TabledCompute {
         .text("Ring", "Circles about an axis along z, or spheres. A ring three spacings wide and more is enough.")
         .oneOf({"Circles", "Spheres"})
         .defaultTo("Circles");
+    declarations
+        .text(axisOfRevolution,
+              "Axis of a body of revolution, in which spheres about its points are half circles and a force is along "
+              "the axis alone; given by Discretization.")
+        .oneOf({"x", "y"});
   }
   FlowForce(ComputeParameters params, ComputeComm comm, ComputeParameters globalData)
       : TabledCompute(completeParameters<FlowForce>(params, "Flow_Force"), params, comm, globalData),
@@ -43,8 +49,12 @@ class FlowForce : public TabledCompute {
         inner_(parameters_.get<double>("Inner Radius")),
         outer_(parameters_.get<double>("Outer Radius")),
         dimension_(parameters_.get<std::string>("Ring") == "Circles" ? 2 : 3),
+        rings_(parameters_.isParameter(axisOfRevolution) ? parameters_.get<std::string>(axisOfRevolution) : ""),
         fields_(parameters_) {
     if (outer_ <= inner_) throw std::invalid_argument("Flow_Force: \"Outer Radius\" must be above \"Inner Radius\"");
+    if (rings_.areUsed() && (dimension_ != 3 || center_[rings_.radial()] != 0.0))
+      throw std::invalid_argument("Flow_Force: in a body of revolution take \"Ring: Spheres\" about a \"Center\" on its "
+                                  "axis");
   }
 
   const Fields& fields() const override { return fields_; }
@@ -64,6 +74,7 @@ class FlowForce : public TabledCompute {
       throw std::invalid_argument("Flow_Force: " + std::to_string(static_cast<long long>(sums[4])) +
                                   " points between \"Inner Radius\" and \"Outer Radius\" are not fluid; the ring must "
                                   "go round the body and keep away from walls");
+    if (rings_.areUsed()) sums[rings_.radial()] = 0.0;  // all around the axis
     setGlobal(blocks, fields_.force, sums.data(), 3);
     return 0;
   }
@@ -101,6 +112,7 @@ class FlowForce : public TabledCompute {
   Vector3 center_;
   double inner_, outer_;
   std::size_t dimension_;
+  kernels::Rings rings_;
   Fields fields_;
 };
 

@@ -31,6 +31,14 @@ void BondFamily::declareSection(ParameterDeclarations& declare) {
   declare.atMostOneOf({"Plane Stress", "Plane Strain", "One Dimensional"});
 }
 
+void BondFamily::declareAxis(ParameterDeclarations& declare) {
+  declare
+      .text(axisOfRevolution,
+            "Points are half of a section of a body of revolution about this axis, and volumes those of rings; given by "
+            "Discretization.")
+      .oneOf({"x", "y"});
+}
+
 void BondFamily::declareGeometry(ParameterDeclarations& declare) {
   declare.real("Horizon", "m", "Radius of the neighbourhood: that of the block, which materials get from it.")
       .positive();
@@ -65,6 +73,10 @@ BondFamily::BondFamily(const Teuchos::ParameterList& params, const std::string& 
     section = {kernels::Geometry::PlaneStrain, params.get<double>("Thickness")};
   else if (is("One Dimensional"))
     section = {kernels::Geometry::Bar, params.get<double>("Cross Section Area")};
+  if (params.isParameter(axisOfRevolution)) {
+    rings = kernels::Rings(params.get<std::string>(axisOfRevolution));
+    section = {kernels::Geometry::PlaneStrain, 1.0};
+  }
   const std::string rule = params.get<std::string>("Volume Correction");
   if (rule == "Every Neighbor") volumeCorrection = kernels::VolumeCorrection::EveryNeighbor;
   if (rule == "None") volumeCorrection = kernels::VolumeCorrection::None;

@@ -11,12 +11,14 @@
 #include "bond_constants.hpp"
 #include "neighborhood_cache.hpp"
 #include "parameters.hpp"
+#include "rings.hpp"
 
 namespace pd {
 
 /// Parameters that describe the section and the quadrature, and what follows from them for one bond.
 struct BondFamily {
   kernels::Section section;
+  kernels::Rings rings;  ///< where there are any, the section is a plane 1 m thick: planeVolume()s are its volumes
   kernels::VolumeCorrection volumeCorrection = kernels::VolumeCorrection::RampBeyondHorizon;
   double horizon = 0.0;
   bool rescalesToLattice = false;
@@ -26,6 +28,8 @@ struct BondFamily {
   static void declarePlane(ParameterDeclarations& declare);
   /// The same, and bars.
   static void declareSection(ParameterDeclarations& declare);
+  /// That the points may be half of a section of a body of revolution.
+  static void declareAxis(ParameterDeclarations& declare);
   /// All but Lattice Rescaling, for materials that need none.
   static void declareGeometry(ParameterDeclarations& declare);
   /// From a completed list; what a material does not declare of these it does not have. Throws std::invalid_argument,
@@ -40,6 +44,11 @@ struct BondFamily {
   /// Share of the cell of either end that the other one sees; the same from both ends.
   double share(double distance, double volume, double neighborVolume) const {
     return kernels::volumeShare(volumeCorrection, distance, horizon, 0.5 * (spacing(volume) + spacing(neighborVolume)));
+  }
+  /// What the flux of the bond from i to j, or `part` of it, is multiplied by at i (kernels/rings.hpp); 1 in bodies that
+  /// are not of revolution. `volume`, `neighborVolume`: of the plane.
+  double ringShare(const double* x, int i, int j, double volume, double neighborVolume, double part = 1.0) const {
+    return rings.areUsed() ? rings.share(x, i, j, 0.5 * (spacing(volume) + spacing(neighborVolume)), part) : 1.0;
   }
   /// Spacing of a uniform lattice, for rescaled constants. Throws std::invalid_argument where spacings differ by more
   /// than 1 %.

@@ -33,6 +33,10 @@ void CompositeMaterial::declareParameters(ParameterDeclarations& declare) {
   declare.text("Material Model", "Name of this model.").defaultTo("Combined");
   declare.texts(partsKey, "Names of the parts; each has a list of its parameters under its name.").required();
   declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
+  declare
+      .text(axisOfRevolution,
+            "Axis of a body of revolution, for the parts that know such bodies; given by Discretization.")
+      .oneOf({"x", "y"});
   declare.real(probeLength, "m", "Step of finite-difference tangents of parts that give none.").positive();
 }
 
@@ -46,6 +50,8 @@ CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Mate
     for (const std::string& key : {std::string("Horizon"), probeLength})
       if (params.isParameter(key) && !list.isParameter(key) && declarations.find(key) != nullptr)
         list.set(key, params.get<double>(key));
+    if (params.isParameter(axisOfRevolution) && declarations.find(axisOfRevolution) != nullptr)
+      list.set(axisOfRevolution, params.get<std::string>(axisOfRevolution));
     const auto material = MaterialRegistry::self().create(model, list);
     parts_.push_back({name, material, fieldsIn(*material)});
   }

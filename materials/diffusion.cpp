@@ -26,6 +26,7 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
         .from("Trask, You, Yu & Parks, CMAME 343 (2019) 151");
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     BondFamily::declareSection(declare);
+    BondFamily::declareAxis(declare);
     declare.text("Volume Correction", "As of PDHE; by default none, as in Peridigm.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
@@ -78,15 +79,20 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     declareParameters(own);
     const Teuchos::ParameterList params = own.complete(given, owner);
     BondFamily::declareParameters(shared);
+    BondFamily::declareAxis(shared);
     NonlocalDiffusion::declareParameters(shared);
     Teuchos::ParameterList list;
     for (const char* key : {"Horizon", "Plane Stress", "Plane Strain", "Thickness", "One Dimensional",
-                            "Cross Section Area", "Volume Correction"})
+                            "Cross Section Area", "Volume Correction", axisOfRevolution})
       if (params.isParameter(key)) list.setEntry(key, params.getEntry(key));
     list.set("Diffusivity", params.get<double>("Coefficient"));
     list.set<std::string>("Diffusion Kernel", "Inverse");
     list.set<std::string>("Diffusing Field", "Temperature");
     list = shared.complete(list, owner);
+    if (params.isParameter(axisOfRevolution) && params.get<bool>("Use Improved Quadrature"))
+      throw std::invalid_argument(
+          owner + ": the improved quadrature fits weights to neighbourhoods in a plane or in space, and this is a body "
+                  "of revolution; leave \"Use Improved Quadrature\" out");
     return NonlocalDiffusion(list, BondFamily(list, owner), owner,
                              params.get<std::string>("Interface Flux") == "Series"
                                  ? NonlocalDiffusion::Interface::Series

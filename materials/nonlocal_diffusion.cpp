@@ -93,10 +93,15 @@ NonlocalDiffusion::Quantities NonlocalDiffusion::quantities(const Call& call, Da
   Quantities of{x,
                 volume,
                 fields_.blockId.of(dataManager),
+                {},
                 cellVolume == nullptr ? volume : cellVolume,
                 fields_.interactionShare.ifIn(dataManager),
                 fittedWeights(call, x),
                 {}};
+  if (family_.rings.areUsed()) {
+    of.ofPlane = family_.rings.planeVolumes(x, volume, fields_.volume.length(dataManager));
+    of.volume = of.cellVolume = of.ofPlane.data();
+  }
   if (interface_ == Interface::Series)
     of.relative = seriesDiffusivities(call, fields_.diffusivity.of(dataManager),
                                       [x](int i, int j) { return ReferenceBond(x, i, j).xi; });
@@ -113,9 +118,11 @@ NonlocalDiffusion::RateConstants NonlocalDiffusion::rateConstants(const Quantiti
   if (quadrature_ == Quadrature::Fitted)
     return {relative * microDiffusivity_ * kernels::kernelValue(kernel_, geometry.length) * of.fitted[bond], 0.0};
   const double w = weight(of, geometry, i, j, bond);
-  if (interface_ == Interface::OwnConstants) return {w * of.volume[j], 0.0};
-  if (of.blockId[i] != of.blockId[j]) return {0.5 * relative * w * of.volume[j], 0.5 * relative * w * of.volume[i]};
-  return {0.5 * (1.0 + relative) * w * of.volume[j], 0.5 * (relative - 1.0) * w * of.volume[i]};
+  const double own = w * of.volume[j] * family_.ringShare(of.x, i, j, of.volume[i], of.volume[j]);
+  if (interface_ == Interface::OwnConstants) return {own, 0.0};
+  const double neighbor = w * of.volume[i] * family_.ringShare(of.x, j, i, of.volume[j], of.volume[i]);
+  if (of.blockId[i] != of.blockId[j]) return {0.5 * relative * own, 0.5 * relative * neighbor};
+  return {0.5 * (1.0 + relative) * own, 0.5 * (relative - 1.0) * neighbor};
 }
 
 NonlocalDiffusion::Cache NonlocalDiffusion::makeCache(const Call& call, const Quantities& of) const {
@@ -163,11 +170,12 @@ void NonlocalDiffusion::computeJacobian(const Call& call, DataManager& dataManag
   const UnknownPlace place = unknownPlace(fields_.diffusingField);
   if (!place.isUnknown) return;
   const Quantities of = quantities(call, dataManager);
+  const double* volume = fields_.volume.of(dataManager);
   forEachBond(call, [&](int i, int j, std::size_t bond) {
     if (bondDamage != nullptr && bondDamage[bond] >= 1.0) return;
     const RateConstants constants = rateConstants(of, i, j, bond);
     const int row = place.row(map.GID(i)), column = place.row(map.GID(j));
-    const double own = constants.own * of.volume[i], neighbor = constants.neighbor * of.volume[j];
+    const double own = constants.own * volume[i], neighbor = constants.neighbor * volume[j];
     jacobian.addValue(row, row, -own);
     jacobian.addValue(row, column, own);
     if (neighbor == 0.0) return;

@@ -76,6 +76,7 @@ class NonlocalDiffusion {
   /// What a neighbourhood multiplies and adds up, apart from C.
   struct Quantities {
     const double *x, *volume, *blockId;
+    std::vector<double> ofPlane;     ///< in bodies of revolution, volumes of the plane, which `volume` then are
     const double* cellVolume;        ///< volume where the deck has no voids
     const double* interactionShare;  ///< null: all of every bond
     std::vector<double> fitted;      ///< of fittedWeights()

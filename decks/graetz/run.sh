@@ -23,4 +23,17 @@ for points in 10 20 40; do
   run channel upwind --set "Materials/Salt/Scheme=Upwind Biased"
   run channel thin --set "Materials/Salt/Diffusivity=2.0e-8"
 done
+# A pipe, half of its section, by points a radius.
+for points in 5 10 20; do
+  spacing=$(times "0.5e-3/$points")
+  "$pdmesh" grid box --quiet --spacing "$spacing" --size "$(times "4e-3+8*$spacing")" "$(times "0.5e-3+4*$spacing")" \
+    --origin "$(times "-4*$spacing")" 0 -o "$here/pipe_$points.txt"
+  for run in "pipe 8.0e-7" "pipe_thin 2.0e-8"; do
+    read -r name diffusivity <<< "$run"
+    "$pdrun" "$here/pipe.yaml" --quiet --set "Output/Output Filename=${name}_$points" \
+      --set "Discretization/Input Mesh File=pipe_$points.txt" --set "Blocks/Pipe/Horizon=$(times "3.015*$spacing")" \
+      --set "Materials/Water/Flux Horizon=$(times "1.2*$spacing")" --set "Materials/Salt/Diffusivity=$diffusivity"
+  done
+done
 "$here/plot.py" "$results"
+"$here/plot_pipe.py" "$results"

@@ -29,11 +29,12 @@ def losses(name):
     solid = results.field("Concentration", results.steps[0]) > 1000
     x = results.x[solid]
     area = np.count_nonzero(solid) * np.min(np.diff(np.unique(np.round(x[:, 0], 9))))**2
-    share = history["Volume_Loss"] / area
+    share = history["Relative_Volume_Loss"] / 100
     t = history["time"] / 3600
     left = np.interp(FIRST_SCAN, t, 1 - share)
     whole = area if x[:, 1].min() < 0 else 2 * area
-    return t, 100 * share, 100 * (1 - (1 - share) / left), 1e6 * np.sqrt(whole / np.pi)
+    radius = RADIUS if name == "along" else 1e6 * np.sqrt(whole / np.pi)
+    return t, 100 * share, 100 * (1 - (1 - share) / left), radius
 
 
 def draw_loss():
@@ -42,6 +43,7 @@ def draw_loss():
     constant = (1.304, 0.0)
     breaking = (SPEED, FILM)
     for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", breaking),
+                                    ("along", "C3-.", "the same along the axis of the tube", breaking),
                                     ("still", "C2--", "the same in fluid at rest", breaking),
                                     ("no_film", "C1-", "5.0 A/m² from the start", constant)):
         if not (folder / f"{name}.csv").exists():

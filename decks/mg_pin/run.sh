@@ -12,4 +12,8 @@ cd "$results"
 "$pdrun" "$here/still.yaml" --quiet --set "Boundary Conditions/Film/Value=0" \
   --set "Materials/Wire/Current Density=5.0" --set "Output/Output Filename=no_film"
 "$pdrun" "$here/mg_pin.yaml" --quiet
+# Along the axis of the tube; what is beyond the ends of the wire is fluid that stands still.
+"$pdmesh" grid box --quiet --spacing 5e-6 --size 280e-6 445e-6 --origin -15e-6 0 \
+  --block "2: y > 425e-6 || (y < 40e-6 && (x < 0 || x > 250e-6))" -o "$here/along.txt"
+"$pdrun" "$here/along.yaml" --quiet
 "$here/plot.py" "$results"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../materials/kernels/rings.hpp"
 #include "../../materials/registry/plugins.hpp"
 #include "deck.hpp"
 
@@ -46,6 +47,14 @@ inline std::vector<DeckNode> materialParts(const DeckNode& entry) {
   std::vector<DeckNode> parts;
   for (const DeckNode& name : entry[plugin->partsKey].each()) parts.push_back(entry[name.text()]);
   return parts;
+}
+
+/// Tells a plug-in that declares the key of Discretization/Axis Of Revolution. Others, but for those that combine
+/// materials, do not work in a body of revolution, and a check of the deck refuses them.
+inline void giveAxisOfRevolution(const Deck& deck, const ParameterDeclarations& declarations,
+                                 Teuchos::ParameterList& list) {
+  const DeckNode axis = deck["Discretization"][axisOfRevolution];
+  if (axis.isScalar() && declarations.find(axisOfRevolution) != nullptr) list.set(axisOfRevolution, axis.text());
 }
 
 /// An entry that a block names: its name, the plug-in and the parameters.

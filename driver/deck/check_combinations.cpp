@@ -47,6 +47,7 @@ class CombinationCheck {
       isTimeless(set->section.node["Expression"]);
     }
     cutBondsCount();
+    if (deck_["Discretization"][axisOfRevolution]) ofRevolution();
     labels();
     times();
     outputs();
@@ -252,6 +253,36 @@ class CombinationCheck {
         mistakes_.add(items[0].items()[i].place(),
                       fmt::format("{}: the first corner has {} = {}, above {} of the second; the lowest comes first",
                                   node.path(), "xyz"[i], corners[0][i], corners[1][i]));
+  }
+
+  /// What does not know rings would be wrong in silence.
+  void ofRevolution() {
+    const std::string body = std::string("bodies of revolution (Discretization/") + axisOfRevolution + ")";
+    std::vector<std::string> known;
+    for (const std::string& name : MaterialRegistry::self().names())
+      if (const auto* plugin = MaterialRegistry::self().find(name);
+          plugin->partsKey.empty() && plugin->declare().find(axisOfRevolution) != nullptr)
+        known.push_back(name);
+    for (const CheckedSection* material : check_.ofKind(Kind::Material))
+      for (const DeckNode& part : materialParts(material->section.node)) {
+        const DeckNode model = part["Material Model"];
+        if (!model.isScalar() || MaterialRegistry::self().find(model.text()) == nullptr ||
+            std::find(known.begin(), known.end(), model.text()) != known.end())
+          continue;
+        mistakes_.add(model.place(),
+                      fmt::format("{}: {} does not know {}; there are: {}. For others model the body in space",
+                                  part.path(), model.text(), body, quotedList(known)));
+      }
+    for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
+      const ParameterDeclarations& declarations = compute->section.declarations;
+      for (const char* ofPlanes : {"Thickness", "Plane Stress", "Into X"})
+        if (declarations.find(ofPlanes) != nullptr) {
+          mistakes_.add(compute->section.node.keyPlace(),
+                        fmt::format("{}: {} is for points of a plane or of space and does not know {}; leave it out",
+                                    compute->section.node.path(), compute->section.plugin, body));
+          break;
+        }
+    }
   }
 
   /// Of fields that the deck names: they go into the headings of files.

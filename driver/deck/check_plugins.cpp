@@ -145,6 +145,7 @@ class PluginCheck {
                           named.plugin + "\" takes one horizon for all points of a block; give a number");
         named.parameters.set("Horizon", horizon(0.0, 0.0, 0.0, 0.0));
       }
+      giveAxisOfRevolution(deck_, MaterialRegistry::self().find(named.plugin)->declare(), named.parameters);
       return MaterialRegistry::self().create(named.plugin, named.parameters);
     };
     const auto damageModel = [](const NamedPlugin& named) {
@@ -321,7 +322,8 @@ class PluginCheck {
       labels_.insert(compute->section.plugin);
       if (!isComplete_) continue;
       makePart(*compute, [&] {
-        const auto list = Teuchos::rcp<const Teuchos::ParameterList>(new Teuchos::ParameterList(compute->list));
+        const auto list = Teuchos::rcp(new Teuchos::ParameterList(compute->list));
+        giveAxisOfRevolution(deck_, ComputeRegistry::self().find(compute->section.plugin)->declare(), *list);
         const auto made = ComputeRegistry::self().create(compute->section.plugin, list, oneRank, noGlobalData);
         needsLoads(*made, compute->section.node, compute->section.node.path());
         return made->FieldIds();

@@ -2,6 +2,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "../../materials/kernels/rings.hpp"
 #include "sections.hpp"
 
 namespace pd {
@@ -90,6 +91,11 @@ Declarations declareDiscretization(const std::string& type) {
   declare.sublist("Symmetry",
                   "Planes of symmetry, by names of your choice: the mesh is the part of the body beside one plane, or "
                   "in the corner of two or three that are perpendicular to each other.");
+  declare
+      .text(axisOfRevolution,
+            "The mesh, in the x-y plane, is half of a section of a body of revolution about this axis (x: at y > 0; y: "
+            "at x > 0). Points become rings: volumes of the mesh are area x Thickness, those of the run 2 pi r x area.")
+      .oneOf({"x", "y"});
   declare.atMostOneOf({"Thickness", "Cross Section Area"});
   return declare;
 }

@@ -125,6 +125,11 @@ class SectionFinder {
     if (section.declarations.find(kindKey) == nullptr) section.hostKeys.known.push_back(kindKey);
     if (kind != Kind::Material) return;
     section.hostKeys.injected.emplace_back("Horizon");
+    if (const DeckNode axis = node[axisOfRevolution]) {
+      mistakes_.add(axis.keyPlace(), node.path() + " gives an " + axisOfRevolution +
+                                         ", which belongs to Discretization alone; remove it here");
+      if (section.declarations.find(axisOfRevolution) == nullptr) section.hostKeys.known.emplace_back(axisOfRevolution);
+    }
     if (!node["Horizon"]) return;
     mistakes_.add(node["Horizon"].keyPlace(),
                   node.path() + " gives a Horizon, which belongs to the block alone; remove it here");

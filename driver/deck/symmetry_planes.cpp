@@ -41,9 +41,24 @@ std::optional<SymmetryPlane> readPlane(const DeckNode& node, Mistakes& mistakes)
 
 }  // namespace
 
+kernels::Rings ringsOf(const Deck& deck) {
+  const DeckNode node = deck["Discretization"][axisOfRevolution];
+  return kernels::Rings(node.isScalar() ? node.text() : "");
+}
+
+std::optional<SymmetryPlane> axisPlane(const Deck& deck) {
+  const DeckNode node = deck["Discretization"][axisOfRevolution];
+  const kernels::Rings rings = ringsOf(deck);
+  if (!rings.areUsed()) return std::nullopt;
+  SymmetryPlane plane{{}, {}, node.place(), node.path()};
+  plane.normal[rings.radial()] = 1.0;
+  return plane;
+}
+
 std::vector<SymmetryPlane> readSymmetryPlanes(const Deck& deck, Mistakes& mistakes) {
   constexpr double rightAngle = 1e-9;  // far above rounding; planes turned by more would leave gaps between images
   std::vector<SymmetryPlane> planes;
+  if (const auto plane = axisPlane(deck)) planes.push_back(*plane);
   for (const auto& [name, node] : deck["Discretization"]["Symmetry"].entries()) {
     const auto plane = readPlane(node, mistakes);
     if (!plane) continue;

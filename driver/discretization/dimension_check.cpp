@@ -33,7 +33,10 @@ void checkMaterial(const Deck& deck, const DeckNode& material, int dimension, co
   const bool isSaid = std::any_of(dimensions.begin(), dimensions.end(),
                                   [&](const auto& flag) { return declarations.find(flag.first) != nullptr; });
   if (!isSaid) return;
-  int own = 3;
+  // In a body of revolution materials that know such bodies are told by that alone.
+  const bool isOfRevolution =
+      deck["Discretization"][axisOfRevolution] && declarations.find(axisOfRevolution) != nullptr;
+  int own = isOfRevolution ? 2 : 3;
   std::string given;
   for (const auto& [flag, of] : dimensions)
     if (material.flag(flag, false)) {

@@ -168,14 +168,15 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   d.blockNumbers = blockNumbersOf(points);
   d.blockNames = points.blockNames;
   d.dimension = meshDimension(boundingBox(points));
-  const std::vector<SymmetryPlane> planes = readSymmetryPlanes(deck, mistakes);
+  const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
+  std::vector<double> horizon = pointHorizons(points, entries, mistakes);
+  std::vector<SymmetryPlane> planes = readSymmetryPlanes(deck, mistakes);
+  checkHalfSection(deck, points, d.dimension, horizon, planes, mistakes);
   d.symmetry = symmetryOf(planes, points, d.dimension, mistakes);
   const MeshPoints copies = d.symmetry.empty() ? MeshPoints() : wholeBody(points, d.symmetry);
   const MeshPoints& body = d.symmetry.empty() ? points : copies;
   const double thickness = positiveLength(section, "Thickness", mistakes);
   const double area = positiveLength(section, "Cross Section Area", mistakes);
-  const std::map<int, DeckNode> entries = entriesOfBlocks(deck, d.blockNumbers, points);
-  std::vector<double> horizon = pointHorizons(points, entries, mistakes);
   UnresolvedGeometry geometry(deck, comm, d.dimension);
   std::vector<double> cellEdges;
   if (!geometry.empty() && mistakes.empty()) {
@@ -215,6 +216,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   });
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(body, horizon, d);
+  makeRings(deck, thickness, d.x, d.volume);
   if (!geometry.empty()) geometry.decompose(points, cellEdges, comm, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);

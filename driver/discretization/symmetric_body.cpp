@@ -108,6 +108,51 @@ void repeat(Values& values, int times) {
 
 }  // namespace
 
+void checkHalfSection(const Deck& deck, const MeshPoints& part, int dimension, const std::vector<double>& horizon,
+                      std::vector<SymmetryPlane>& planes, Mistakes& mistakes) {
+  const auto axis = axisPlane(deck);
+  if (!axis) return;
+  const DeckNode section = deck["Discretization"];
+  for (const char* key : {"Cracks", "Voids"})
+    if (section[key])
+      mistakes.add(section[key].keyPlace(),
+                   fmt::format("{} are shares of squares in a plane and of cubes, not of the rings of a body of "
+                               "revolution; cut them out of the mesh, or leave out \"{}\"",
+                               section[key].path(), axisOfRevolution));
+  if (dimension != 2)
+    mistakes.add(axis->place, fmt::format("{}: the points of {} must lie in the x-y plane, all at one z, beside the "
+                                          "axis; those of a mesh in space are the body already",
+                                          axis->path, part.fileName));
+  const std::size_t radial = ringsOf(deck).radial();
+  int nBeyond = 0, first = 0;
+  double nearest = HUGE_VAL;
+  for (int i = 0; i < part.size(); ++i) {
+    const double r = part.at(i)[radial];
+    nearest = std::min(nearest, r);
+    if (!(r <= 0.0)) continue;
+    if (nBeyond++ == 0) first = i;
+  }
+  if (nBeyond > 0)
+    mistakes.add(axis->place,
+                 fmt::format("{}: {} of {} points lie at {} <= 0, as the point {} at ({:g}, {:g}, {:g}); the mesh is "
+                             "the half of the section at {} > 0, with the axis half a spacing from the nearest points",
+                             axis->path, nBeyond, part.size(), "xy"[radial], part.place(first), part.at(first)[0],
+                             part.at(first)[1], part.at(first)[2], "xy"[radial]));
+  const bool reachesAxis =
+      std::any_of(horizon.begin(), horizon.end(), [&](double value) { return 2.0 * nearest < value; });
+  if (nBeyond > 0 || !reachesAxis)
+    planes.erase(std::remove_if(planes.begin(), planes.end(),
+                                [&](const SymmetryPlane& plane) { return plane.path == axis->path; }),
+                 planes.end());
+}
+
+void makeRings(const Deck& deck, double thickness, const std::vector<double>& x, std::vector<double>& volume) {
+  const kernels::Rings rings = ringsOf(deck);
+  if (!rings.areUsed()) return;
+  for (std::size_t i = 0; i < volume.size(); ++i)
+    volume[i] *= 2.0 * M_PI * rings.radius(x.data(), static_cast<int>(i)) / thickness;
+}
+
 Symmetry symmetryOf(const std::vector<SymmetryPlane>& planes, const MeshPoints& part, int dimension,
                     Mistakes& mistakes) {
   Symmetry symmetry;

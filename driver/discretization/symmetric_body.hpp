@@ -13,6 +13,16 @@
 
 namespace pd {
 
+/// For the half section of a body of revolution. Points that are not beside the axis, in a plane, and what there is no
+/// rule for in rings, are added to `mistakes`. Takes the plane of the axis out of `planes` where no point, with half of
+/// the largest `horizon`, reaches as far as there.
+void checkHalfSection(const Deck& deck, const MeshPoints& part, int dimension, const std::vector<double>& horizon,
+                      std::vector<SymmetryPlane>& planes, Mistakes& mistakes);
+
+/// Makes of volumes of the mesh, area times thickness, those of rings, 2 pi r times area. `x` [3 n], m. Nothing happens
+/// to other bodies.
+void makeRings(const Deck& deck, double thickness, const std::vector<double>& x, std::vector<double>& volume);
+
 /// Of the deck's planes. Normals that leave the dimension of the mesh, and bodies of more points than there are numbers
 /// for, are added to `mistakes`.
 Symmetry symmetryOf(const std::vector<SymmetryPlane>& planes, const MeshPoints& part, int dimension,

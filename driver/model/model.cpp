@@ -71,6 +71,7 @@ Teuchos::RCP<Material> createMaterial(const Deck& deck, const DeckNode& blockNod
                       [&](Teuchos::ParameterList& list, const ParameterDeclarations& declarations) {
                         double horizon = 0.0;
                         if (constantHorizon(blockNode, horizon)) list.set("Horizon", horizon);
+                        giveAxisOfRevolution(deck, declarations, list);
                         // Peridigm's default: far below the smallest distance that the material sees.
                         const std::string probe = "Finite Difference Probe Length";
                         if (declarations.find(probe) != nullptr && !list.isParameter(probe))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../deck/block_plugins.hpp"
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "../model/state_fields.hpp"
@@ -46,11 +47,11 @@ ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm)
   globalData_->set("discretization", &discretization_);
   globalData_->set<Teuchos::RCP<const WholeBody>>("whole body", wholeBody_);
   // First those that others may take fields from.
-  for (const std::string& name : computesWithoutSection(deck)) add(name, DeckNode(), comm);
+  for (const std::string& name : computesWithoutSection(deck)) add(name, DeckNode(), deck, comm);
   Mistakes mistakes;
   for (const auto& [name, node] : deck["Compute Class Parameters"].entries()) {
     try {
-      add(withUnderscores(node["Compute Class"].text()), node, comm);
+      add(withUnderscores(node["Compute Class"].text()), node, deck, comm);
     } catch (const DeckError& error) {
       mistakes.add("", error.what());
     }
@@ -58,12 +59,15 @@ ComputeSet::ComputeSet(const Deck& deck, const Communicator& comm)
   mistakes.report();
 }
 
-void ComputeSet::add(const std::string& className, const DeckNode& node, const Communicator& comm) {
+void ComputeSet::add(const std::string& className, const DeckNode& node, const Deck& deck, const Communicator& comm) {
   const auto* plugin = ComputeRegistry::self().find(className);
   if (plugin == nullptr)
     throw DeckError(node["Compute Class"].place() + ": unknown compute class \"" + className + "\"");
   Teuchos::RCP<Teuchos::ParameterList> parameters;
-  if (node) parameters = Teuchos::rcp(new Teuchos::ParameterList(node.parameters(plugin->declare())));
+  if (node) {
+    parameters = Teuchos::rcp(new Teuchos::ParameterList(node.parameters(plugin->declare())));
+    giveAxisOfRevolution(deck, plugin->declare(), *parameters);
+  }
   Entry entry;
   entry.className = className;
   entry.place = node ? node.keyPlace() : "";

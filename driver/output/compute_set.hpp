@@ -45,7 +45,7 @@ class ComputeSet {
     std::set<std::string> fieldsOfState;
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
-  void add(const std::string& className, const DeckNode& node, const Communicator& comm);
+  void add(const std::string& className, const DeckNode& node, const Deck& deck, const Communicator& comm);
 
   std::vector<Entry> entries_;
   std::set<std::string> notes_;

@@ -54,6 +54,7 @@ void CorrosionDissolution::declareParameters(ParameterDeclarations& declare) {
       .defaultTo("Concentration");
   SolidPhases::declareParameters(declare);
   TransportWeights::declareParameters(declare);
+  BondFamily::declareAxis(declare);
 }
 
 CorrosionDissolution::CorrosionDissolution(const Teuchos::ParameterList& given)
@@ -79,7 +80,7 @@ std::vector<std::string> CorrosionDissolution::runNotes() const {
 
 struct CorrosionDissolution::Views {
   int nPoints;
-  const double *x, *volume, *concentration, *damage, *salt, *demand, *film, *blockId = nullptr;
+  const double *x, *volume, *planeVolume, *concentration, *damage, *salt, *demand, *film, *blockId = nullptr;
   double *diffusivity, *rate, *area, *current, *dissolutionRate, *slope, *solid, *saturation, *diffusionCorrection,
       *dissolutionCorrection, *ph = nullptr;
 
@@ -88,6 +89,7 @@ struct CorrosionDissolution::Views {
     nPoints = fields.volume.length(dataManager);
     x = fields.modelCoordinates.of(dataManager);
     volume = fields.volume.of(dataManager);
+    planeVolume = material.planeVolumes_.empty() ? volume : material.planeVolumes_.data();
     concentration = fields.concentration.of(dataManager);
     diffusivity = fields.diffusivity.of(dataManager);
     damage = fields.damage.of(dataManager);
@@ -110,12 +112,20 @@ struct CorrosionDissolution::Views {
   double open(int j) const { return film == nullptr ? 1.0 : 1.0 - film[j]; }
 };
 
+/// Of rings; 1 without them.
+double CorrosionDissolution::radius(const Views& views, int point) const {
+  return weights_.rings().areUsed() ? weights_.rings().radius(views.x, point) : 1.0;
+}
+
 PhaseGeometry CorrosionDissolution::geometry(const Views& views, const double* damage) const {
-  return {weights_, views.x, views.volume, damage, &phases_, views.blockId, followsLoss_};
+  return {weights_, views.x, views.planeVolume, damage, &phases_, views.blockId, followsLoss_};
 }
 
 void CorrosionDissolution::initialize(const double, const int numOwnedPoints, const int* ownedIDs,
                                       const int* neighborhoodList, DataManager& dataManager) {
+  if (weights_.rings().areUsed())
+    planeVolumes_ = weights_.rings().planeVolumes(fields_.modelCoordinates.of(dataManager),
+                                                  fields_.volume.of(dataManager), fields_.volume.length(dataManager));
   const Views views(*this, dataManager);
   caches_.clear();
   // Where bonds have a state, Damage counts broken ones. Of damage models the stochastic rule of Dissolution alone has
@@ -123,7 +133,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
   followsLoss_ = !has(dataManager, "Bond_Damage", Field::STEP_NP1);
   const bool breaksBondsAtRandom = !followsLoss_ && has(dataManager, "Loose", Field::STEP_NONE);
   if (numOwnedPoints > 0) {
-    weights_.fitToGrid(views.volume[ownedIDs[0]]);
+    weights_.fitToGrid(views.planeVolume[ownedIDs[0]]);
     if (weights_.isCalibratedByTrial()) weights_.calibrateByTrial(breaksBondsAtRandom);
   }
   std::fill(views.diffusionCorrection, views.diffusionCorrection + views.nPoints, 1.0);
@@ -137,7 +147,7 @@ void CorrosionDissolution::initialize(const double, const int numOwnedPoints, co
     views.saturation[i] = saturation_;
     views.diffusivity[i] = weights_.diffusivity();
     if (views.ph != nullptr) views.ph[i] = std::numeric_limits<double>::quiet_NaN();
-    if (p % checkStride == 0) weights_.checkGrid(views.x, views.volume, i, list + 1, *list);
+    if (p % checkStride == 0) weights_.checkGrid(views.x, views.planeVolume, i, list + 1, *list);
   }
 }
 
@@ -157,10 +167,11 @@ CorrosionDissolution::Cache& CorrosionDissolution::cacheOf(const Call& call, con
     made.neighborhood = kernels::ChunkedNeighborhood(c.nOwned, c.ownedIds, c.neighborhoodList);
     const std::vector<double> relative = relativeDiffusivities(c, views);
     made.diffusion = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t bond, double* value) {
-      *value = (relative.empty() ? 1.0 : relative[bond]) * bonds.diffusionWeight(i, j) * views.volume[j];
+      *value = (relative.empty() ? 1.0 : relative[bond]) * bonds.diffusionWeight(i, j) * views.planeVolume[j] *
+               weights_.ringShare(views.x, i, j, views.planeVolume[i], views.planeVolume[j]);
     });
     made.dissolution = kernels::BondConstants(made.neighborhood, 1, [&](int i, int j, std::size_t, double* value) {
-      *value = bonds.dissolutionWeight(i, j) * views.volume[j];
+      *value = bonds.dissolutionWeight(i, j) * views.planeVolume[j] / radius(views, i);
     });
     made.phases = kernels::PhaseBonds(made.neighborhood, c.nOwned, c.ownedIds, c.neighborhoodList, views.nPoints);
     made.phases.excludeWalls(views.saturation);
@@ -302,7 +313,7 @@ void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     for (const int i : phases.sinks())
       cache.correction[p][0][i] =
-          views.dissolutionCorrection[i] * (cache.isOfPhase.empty() ? 1.0 : cache.isOfPhase[p][0][i]);
+          views.dissolutionCorrection[i] * radius(views, i) * (cache.isOfPhase.empty() ? 1.0 : cache.isOfPhase[p][0][i]);
     for (const int j : phases.sources()) cache.area[p][0][j] = 0.0;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
                             cache.correction[p][0], cache.area[p][0]);

@@ -14,6 +14,10 @@
 // exactly (a trial calibration has c of its own and b = 1). A solid point becomes liquid at C_sat and takes that much
 // with it, hence the last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri &
 // Bobaru, Electrochim. Acta 401 (2022) 139512.
+//
+// In a body of revolution (kernels/rings.hpp) volumes in these sums are those of the plane, d has the share of the
+// rings, and a solid ring loses what it would in the plane, so that its front moves as there; the liquid one gains
+// r_solid/r_liquid of that, which is the same amount.
 #ifndef PD_CORROSION_DISSOLUTION_HPP
 #define PD_CORROSION_DISSOLUTION_HPP
 
@@ -97,7 +101,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   struct Views;
   struct Cache {
     kernels::ChunkedNeighborhood neighborhood;
-    kernels::BondConstants diffusion, dissolution;  ///< d V_j; c V_j
+    kernels::BondConstants diffusion, dissolution;  ///< d V_j; c V_j (of rings, over r_i)
     kernels::PhaseBonds phases;
     kernels::PointArrays concentration, diffusionCorrection;
     std::vector<kernels::PointArrays> isOfPhase, correction, area,
@@ -115,6 +119,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   Cache& cacheOf(const Call& call, const Views& views, PeridigmNS::DataManager& dataManager) const;
   /// [bonds] In parts of the material's diffusivity; empty: all 1.
   std::vector<double> relativeDiffusivities(const Call& call, const Views& views) const;
+  double radius(const Views& views, int point) const;
   PhaseGeometry geometry(const Views& views, const double* damage) const;
   void takeUpPhases(double dt, Cache& cache, const Views& views) const;
   void refreshAroundChanges(Cache& cache, const Views& views) const;
@@ -126,6 +131,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   bool dissolve(Cache& cache, const Views& views, int point) const;
 
   TransportWeights weights_;
+  std::vector<double> planeVolumes_;  ///< by local id, of bodies of revolution; empty: those of the points
   double saturation_, chargeNumber_;
   SolidPhases phases_;
   Acidity acidity_;

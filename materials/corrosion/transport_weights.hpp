@@ -86,6 +86,11 @@ class TransportWeights {
 
   bool isIsotropic() const { return shape_.isBall(); }
 
+  const kernels::Rings& rings() const { return family_.rings; }
+  double ringShare(const double* x, int i, int j, double volume, double neighborVolume) const {
+    return family_.ringShare(x, i, j, volume, neighborVolume);
+  }
+
   double diffusivity() const { return diffusivity_; }
   double horizon() const { return family_.horizon; }
   int dimension() const { return family_.dimension(); }

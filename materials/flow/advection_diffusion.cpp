@@ -20,7 +20,8 @@ using PeridigmNS::DataManager;
 ///   dC_i/dt = - sum_j U_ij C_ij + sum_j w_ij (C_j - C_i)/s_ij,
 /// U_ij the Bond_Flow to neighbour j, that a solver of flow has balanced, C_ij what the bond carries
 /// (kernels/advection.hpp), s_ij its Bond_Opening: bonds that meet a wall end there, with the value of the point beyond
-/// it; w_ij = 2 d D V_j/(V_H |xi|^2), d the dimension, V_H the mean volume of both neighbourhoods. What leaves one end
+/// it; w_ij = 2 d D V_j/(V_H |xi|^2), d the dimension, V_H the mean volume of both neighbourhoods, in bodies of revolution
+/// those of the plane, times the share of the rings (kernels/rings.hpp). What leaves one end
 /// of a bond arrives at the other. Bonds between two points beyond the flow carry nothing, nor do those to points in
 /// which the scalar does not diffuse: walls of another block.
 class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public AsymmetricRate {
@@ -72,6 +73,7 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
         .positive();
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     BondFamily::declareSection(declare);
+    BondFamily::declareAxis(declare);
     declare.text("Volume Correction", "As of PDHE; by default none.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
@@ -97,7 +99,9 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   DataManager& dataManager) override {
     if (diffusivity_ == 0.0) return;
-    const double *x = fields_.modelCoordinates.of(dataManager), *volume = fields_.volume.of(dataManager);
+    const double* x = fields_.modelCoordinates.of(dataManager);
+    const std::vector<double> volume =
+        family_.rings.planeVolumes(x, fields_.volume.of(dataManager), fields_.volume.length(dataManager));
     double *diffusivity = fields_.diffusivity.of(dataManager), *family = fields_.familyVolume.of(dataManager);
     const Call call{numOwnedPoints, ownedIDs, neighborhoodList};
     for (int p = 0; p < numOwnedPoints; ++p) {
@@ -105,7 +109,8 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
       family[ownedIDs[p]] = 0.0;
     }
     forEachBond(call, [&](int i, int j, std::size_t) {
-      family[i] += volume[j] * family_.share(ReferenceBond(x, i, j).length, volume[i], volume[j]);
+      const std::size_t own = static_cast<std::size_t>(i), other = static_cast<std::size_t>(j);
+      family[i] += volume[other] * family_.share(ReferenceBond(x, i, j).length, volume[own], volume[other]);
     });
   }
 
@@ -251,7 +256,10 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
       const bool isBeyond = views.fluid[j] == 0.0;
       const double whole = isBeyond ? views.familyVolume[i] : 0.5 * (views.familyVolume[i] + views.familyVolume[j]);
       const double both = 2.0 * diffusivity_ * diffusivity / (diffusivity_ + diffusivity);
-      const double volume = views.volume[j] * family_.share(length, views.volume[i], views.volume[j]);
+      const double here = family_.rings.planeVolume(views.x, views.volume, i);
+      const double there = family_.rings.planeVolume(views.x, views.volume, j);
+      const double volume = there * family_.share(length, here, there) *
+                            family_.ringShare(views.x, i, j, here, there, opening);
       visit(j, 2.0 * family_.dimension() * both * volume / (whole * length * length * opening), isBeyond);
     }
   }

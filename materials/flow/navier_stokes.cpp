@@ -50,6 +50,7 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
         .positive();
     declare.real("Horizon", "m", "Radius of the neighbourhood; given by the block.").positive();
     BondFamily::declareSection(declare);
+    BondFamily::declareAxis(declare);
     declare.text("Volume Correction", "As of PDHE; by default none.")
         .oneOf({"Ramp Beyond Horizon", "Ramp To Horizon", "None", "Every Neighbor"})
         .defaultTo("None");
@@ -97,6 +98,10 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
       throw std::invalid_argument("material Navier Stokes: \"Gradient Horizon\" " + std::to_string(reach) +
                                   " m is more than half of the horizon, " + std::to_string(family.horizon) +
                                   " m; gradients of neighbours must lie within it");
+    if (family.rings.areUsed() && params.get<std::string>("Viscous Kernel") == "Transverse")
+      throw std::invalid_argument(
+          "material Navier Stokes: \"Viscous Kernel: Transverse\" is for flows without divergence in the plane, which "
+          "those in a body of revolution have; take Laplacian");
     const double flux = params.isParameter("Flux Horizon") ? params.get<double>("Flux Horizon") : reach;
     if (flux > family.horizon)
       throw std::invalid_argument("material Navier Stokes: \"Flux Horizon\" " + std::to_string(flux) +
@@ -113,12 +118,13 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
   /// Bonds of a point no longer than `reach`, and the neighbours at their ends.
   kernels::BondEnds bondsWithin(double reach, int point, int count, const int* neighbors, const double* x,
                                 const double* volume, std::vector<int>& ends) const {
+    const auto volumeOf = [&](int i) { return law_.family.rings.planeVolume(x, volume, i); };
     kernels::BondEnds bonds;
     bonds.dimension = law_.family.dimension();
     ends.clear();
     for (int k = 0; k < count; ++k) {
       const ReferenceBond bond(x, point, neighbors[k]);
-      const double share = law_.volumeOf(bond.length, volume[point], volume[neighbors[k]]);
+      const double share = law_.volumeOf(bond.length, volumeOf(point), volumeOf(neighbors[k]));
       if (bond.length > reach || share == 0.0) continue;
       bonds.add(bond.xi.data(), share);
       ends.push_back(neighbors[k]);
@@ -146,13 +152,22 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
     }
     const kernels::BondEnds compact = bondsWithin(law_.gradientHorizon, point, count, neighbors, x, volume, ends);
     const std::vector<double> gradient = kernels::linearGradientWeights(compact);
+    // In rings lap v has d/dr v/r besides, and -v_r/r^2 along the radius.
+    const double ofRings = law_.family.rings.areUsed()
+                               ? law_.viscosity / law_.density / law_.family.rings.radius(x, point)
+                               : 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k)
       for (std::size_t b = 0; b < dimension; ++b) {
         const double weight = gradient[dimension * k + b];
         rate[b] -= weight * (pressure[ends[k]] - pressure[point]) / law_.density;
         for (std::size_t a = 0; a < dimension; ++a)
           rate[a] -= velocity[3 * point + static_cast<int>(b)] * weight * difference(ends[k], a);
+        if (law_.family.rings.areUsed() && b == law_.family.rings.radial())
+          for (std::size_t a = 0; a < dimension; ++a) rate[a] += ofRings * weight * difference(ends[k], a);
       }
+    if (law_.family.rings.areUsed())
+      rate[law_.family.rings.radial()] -=
+          ofRings * velocity[3 * point + static_cast<int>(law_.family.rings.radial())] / law_.family.rings.radius(x, point);
   }
 
   FlowLaw law_;

@@ -42,7 +42,7 @@ void BondFlows::findFamilyVolumes() {
   for (int point = 0; point < mesh.nOwned; ++point)
     for (const int neighbor : geometry_.neighborsOf(point))
       if (ReferenceBond(mesh.x.data(), point, neighbor).length <= reach_)
-        familyVolume_[index(point)] += mesh.volume[index(neighbor)];
+        familyVolume_[index(point)] += geometry_.planeVolume(neighbor);
   collectively(simulation_.model.comm(), [&] {
     for (const int point : geometry_.fluid()) {
       if (familyVolume_[index(point)] > 0.0) continue;
@@ -66,7 +66,6 @@ void BondFlows::update(double t) {
 }
 
 BondFlows::Row BondFlows::rowOf(int point, double t) const {
-  const Discretization& mesh = geometry_.mesh();
   const double dimension = geometry_.dimension();
   const std::vector<int> neighbors = geometry_.neighborsOf(point);
   Row row{point, {}, std::vector<double>(neighbors.size(), 0.0)};
@@ -82,10 +81,20 @@ BondFlows::Row BondFlows::rowOf(int point, double t) const {
     if (!isFluid && !isOut && flow == 0.0) continue;
     const double whole =
         isFluid ? 0.5 * (familyVolume_[index(point)] + familyVolume_[index(neighbor)]) : familyVolume_[index(point)];
-    const double conductance = 2.0 * dimension * mesh.volume[index(neighbor)] / (whole * end.length * end.length);
+    const double conductance = 2.0 * dimension * geometry_.planeVolume(neighbor) / (whole * end.length * end.length) *
+                               ringShare(point, neighbor, end);
+    if (conductance == 0.0) continue;
     row.bonds.push_back({neighbor, isFluid || isOut, conductance * end.length * flow, conductance, k});
   }
   return row;
+}
+
+/// Of bodies of revolution (kernels/rings.hpp), up to where the bond ends; 1 of others.
+double BondFlows::ringShare(int point, int neighbor, const FlowGeometry::End& end) const {
+  const Discretization& mesh = geometry_.mesh();
+  return geometry_.law().family.ringShare(mesh.x.data(), point, neighbor, geometry_.planeVolume(point),
+                                          geometry_.planeVolume(neighbor),
+                                          std::min({1.0, end.fraction, end.openFraction}));
 }
 
 /// The velocity along the bond, m/s.

@@ -14,12 +14,12 @@ namespace pd {
 ///
 /// Bonds within `reach` move volume: with v the mean velocity of both ends and e the direction of the bond,
 ///   U_ij = 2 d V_j/M v.e/|xi|,  M = sum_j V_j within reach, the mean of both ends,
-/// whose sum over a whole neighbourhood is the divergence. At a wall or an inlet v is what it has along its normal,
-/// at an outflow that of the point. Then the sum of a point is not quite zero, since the divergence of the solver is
-/// another one: a potential, zero beyond outflows, takes what is left, U_ij - 2 d V_j/(M |xi|^2) (p_i - p_j), so that
-/// as much arrives at each point of the flow as leaves it, to rounding: constant scalars stay constant. In a part that
-/// nothing can leave, what its walls and inlets let through too much is taken out of their flows, each by the same
-/// share.
+/// whose sum over a whole neighbourhood is the divergence; of rings with their share, V and M of the plane. At a wall
+/// or an inlet v is what it has along its normal, at an outflow that of the point. Then the sum of a point is not quite
+/// zero, since the divergence of the solver is another one: a potential, zero beyond outflows, takes what is left, U_ij
+/// - 2 d V_j/(M |xi|^2) (p_i - p_j), so that as much arrives at each point of the flow as leaves it, to rounding:
+/// constant scalars stay constant. In a part that nothing can leave, what its walls and inlets let through too much is
+/// taken out of their flows, each by the same share.
 class BondFlows {
  public:
   BondFlows(Simulation& simulation, const FlowGeometry& geometry, double reach);
@@ -45,6 +45,7 @@ class BondFlows {
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
   void findFamilyVolumes();
   Row rowOf(int point, double t) const;
+  double ringShare(int point, int neighbor, const FlowGeometry::End& end) const;
   double flowOf(int point, const FlowGeometry::End& end, int neighbor, double t) const;
   SparseRows potentialMatrix() const;
   /// Parts of the flow that no open bond connects.
@@ -64,7 +65,7 @@ class BondFlows {
   Simulation& simulation_;
   const FlowGeometry& geometry_;
   const double reach_;
-  std::vector<double> familyVolume_;  ///< [points] within reach, m3
+  std::vector<double> familyVolume_;  ///< [points] within reach, of the plane, m3
   std::vector<Row> rows_;             ///< by owned point of the flow
   std::vector<Part> parts_;
   std::vector<std::size_t> partOf_;  ///< [rows_] index into parts_

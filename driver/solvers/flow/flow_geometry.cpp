@@ -133,7 +133,7 @@ std::vector<FlowGeometry::End> FlowGeometry::compactEndsOf(int point, const std:
 
 FlowGeometry::End FlowGeometry::endOf(int point, int neighbor, const std::vector<int>& candidates) const {
   const ReferenceBond bond(mesh_.x.data(), point, neighbor);
-  const double volume = law_.volumeOf(bond.length, mesh_.volume[index(point)], mesh_.volume[index(neighbor)]);
+  const double volume = law_.volumeOf(bond.length, planeVolume(point), planeVolume(neighbor));
   End end{mesh_.sourceOf(neighbor), mesh_.copyOf(neighbor), kindOf(neighbor), bond.xi, bond.length, volume};
   if (volume > 0.0 && (isNear_[index(point)] != 0.0 || isNear_[index(neighbor)] != 0.0))
     meetBoundaries(point, candidates, end);

@@ -29,7 +29,7 @@ class FlowGeometry {
     Kind kind;                  ///< of the velocity at the end: of the point; of a wall; mirrored at an outflow
     std::array<double, 3> xi;   ///< m, the whole bond
     double length;              ///< of it, m
-    double volume;              ///< what counts of the neighbour, m3
+    double volume;              ///< what counts of the neighbour, in bodies of revolution of the plane, m3
     double fraction = 1.0;      ///< of the bond up to the wall
     int boundary = -1;          ///< the wall; -1: one at rest
     double openFraction = 2.0;  ///< up to an outflow, above 1: there is none on the way to `fraction`
@@ -47,7 +47,10 @@ class FlowGeometry {
   /// Whether a fluid point has neighbours that are not fluid.
   bool isNearBoundary(int point) const { return isNear_[index(point)] != 0.0; }
   bool isSolid(int point) const { return isSolid_[index(mesh_.sourceOf(point))] != 0; }
-  double spacingOf(int point) const { return law_.family.spacing(mesh_.volume[index(point)]); }
+  double spacingOf(int point) const { return law_.family.spacing(planeVolume(point)); }
+  const kernels::Rings& rings() const { return law_.family.rings; }
+  /// Of the point's cell, m3; in bodies of revolution in a plane 1 m thick.
+  double planeVolume(int point) const { return rings().planeVolume(mesh_.x.data(), mesh_.volume.data(), point); }
   const std::vector<int>& fluid() const { return fluid_; }  ///< owned points
   /// Owned points that are fluid or will be when they have dissolved, and which of them fluid() are.
   int nPossible() const { return nPossible_; }

@@ -203,7 +203,6 @@ class RowMaker {
 
   void velocityRows(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
-    viscousRow(point, ends);
     std::vector<FlowEnd> compact;
     for (const FlowEnd& end : ends)
       if (isCompact(end)) compact.push_back(end);
@@ -226,9 +225,15 @@ class RowMaker {
     }
     rows_.gradient.add(point, own);
     rows_.gradient.close(constant);
+    viscousRow(row, ends);
   }
 
-  void viscousRow(int point, const std::vector<FlowEnd>& ends) {
+  const kernels::Rings& rings() const { return geometry_.rings(); }
+  double radius(int point) const { return rings().radius(mesh().x.data(), point); }
+
+  /// After the gradient's.
+  void viscousRow(std::size_t row, const std::vector<FlowEnd>& ends) {
+    const int point = geometry_.fluid()[row];
     const FlowLaw& law = geometry_.law();
     const kernels::BondEnds bonds = bondsOf(ends);
     const std::vector<double> weights = kernels::viscousWeights(bonds, law.horizonVolume(), law.viscousKernel);
@@ -250,8 +255,23 @@ class RowMaker {
         rows_.viscous.add(part.point, term);
       }
     }
+    if (rings().areUsed()) addRingViscosity(row, own, constant);
     rows_.viscous.add(point, own);
     rows_.viscous.close(constant);
+  }
+
+  /// What lap v of a body of revolution has besides: dv/dr /r, and along the radius -v_r/r^2.
+  void addRingViscosity(std::size_t row, std::array<double, 9>& own, std::array<double, 9>& constant) {
+    const int point = geometry_.fluid()[row];
+    const double r = radius(point);
+    const std::size_t radial = rings().radial();
+    rows_.gradient.forEach(row, [&](const auto& term) {
+      std::array<double, 9> part{};
+      for (std::size_t a = 0; a < n_; ++a) part[4 * a] = term.weights[3 * a + radial] / r;
+      rows_.viscous.add(term.point, part);
+    });
+    for (std::size_t a = 0; a < n_; ++a) constant[3 * a] += rows_.gradient.constants[row][3 * a + radial] / r;
+    own[4 * radial] -= 1.0 / (r * r);
   }
 
   /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it. Beyond an
@@ -340,7 +360,7 @@ class RowMaker {
     rows_.pressureGradient.close(fit.constant);
   }
 
-  /// The trace of the gradient.
+  /// The trace of the gradient, and in bodies of revolution v_r/r.
   void divergenceRow(std::size_t row) {
     const FlowOperator<9>& gradient = rows_.gradient;
     gradient.forEach(row, [&](const auto& term) {
@@ -348,6 +368,12 @@ class RowMaker {
       for (std::size_t a = 0; a < n_; ++a) weight[a] = term.weights[4 * a];
       rows_.divergence.add(term.point, weight);
     });
+    if (rings().areUsed()) {
+      const int point = geometry_.fluid()[row];
+      FlowVector weight{};
+      weight[rings().radial()] = 1.0 / radius(point);
+      rows_.divergence.add(point, weight);
+    }
     double constant = 0.0;
     for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
     rows_.divergence.close({constant, 0.0, 0.0});
@@ -384,6 +410,8 @@ class RowMaker {
       rows_.divergence.add(mesh().sourceOf(other), term);
       addFacets(other, candidates, facets);
     }
+    // Without walls there would be -1/r left: the divergence of 1 along the radius.
+    if (rings().areUsed()) area[rings().radial()] += 1.0 / radius(point);
     splitArea(area, facets);
     for (const auto& [key, facet] : facets) {
       FlowVector outward{};

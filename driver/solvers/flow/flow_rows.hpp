@@ -34,7 +34,7 @@ struct FlowRows {
 /// The divergence is that of the gradient, exact for quadratic fields. Where the velocity of walls jumps, as at the
 /// corners of a lid, no polynomial is near, and that divergence leaks mass into the flow. There it is the negative
 /// transpose of the pressure's gradient, by which mass is balanced from point to point, with the flux of each wall
-/// through itself.
+/// through itself. In bodies of revolution both operators have the terms with 1/r.
 FlowRows makeFlowRows(const FlowGeometry& geometry, const Communicator& comm, double t);
 
 }  // namespace pd
