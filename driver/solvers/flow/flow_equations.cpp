@@ -30,6 +30,7 @@ void FlowEquations::markFluid() {
 
 void FlowEquations::setTime(double t) {
   rows_ = makeFlowRows(geometry_, model_.comm(), t);
+  force_ = FlowForces(simulation_.conditions).at(model_.discretization(), t);
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();
   refreshSmoothing();
@@ -98,8 +99,9 @@ std::vector<double> FlowEquations::residual(bool hasConvection) const {
           own[a] += density_ * velocity[3 * index(point) + b] * gradient[3 * a + b] * ofMomentum;
     }
     for (std::size_t a = 0; a < n_; ++a)
-      own[a] +=
-          (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a]) * ofMomentum;
+      own[a] += (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a] -
+                 force_[3 * index(point) + a]) *
+                ofMomentum;
     for (const auto* term = rows_.pressureGradient.begin(row); term != rows_.pressureGradient.end(row); ++term)
       for (std::size_t a = 0; a < n_; ++a) own[a] += term->weights[a] * pressure[term->point] * ofMomentum;
     for (const auto* term = rows_.viscous.begin(row); term != rows_.viscous.end(row); ++term)

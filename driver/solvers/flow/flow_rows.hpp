@@ -9,6 +9,13 @@
 
 namespace pd {
 
+/// A velocity (or in its first component a pressure) of a boundary that changes with time, at a place on it.
+struct FlowSource {
+  int boundary;
+  bool isPressure;
+  std::array<double, 3> place, value;  ///< value: at the time of the rows
+};
+
 /// A row for each owned fluid point: N weights of each point that has a part in it, and a constant from the boundaries.
 template <std::size_t N>
 struct FlowOperator {
@@ -16,12 +23,22 @@ struct FlowOperator {
     int point;  ///< local id of a fluid point, owned or ghost
     std::array<double, N> weights;
   };
+  /// What a source has in the constant of a row. Its weights are those that a point of this velocity would have.
+  struct Share {
+    std::size_t row, source;
+    std::array<double, N> weights;
+  };
   std::vector<std::size_t> start{0};
   std::vector<Term> terms;
   std::vector<std::array<double, N>> constants;
+  std::vector<Share> shares;
 
   const Term* begin(std::size_t row) const { return terms.data() + start[row]; }
   const Term* end(std::size_t row) const { return terms.data() + start[row + 1]; }
+  /// Of the row that is not yet closed.
+  void addShare(std::size_t source, const std::array<double, N>& weights) {
+    shares.push_back({constants.size(), source, weights});
+  }
   /// Ends a row.
   void close(const std::array<double, N>& constant) {
     start.push_back(terms.size());
@@ -36,6 +53,7 @@ struct FlowRows {
   FlowOperator<3> divergence;        ///< div v = sum w[a] v_a + c[0]
   FlowOperator<3> pressureGradient;  ///< dp/dx_a = sum w[a] p + c[a]
   FlowOperator<1> smoothing;         ///< fourth differences of the pressure (flow_weights.hpp), 1/m2
+  std::vector<FlowSource> sources;   ///< by which constants follow boundaries from time to time
   double largestVelocity = 0.0;      ///< of walls and inlets where bonds meet them, all ranks, m/s
   long long nAtJumps = 0;            ///< points whose divergence is a balance of mass, all ranks
 };
