@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "boundary_conditions.hpp"
+#include "condition.hpp"
 
 namespace pd {
 
@@ -32,6 +36,21 @@ double FlowBoundary::finiteValue(const Function& function, const DeckNode& node,
         fmt::format("{}: {} has no finite value at ({:.9g}, {:.9g}, {:.9g}) m on the boundary, t = {:.9g} s",
                     node.place(), node.path(), x[0], x[1], x[2], t));
   return value;
+}
+
+FlowForces::FlowForces(const BoundaryConditions& conditions) : conditions_(conditions) {
+  for (const auto& condition : conditions.all())
+    if (const auto* force = dynamic_cast<const FlowForce*>(condition.get())) forces_.push_back(force);
+}
+
+bool FlowForces::dependOnTime() const {
+  return std::any_of(forces_.begin(), forces_.end(), [](const FlowForce* force) { return force->dependsOnTime(); });
+}
+
+std::vector<double> FlowForces::at(const Discretization& mesh, double t) const {
+  std::vector<double> sum(3 * static_cast<std::size_t>(mesh.nOwned), 0.0);
+  for (const FlowForce* force : forces_) force->addTo(mesh, conditions_.runTime(t), sum.data());
+  return sum;
 }
 
 }  // namespace pd

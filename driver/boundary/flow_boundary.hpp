@@ -1,19 +1,26 @@
-// What bounds a flow: walls and inlets, whose velocity is given, and outflows, where the pressure is.
+// What bounds a flow: walls and inlets, whose velocity is given, and outflows, where the pressure is. Forces on it.
 #ifndef PD_FLOW_BOUNDARY_HPP
 #define PD_FLOW_BOUNDARY_HPP
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "../deck/function.hpp"
+#include "../discretization/discretization.hpp"
 
 namespace pd {
+
+class BoundaryConditions;
 
 /// Conditions derive from it; a solver of flows finds it by a cast. Its points are those beyond the boundary.
 class FlowBoundary {
  public:
   virtual ~FlowBoundary() = default;
   virtual bool isOutflow() const = 0;
+  /// Of its velocity or pressure.
+  virtual bool dependsOnTime() const = 0;
+  virtual bool dependsOnPlace() const = 0;
   /// Of a wall or an inlet, at a place x [3], m, on it; m/s. Throws DeckError where it is not finite.
   virtual std::array<double, 3> velocityAt(const double* x, double t) const = 0;
   /// Of an outflow; Pa. Throws DeckError where it is not finite.
@@ -33,6 +40,29 @@ class FlowBoundary {
 
  private:
   std::optional<Function> surface_;
+};
+
+/// A force per volume on a flow. Conditions derive from it; solvers of flows find it by a cast.
+class FlowForce {
+ public:
+  virtual ~FlowForce() = default;
+  virtual bool dependsOnTime() const = 0;
+  /// Adds to `force` [3 nOwned], N/m3, at time t of the run.
+  virtual void addTo(const Discretization& mesh, double t, double* force) const = 0;
+};
+
+/// All of them in a run.
+class FlowForces {
+ public:
+  explicit FlowForces(const BoundaryConditions& conditions);
+  bool empty() const { return forces_.empty(); }
+  bool dependOnTime() const;
+  /// Their sum at the solver's time t, [3 nOwned], N/m3. Throws DeckError where one is not finite.
+  std::vector<double> at(const Discretization& mesh, double t) const;
+
+ private:
+  const BoundaryConditions& conditions_;
+  std::vector<const FlowForce*> forces_;
 };
 
 }  // namespace pd

@@ -261,6 +261,22 @@ class Benchmark:
             self.add(f"mechanics_breaking_bond_updates_per_s_{name}", 1.0 / seconds_an_update, "1/s")
             self.add(f"bytes_per_bond_breaking_{name}", report["bytes_per_bond"], "B")
 
+    def flow(self):
+        """Steps of an explicit flow. One bond-update is all that a directed bond of the horizon passes on in one
+        evaluation of the rates, of which a step has four: its share of viscosity, and where it is short enough of
+        convection, divergence and the pressure's gradient; the smoothing of the pressure and Tait's equation at its
+        point are counted with it. `flow_step...` has the updates of the Runge-Kutta method in its time as well."""
+        plane, solid = ((40, 40, 1), (16, 16, 16)) if self.is_quick else ((208, 208, 1), (34, 34, 34))
+        for name, counts, jitter, steps in (("", plane, 0.0, 100), ("_jittered", plane, 0.2, 100),
+                                            ("_3d", solid, 0.0, 20)):
+            content = scenes.driven_cavity(counts, 2 if self.is_quick else steps)
+            phases = {phase["name"]: phase for phase in self.own_run(counts, content, jitter=jitter)["phases"]}
+            bonds = phases["flow kernel"]["bond_updates"]
+            rates = phases["flow kernel"]["seconds"] + phases["flow rates"]["seconds"]
+            whole = rates + phases["flow boundaries"]["seconds"] + phases["flow update"]["seconds"]
+            self.add(f"flow_kernel_bond_updates_per_s{name}", bonds / rates, "1/s")
+            self.add(f"flow_step_bond_updates_per_s{name}", bonds / whole, "1/s")
+
     def speedup(self):
         """Time of the same steps on 1 rank over that on 2."""
         counts = (60, 30, 1) if self.is_quick else (448, 224, 1)
@@ -326,7 +342,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="pd_benchmark_") as folder:
         benchmark = Benchmark(build, Path(folder), options.quick, options.whole_crevice)
         parts = [benchmark.block, benchmark.hydrogen_plate, benchmark.statics, benchmark.crevice, benchmark.mechanics,
-                 benchmark.speedup, benchmark.million_points, benchmark.kernels]
+                 benchmark.flow, benchmark.speedup, benchmark.million_points, benchmark.kernels]
         if options.fatigue_events:
             parts.append(benchmark.fatigue_events)
         for part in parts:

@@ -120,6 +120,35 @@ def diffusing_plate(counts, steps):
     return result
 
 
+def driven_cavity(counts, steps):
+    """Fluid that a lid starts to drive round, in a box of walls four spacings deep: `steps` Runge-Kutta steps."""
+    edges = [SPACING * count for count in counts]
+    low, high = 4 * SPACING, [edge - 4 * SPACING for edge in edges]
+    axes = "xy" if counts[2] == 1 else "xyz"
+    surface = f"y - {low!r}"
+    for axis, end in zip(axes, high):
+        if axis != "y":
+            surface = f"min({surface}, min({axis} - {low!r}, {end!r} - {axis}))"
+    conditions = {"Walls Node Set": {"Expression": f"({surface}) < 0"},
+                  "Lid Node Set": {"Expression": f"y > {high[1]!r}"},
+                  "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set", "Surface": surface},
+                  "Lid": {"Type": "Prescribed Velocity", "Node Set": "Lid Node Set", "Velocity": [0.01, 0.0],
+                          "Surface": f"{high[1]!r} - y"}}
+    time_step = 0.2 * SPACING / 0.1
+    plane, thickness = ({"Plane Strain": True}, {"Thickness": SPACING}) if counts[2] == 1 else ({}, {})
+    return {
+        "Discretization": {"Type": "Text File", "Input Mesh File": "lattice.txt", **thickness},
+        "Materials": {"Water": {"Material Model": "Navier Stokes", "Density": 1000.0, "Viscosity": 1e-2, **plane,
+                                **thickness}},
+        "Blocks": {"Water": {"Block Names": "block_1", "Material": "Water", "Horizon": 3.015 * SPACING}},
+        "Boundary Conditions": conditions,
+        "Solver": {"Final Time": steps * time_step,
+                   "Weakly Compressible Flow": {"Sound Speed": 0.1, "Time Step": time_step}},
+        "Output": {"Output Filename": "run", "Output Variables": ["Volume"], "Output Frequency": -1,
+                   "History Frequency": -1},
+    }
+
+
 def mpi(ranks):
     """What a command on `ranks` ranks begins with."""
     if ranks == 1:

@@ -84,6 +84,9 @@ def _rows(f):
            "2.5e8")
     yield force, "two-parameter force alone, bond-updates/s", rates(force, four), ""
     yield bond_based, "bond-based force alone (k_t = 0), 3D", rates(bond_based, "{}"), ""
+    flow = [f"flow_{part}_bond_updates_per_s{case}" for case in ("", "_3d", "_jittered") for part in ("kernel", "step")]
+    yield (flow, "explicit flow, right side (whole Runge-Kutta steps), bond-updates/s",
+           rates(flow, "{} ({}) in 2D, {} ({}) in 3D, {} ({}) in 2D jittered"), "5e8")
     yield (["bytes_per_bond"], "bytes a directed bond (lists and fields; constants of uniform lattices are shared)",
            plain(lambda: f"{f.number('bytes_per_bond'):.1f}"), "40")
     yield (["speedup_2_ranks_mechanics", "speedup_2_ranks_diffusion"], "two ranks, 100 k points",

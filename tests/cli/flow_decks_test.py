@@ -248,6 +248,25 @@ class FlowDecks(SceneTest):
     def test_what_a_flow_carries_is_advanced(self):
         self.assert_refused(lambda deck: self.carry(deck, Field="Ions"), "Materials/Salt", 'advances "Ions"')
 
+    def test_explicit_steps(self):
+        def explicit(**solver):
+            def change(deck):
+                del deck["Solver"]["Steady Flow"]
+                deck["Solver"]["Weakly Compressible Flow"] = {"Sound Speed": 1e-4, **solver}
+                deck["Solver"]["Final Time"] = 1e5
+            return change
+        result = self.check(explicit())
+        self.assertEqual(result.code, 0, result.text)
+        self.assert_refused(explicit(**{"Time Step": 1e4}), "is above the critical one", "CFL number", '"Sound Speed"')
+        self.assert_refused(explicit(**{"Sound Speed": 4e-6}), "Mach number of 0.25", '"Sound Speed" of 1e-05 m/s or more')
+        def without_sound(deck):
+            deck["Solver"]["Weakly Compressible Flow"] = deck["Solver"].pop("Steady Flow")
+        self.assert_refused(without_sound, "Sound Speed")
+
+    def test_forces_on_flows(self):
+        force = {"Type": "Flow Body Force", "Node Set": "Lid Node Set", "Coordinate": "z", "Value": 1.0}
+        self.assert_refused(lambda deck: deck["Boundary Conditions"].update(Force=force), "acts along z")
+
     def test_films_need_metal_that_dissolves(self):
         film = {"Type": "Film Coverage", "Node Set": "Walls Node Set", "Value": 0.5}
         self.assert_refused(lambda deck: deck["Boundary Conditions"].update(Film=film), "dissolves metal")

@@ -1,10 +1,12 @@
-// The numerical parts of solvers that need no model: stabilised Runge-Kutta coefficients and Lanczos iteration.
+// The numerical parts of solvers that need no model: Runge-Kutta coefficients and limits, Lanczos and Arnoldi
+// iteration.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
 #include "driver/solvers/diffusion/stabilized_scheme.hpp"
+#include "driver/solvers/flow/flow_time_step.hpp"
 #include "driver/solvers/lanczos.hpp"
 #include "driver/solvers/solver.hpp"
 
@@ -136,6 +138,19 @@ TEST(Solvers, SayOfEachFieldItsUnitAndMeaning) {
       EXPECT_FALSE(use.field.unit.empty()) << name << " " << use.field.label;
       EXPECT_FALSE(use.field.meaning.empty()) << name << " " << use.field.label;
     }
+  }
+}
+
+TEST(RungeKuttaLimitTest, IsThatOfTheClassicMethod) {
+  // On the negative axis the real root of 24 + 12 z + 4 z^2 + z^3, on the imaginary one sqrt(8).
+  EXPECT_NEAR(rungeKuttaLimit({-1.0, 0.0}), 2.78529356, 1e-6);
+  EXPECT_NEAR(rungeKuttaLimit({0.0, 2.0}), std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(rungeKuttaLimit({0.0, -2.0}), std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(rungeKuttaLimit(0.0), HUGE_VAL);
+  const std::complex<double> lambda(-3.0, 4.0);
+  for (const double share : {0.999, 1.001}) {
+    const std::complex<double> z = share * rungeKuttaLimit(lambda) * lambda;
+    EXPECT_EQ(std::abs(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0) > 1.0, share > 1.0);
   }
 }
 

@@ -1,4 +1,7 @@
-// What bounds a flow: velocities of walls and inlets, pressures of outflows.
+// What acts on a flow: velocities of walls and inlets, pressures of outflows, forces.
+#include <algorithm>
+
+#include "../../deck/deck_data.hpp"
 #include "../condition.hpp"
 #include "../flow_boundary.hpp"
 
@@ -11,6 +14,13 @@ Parameter& declareSurface(ParameterDeclarations& declare, const std::string& mor
                           "Where the boundary is: a function that is zero there, positive in the fluid and negative "
                           "at the points of the node set, such as \"min(y, 1-y)\" or \"sqrt(x^2+y^2)-0.05\". " +
                               more);
+}
+
+/// Whether the value of a function in a deck differs from place to place.
+bool usesPlace(const DeckNode& node) {
+  if (!node.isScalar() || parseReal(node.text())) return false;
+  const FunctionProgram program(node.text(), {"x", "y", "z", "t"}, minusSignOf(node));
+  return program.uses(0) || program.uses(1) || program.uses(2);
 }
 
 /// Empty where there is one.
@@ -41,6 +51,12 @@ class PrescribedVelocity : public Condition, public FlowBoundary {
     for (const Function& component : velocity_)
       if (component.dependsOnTime()) return true;
     return false;
+  }
+  bool dependsOnPlace() const override {
+    const DeckNode given = node()["Velocity"];
+    if (!given) return false;
+    const std::vector<DeckNode> components = given.each();
+    return std::any_of(components.begin(), components.end(), usesPlace);
   }
   bool isPrescription() const override { return true; }
   void markPrescribed(std::vector<char>& isPrescribed) const override {
@@ -84,6 +100,10 @@ class Outflow : public Condition, public FlowBoundary {
 
   std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
   bool dependsOnTime() const override { return pressure_.dependsOnTime(); }
+  bool dependsOnPlace() const override {
+    const DeckNode given = node()["Pressure"];
+    return given && usesPlace(given);
+  }
   bool isPrescription() const override { return true; }
   void markPrescribed(std::vector<char>& isPrescribed) const override {
     for (const int point : points()) isPrescribed[static_cast<std::size_t>(point)] = 1;
@@ -105,9 +125,30 @@ class Outflow : public Condition, public FlowBoundary {
   Function pressure_;
 };
 
+class FlowBodyForce : public Condition, public FlowForce {
+ public:
+  static void declareParameters(ParameterDeclarations& declare) {
+    declareNodeSet(declare);
+    declare.function("Value", "N/m3", "Force per volume; a mean gradient of the pressure with the sign changed.")
+        .required();
+    declareCoordinate(declare);
+  }
+  explicit FlowBodyForce(const ConditionSection& section) : Condition(section, "Velocity", 3) {}
+
+  std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
+  void measure(const Discretization& mesh, const Communicator&) override { requireMotionAlong(component(), mesh); }
+  bool dependsOnTime() const override { return Condition::dependsOnTime(); }
+  void addTo(const Discretization& mesh, double t, double* force) const override {
+    const std::vector<double>& given = evaluate(mesh, t);
+    for (std::size_t k = 0; k < given.size(); ++k)
+      if (points()[k] < mesh.nOwned) force[3 * points()[k] + component()] += given[k];
+  }
+};
+
 }  // namespace
 
 PD_REGISTER_CONDITION(PrescribedVelocity, "Prescribed Velocity", "Velocity of a wall or an inlet of a flow")
 PD_REGISTER_CONDITION(Outflow, "Outflow", "Pressure where a flow leaves")
+PD_REGISTER_CONDITION(FlowBodyForce, "Flow Body Force", "Force per volume on a flow along one axis, such as weight")
 
 }  // namespace pd

@@ -35,6 +35,7 @@ void FlowEquations::setTime(double t) {
   if (t == time_) return refreshSmoothing();
   time_ = t;
   rows_ = makeFlowRows(geometry_, model_.comm(), t);
+  force_ = FlowForces(simulation_.conditions).at(model_.discretization(), t);
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();
   refreshSmoothing();
@@ -136,8 +137,9 @@ std::vector<double> FlowEquations::residual(bool hasConvection) const {
           own[a] += density_ * velocity[3 * index(point) + b] * gradient[3 * a + b] * ofMomentum;
     }
     for (std::size_t a = 0; a < n_; ++a)
-      own[a] +=
-          (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a]) * ofMomentum;
+      own[a] += (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a] -
+                 force_[3 * index(point) + a]) *
+                ofMomentum;
     own[n_] = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
     addLinear(row, state, own);
     const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);

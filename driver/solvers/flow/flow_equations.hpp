@@ -12,7 +12,7 @@
 namespace pd {
 
 /// Of each fluid point, with velocity v and pressure p,
-///   rho (v.grad) v + grad p - mu lap v = 0,
+///   rho (v.grad) v + grad p - mu lap v - f = 0,
 ///   div v - tau S p + lambda = 0,
 /// S the smoothing of FlowRows, tau = c h^2/(mu (1 + rho |v| h/(4 mu))), h the spacing, v that of the last iterate: c
 /// h^2/mu where viscosity rules a bond, and of the order of h/(rho |v|) where convection does. lambda is one number a
@@ -93,6 +93,7 @@ class FlowEquations {
   long long firstUnknown_ = 0;  ///< of this rank
   FlowRows rows_;
   FlowPockets pockets_;
+  std::vector<double> force_;                     ///< [3 owned points] f, N/m3
   std::vector<double> firstColumn_;               ///< [points] of the unknowns of fluid points
   std::vector<long long> pocketColumn_;           ///< of lambda by pocket; -1: open
   std::vector<double> lambda_;                    ///< by pocket, times unit, m/s

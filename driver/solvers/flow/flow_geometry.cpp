@@ -241,6 +241,11 @@ double FlowGeometry::outflowPressure(int boundary, const std::array<double, 3>& 
   return boundaries_[static_cast<std::size_t>(boundary)]->pressureAt(place.data(), simulation_.conditions.runTime(t));
 }
 
+bool FlowGeometry::wallsChangeWithTime() const {
+  return std::any_of(boundaries_.begin(), boundaries_.end(),
+                     [](const FlowBoundary* boundary) { return !boundary->isOutflow() && boundary->dependsOnTime(); });
+}
+
 std::array<double, 3> FlowGeometry::normalAt(int boundary, const std::array<double, 3>& place) const {
   std::array<double, 3> normal{};
   if (boundary < 0 || !boundaries_[static_cast<std::size_t>(boundary)]->hasSurface()) return normal;

@@ -80,6 +80,15 @@ class FlowGeometry {
   /// Of a wall at a place, in the solver's time.
   std::array<double, 3> wallVelocity(int boundary, const std::array<double, 3>& place, double t) const;
   double outflowPressure(int boundary, const std::array<double, 3>& place, double t) const;
+  /// Of the velocity of a wall (-1: one at rest) or the pressure of an outflow.
+  bool changesWithTime(int boundary) const {
+    return boundary >= 0 && boundaries_[static_cast<std::size_t>(boundary)]->dependsOnTime();
+  }
+  bool dependsOnPlace(int boundary) const {
+    return boundary >= 0 && boundaries_[static_cast<std::size_t>(boundary)]->dependsOnPlace();
+  }
+  /// Whether the velocity of any wall or inlet changes with time.
+  bool wallsChangeWithTime() const;
   /// Normal of length 1 into the fluid at a place on a boundary; zero where the deck does not say where it is.
   std::array<double, 3> normalAt(int boundary, const std::array<double, 3>& place) const;
   /// From a fluid point to the mirror image, at the outflow, of the end of the bond.

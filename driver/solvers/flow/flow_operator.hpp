@@ -30,11 +30,20 @@ class FlowOperator {
     const int* points;
     const double* values;  ///< 1, 3 or N of each point
   };
+  /// What a source has in the constant of a row. Its weights are those that a point of this velocity would have.
+  struct Share {
+    std::size_t row, source;
+    std::array<double, N> weights;
+  };
 
   std::vector<std::array<double, N>> constants;
+  std::vector<Share> shares;
 
   /// Of the row that close() ends.
   void add(int point, const std::array<double, N>& weights) { terms_.push_back({point, weights}); }
+  void addShare(std::size_t source, const std::array<double, N>& weights) {
+    shares.push_back({constants.size(), source, weights});
+  }
   void close(const std::array<double, N>& constant) {
     addUp();
     const Form form = formOfTerms();

@@ -26,6 +26,10 @@ constexpr double jumpShare = 0.05;
 
 std::size_t localIndex(int point) { return static_cast<std::size_t>(point); }
 
+/// Sources (FlowRows) in a constant, each with its weight.
+template <class Weight>
+using SourceWeights = std::vector<std::pair<std::size_t, Weight>>;
+
 /// A velocity as a sum over points, some of which are seen mirrored, and a constant.
 struct VelocityValue {
   struct Part {
@@ -34,6 +38,7 @@ struct VelocityValue {
   };
   std::vector<Part> parts;
   FlowVector constant{};
+  SourceWeights<double> sources{};
 };
 
 /// The gradient of the pressure at a point.
@@ -44,6 +49,7 @@ struct PressureFit {
   };
   std::vector<Term> terms;
   FlowVector constant{};
+  SourceWeights<FlowVector> sources{};
 };
 
 class RowMaker {
@@ -84,6 +90,25 @@ class RowMaker {
 
   FlowVector velocityAt(int point, const FlowEnd& end) const {
     return geometry_.wallVelocity(end.boundary, geometry_.placeOn(point, end, end.fraction), t_);
+  }
+  /// The source of a boundary's value there, with a weight; none where that stays as it is.
+  template <class Weight>
+  SourceWeights<Weight> sourceAt(int boundary, const FlowVector& place, bool isPressure, const Weight& weight) {
+    if (!geometry_.changesWithTime(boundary)) return {};
+    const bool isOne = !geometry_.dependsOnPlace(boundary);
+    const auto known = sourceOf_.find(boundary);
+    if (isOne && known != sourceOf_.end()) return {{known->second, weight}};
+    FlowVector value{};
+    if (isPressure)
+      value[0] = geometry_.outflowPressure(boundary, place, t_);
+    else
+      value = geometry_.wallVelocity(boundary, place, t_);
+    rows_.sources.push_back({boundary, isPressure, place, value});
+    if (isOne) sourceOf_[boundary] = rows_.sources.size() - 1;
+    return {{rows_.sources.size() - 1, weight}};
+  }
+  SourceWeights<double> sourceOf(int point, const FlowEnd& end, double weight) {
+    return sourceAt(end.boundary, geometry_.placeOn(point, end, end.fraction), false, weight);
   }
   bool isCompact(const FlowEnd& end) const { return end.length <= geometry_.law().gradientHorizon * (1.0 + 1e-9); }
 
@@ -167,21 +192,21 @@ class RowMaker {
     return bonds;
   }
 
-  VelocityValue valueOf(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) const {
-    if (end.kind == FlowKind::Fluid) return {{{end.point, end.copy, 1.0}}, {}};
-    if (end.kind == FlowKind::Wall) return {{}, velocityAt(point, end)};
+  VelocityValue valueOf(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) {
+    if (end.kind == FlowKind::Fluid) return {{{end.point, end.copy, 1.0}}};
+    if (end.kind == FlowKind::Wall) return {{}, velocityAt(point, end), sourceOf(point, end, 1.0)};
     return mirroredValue(point, ends, geometry_.mirrored(point, end));
   }
 
   /// At the place `seen` from the point: of the point that is there, or of a fit to the ends near it.
-  VelocityValue mirroredValue(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) const {
+  VelocityValue mirroredValue(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) {
     const double near = 1e-3 * geometry_.spacingOf(point);
-    if (std::hypot(seen[0], seen[1], seen[2]) < near) return {{{point, 0, 1.0}}, {}};
+    if (std::hypot(seen[0], seen[1], seen[2]) < near) return {{{point, 0, 1.0}}};
     std::vector<FlowEnd> usable;
     for (const FlowEnd& end : ends) {
       if (end.kind == FlowKind::Fluid &&
           std::hypot(end.xi[0] - seen[0], end.xi[1] - seen[1], end.xi[2] - seen[2]) < near)
-        return {{{end.point, end.copy, 1.0}}, {}};
+        return {{{end.point, end.copy, 1.0}}};
       if (end.kind != FlowKind::Beyond) usable.push_back(end);
     }
     const std::vector<double> weights = kernels::interpolationWeights(bondsOf(usable), seen.data(), 2);
@@ -195,6 +220,7 @@ class RowMaker {
       } else {
         const FlowVector velocity = velocityAt(point, usable[k]);
         for (std::size_t a = 0; a < 3; ++a) value.constant[a] += weights[k] * velocity[a];
+        for (const auto& source : sourceOf(point, usable[k], weights[k])) value.sources.push_back(source);
       }
     }
     value.parts.push_back({point, 0, rest});
@@ -222,6 +248,12 @@ class RowMaker {
           for (std::size_t b = 0; b < n_; ++b) term[3 * a + b] = part.weight * weights[n_ * k + b] * sign(part.copy, a);
         rows_.gradient.add(part.point, term);
       }
+      for (const auto& [source, share] : value.sources) {
+        std::array<double, 9> term{};
+        for (std::size_t a = 0; a < n_; ++a)
+          for (std::size_t b = 0; b < n_; ++b) term[3 * a + b] = share * weights[n_ * k + b];
+        rows_.gradient.addShare(source, term);
+      }
     }
     rows_.gradient.add(point, own);
     rows_.gradient.close(constant);
@@ -230,6 +262,14 @@ class RowMaker {
 
   const kernels::Rings& rings() const { return geometry_.rings(); }
   double radius(int point) const { return rings().radius(mesh().x.data(), point); }
+
+  /// Of the last row.
+  static std::vector<const FlowOperator<9>::Share*> sharesOf(const FlowOperator<9>& gradient, std::size_t row) {
+    std::vector<const FlowOperator<9>::Share*> found;
+    for (auto share = gradient.shares.rbegin(); share != gradient.shares.rend() && share->row == row; ++share)
+      found.push_back(&*share);
+    return found;
+  }
 
   /// After the gradient's.
   void viscousRow(std::size_t row, const std::vector<FlowEnd>& ends) {
@@ -254,6 +294,11 @@ class RowMaker {
             term[3 * a + b] = part.weight * weights[k] * share[3 * a + b] * sign(part.copy, b);
         rows_.viscous.add(part.point, term);
       }
+      for (const auto& [source, part] : value.sources) {
+        std::array<double, 9> term = share;
+        for (double& weight : term) weight *= part * weights[k];
+        rows_.viscous.addShare(source, term);
+      }
     }
     if (rings().areUsed()) addRingViscosity(row, own, constant);
     rows_.viscous.add(point, own);
@@ -270,6 +315,11 @@ class RowMaker {
       for (std::size_t a = 0; a < n_; ++a) part[4 * a] = term.weights[3 * a + radial] / r;
       rows_.viscous.add(term.point, part);
     });
+    for (const auto* share : sharesOf(rows_.gradient, row)) {
+      std::array<double, 9> part{};
+      for (std::size_t a = 0; a < n_; ++a) part[4 * a] = share->weights[3 * a + radial] / r;
+      rows_.viscous.addShare(share->source, part);
+    }
     for (std::size_t a = 0; a < n_; ++a) constant[3 * a] += rows_.gradient.constants[row][3 * a + radial] / r;
     own[4 * radial] -= 1.0 / (r * r);
   }
@@ -315,10 +365,15 @@ class RowMaker {
   }
 
   void addMirroredPressure(int point, const FlowEnd& end, const std::vector<FlowEnd>& fluid, const FlowVector& weight,
-                           PressureFit& fit) const {
-    const FlowVector seen = geometry_.mirrored(point, end);
-    const double pressure = geometry_.outflowPressure(end.outflow, geometry_.placeOn(point, end, end.openFraction), t_);
-    for (std::size_t a = 0; a < n_; ++a) fit.constant[a] += 2.0 * pressure * weight[a];
+                           PressureFit& fit) {
+    const FlowVector seen = geometry_.mirrored(point, end), place = geometry_.placeOn(point, end, end.openFraction);
+    const double pressure = geometry_.outflowPressure(end.outflow, place, t_);
+    FlowVector twice{};
+    for (std::size_t a = 0; a < n_; ++a) {
+      twice[a] = 2.0 * weight[a];
+      fit.constant[a] += pressure * twice[a];
+    }
+    for (const auto& source : sourceAt(end.outflow, place, true, twice)) fit.sources.push_back(source);
     const auto add = [&](int other, int copy, double share) {
       FlowVector part{};
       for (std::size_t a = 0; a < n_; ++a) part[a] = -share * weight[a];
@@ -357,6 +412,7 @@ class RowMaker {
     const int point = geometry_.fluid()[row];
     const PressureFit& fit = fitAt(point, {});
     for (const auto& term : fit.terms) rows_.pressureGradient.add(term.point, term.weight);
+    for (const auto& [source, weight] : fit.sources) rows_.pressureGradient.addShare(source, weight);
     rows_.pressureGradient.close(fit.constant);
   }
 
@@ -374,6 +430,8 @@ class RowMaker {
       weight[rings().radial()] = 1.0 / radius(point);
       rows_.divergence.add(point, weight);
     }
+    for (const auto* share : sharesOf(gradient, row))
+      rows_.divergence.addShare(share->source, {share->weights[0], share->weights[4], share->weights[8]});
     double constant = 0.0;
     for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
     rows_.divergence.close({constant, 0.0, 0.0});
@@ -382,6 +440,7 @@ class RowMaker {
   /// What is said of a boundary by the bonds that meet it around a point.
   struct Facet {
     FlowVector normal{}, velocity{};
+    SourceWeights<double> sources{};  ///< of the sum of velocities
     double count = 0.0;
     double area = 0.0;  ///< over the volume of the point, 1/m
   };
@@ -416,13 +475,16 @@ class RowMaker {
     for (const auto& [key, facet] : facets) {
       FlowVector outward{};
       for (std::size_t a = 0; a < n_; ++a) outward[a] = facet.area * facet.normal[a];
-      for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a] / facet.count;
+      for (double& component : outward) component /= facet.count;
+      for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a];
+      for (const auto& [source, weight] : facet.sources)
+        rows_.divergence.addShare(source, {weight * outward[0], weight * outward[1], weight * outward[2]});
     }
     rows_.divergence.close(constantFlux);
     ++rows_.nAtJumps;
   }
 
-  void addFacets(int point, const std::vector<int>& candidates, std::map<int, Facet>& facets) const {
+  void addFacets(int point, const std::vector<int>& candidates, std::map<int, Facet>& facets) {
     const std::vector<int> own = point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates;
     for (const FlowEnd& end : geometry_.compactEndsOf(point, own)) {
       if (end.kind != FlowKind::Wall || end.openFraction <= 1.0) continue;
@@ -435,6 +497,7 @@ class RowMaker {
         facet.normal[a] += normal[a];
         facet.velocity[a] += velocity[a];
       }
+      for (const auto& source : sourceOf(point, end, 1.0)) facet.sources.push_back(source);
     }
   }
 
@@ -474,6 +537,8 @@ class RowMaker {
         const auto along = [&](const FlowVector& g) { return g[0] * end.xi[0] + g[1] * end.xi[1] + g[2] * end.xi[2]; };
         for (const auto& term : fit.terms) add(term.point, -0.5 * weight * along(term.weight));
         constant -= 0.5 * weight * along(fit.constant);
+        for (const auto& [source, share] : fit.sources)
+          rows_.smoothing.addShare(source, {-0.5 * weight * along(share)});
       }
     }
     rows_.smoothing.close({constant});
@@ -493,6 +558,7 @@ class RowMaker {
   const std::size_t n_;
   FlowRows rows_;
   std::unordered_map<int, PressureFit> fits_;  ///< by local point
+  std::map<int, std::size_t> sourceOf_;        ///< of boundaries whose value is the same everywhere
 };
 
 }  // namespace

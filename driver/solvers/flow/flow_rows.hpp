@@ -7,6 +7,13 @@
 
 namespace pd {
 
+/// A velocity (or in its first component a pressure) of a boundary that changes with time, at a place on it.
+struct FlowSource {
+  int boundary;
+  bool isPressure;
+  std::array<double, 3> place, value;  ///< value: at the time of the rows
+};
+
 /// Values at the time of the boundaries. v, p: velocity and pressure of the points.
 struct FlowRows {
   FlowOperator<9> viscous;           ///< lap v_a = sum w[3a + b] v_b + c[3a]
@@ -14,6 +21,7 @@ struct FlowRows {
   FlowOperator<3> divergence;        ///< div v = sum w[a] v_a + c[0]
   FlowOperator<3> pressureGradient;  ///< dp/dx_a = sum w[a] p + c[a]
   FlowOperator<1> smoothing;         ///< fourth differences of the pressure (flow_weights.hpp), 1/m2
+  std::vector<FlowSource> sources;   ///< by which constants follow boundaries from time to time
   double largestVelocity = 0.0;      ///< of walls and inlets where bonds meet them, all ranks, m/s
   long long nAtJumps = 0;            ///< points whose divergence is a balance of mass, all ranks
 

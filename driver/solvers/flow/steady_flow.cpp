@@ -7,6 +7,7 @@
 
 #include "carried_scalars.hpp"
 #include "field_names.hpp"
+#include "flow_blocks.hpp"
 #include "flow_preconditioner.hpp"
 
 namespace pd {
@@ -34,33 +35,6 @@ double flowNorm(const Communicator& comm, const std::vector<double>& values) {
   double square = 0.0;
   for (const double value : values) square += value * value;
   return std::sqrt(comm.sum(square));
-}
-
-struct FlowBlocks {
-  const FlowLaw* law = nullptr;
-  std::vector<int> numbers;
-};
-
-/// The blocks of fluid. Throws RunError where they are of different fluids.
-FlowBlocks findFlowBlocks(Model& model) {
-  FlowBlocks found;
-  std::string first;
-  for (PeridigmNS::Block& block : *model.blocks()) {
-    const auto* material = dynamic_cast<const FlowMaterial*>(block.getMaterialModel().get());
-    if (material == nullptr || material->flowLaw() == nullptr) continue;
-    const FlowLaw& law = *material->flowLaw();
-    if (found.law == nullptr) {
-      found.law = &law;
-      first = block.getName();
-    } else if (law.density != found.law->density || law.viscosity != found.law->viscosity ||
-               law.viscousKernel != found.law->viscousKernel || law.gradientHorizon != found.law->gradientHorizon ||
-               law.fluxHorizon != found.law->fluxHorizon || law.family.horizon != found.law->family.horizon) {
-      throw RunError("Steady Flow: the fluids of the blocks \"" + first + "\" and \"" + block.getName() +
-                     "\" differ; give both one material and one Horizon");
-    }
-    found.numbers.push_back(block.getID());
-  }
-  return found;
 }
 
 }  // namespace
@@ -96,12 +70,8 @@ SteadyFlow::SteadyFlow(const Teuchos::ParameterList& given)
 
 void SteadyFlow::initialize(Simulation& simulation) {
   Model& model = simulation.model;
-  const FlowBlocks blocks = findFlowBlocks(model);
-  if (blocks.law == nullptr) throw RunError("Steady Flow: no block has a material for flows, as Navier Stokes is one");
-  if (!model.discretization().symmetry.isAlongAxes())
-    throw RunError("Steady Flow: planes of symmetry must be perpendicular to x, y or z");
+  const FlowBlocks blocks = findFlowBlocks(model, "Steady Flow");
   nComponents_ = static_cast<std::size_t>(model.discretization().dimension);
-  if (nComponents_ < 2) throw RunError("Steady Flow: a flow needs two or three dimensions");
   law_ = blocks.law;
   flowBlocks_ = blocks.numbers;
   system_ = std::make_unique<RowSystem>(model.comm());
