@@ -1,5 +1,5 @@
 #!/bin/bash
-# Meshes, runs and pictures of this scene, into results/mg_pin: two minutes.
+# Meshes, runs, fit and pictures of this scene, into results/mg_pin: two minutes.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -12,4 +12,5 @@ cd "$results"
 "$pdrun" "$here/still.yaml" --quiet --set "Boundary Conditions/Film/Value=0" \
   --set "Materials/Wire/Current Density=5.0" --set "Output/Output Filename=no_film"
 "$pdrun" "$here/mg_pin.yaml" --quiet
+"$pdrun" --fit "$here/fit.yaml"
 "$here/plot.py" "$results"
