@@ -116,7 +116,8 @@ def draw(problem, judgement, models, histories):
         left.set_ylabel(with_unit(series.column if series.is_over_time else "model", unit))
         left.set_title(series.label)
         what = "ln(model) - ln(measured)" if series.is_logarithmic else "model - measured"
-        right.set_ylabel(f"{what} (standard deviations)" if series.has_deviations else with_unit(what, unit))
+        right.set_ylabel(with_unit(what, "standard deviations" if series.has_deviations else
+                                   "" if series.is_logarithmic else unit))
         right.axhline(0.0, color="0.5", linewidth=0.8)
         if series.has_deviations:
             right.axhspan(-1.0, 1.0, color="0.92", zorder=0)
