@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""loss.png, flow.png, shape.png: the wire against measurements; plot.py [RESULTS]"""
+"""loss.png, measures.png, flow.png, shape.png: the wire against measurements; plot.py [RESULTS]"""
 import sys
 from pathlib import Path
 
@@ -25,16 +25,10 @@ def exact_radius(t, speed=SPEED, film=FILM):
 def losses(name):
     """Hours, volume loss in % of the pristine wire and of the first scan, radius of a disc of its first area, um."""
     history = read_history(folder / f"{name}.csv")
-    results = Results(str(folder / name))
-    solid = results.field("Concentration", results.steps[0]) > 1000
-    x = results.x[solid]
-    area = np.count_nonzero(solid) * np.min(np.diff(np.unique(np.round(x[:, 0], 9))))**2
-    share = history["Relative_Volume_Loss"] / 100
-    t = history["time"] / 3600
-    left = np.interp(FIRST_SCAN, t, 1 - share)
-    whole = area if x[:, 1].min() < 0 else 2 * area
+    area = 100 * history["Volume_Loss"][-1] / history["Relative_Volume_Loss"][-1]
+    whole = 2 * area if name == "mg_pin" else area  # half of it is modelled
     radius = RADIUS if name == "along" else 1e6 * np.sqrt(whole / np.pi)
-    return t, 100 * share, 100 * (1 - (1 - share) / left), radius
+    return history["time"] / 3600, history["Relative_Volume_Loss"], history["Loss_Since_Scan"], radius
 
 
 def draw_loss():
@@ -62,6 +56,29 @@ def draw_loss():
     axis.legend(fontsize=8)
     figure.savefig(folder / "loss.png", dpi=110)
     print(folder / "loss.png")
+
+
+def draw_measures():
+    """What else laboratories measure, beside a round wire: diameter, rate since the start, hydrogen."""
+    figure, axes = figures.plt.subplots(1, 3, figsize=(11, 3.4), constrained_layout=True)
+    hydrogen = 71508 * 8.314462618 * 310.15 / 101325  # volume of gas a volume of metal
+    measures = (("Wire_Diameter", 1e6, "diameter (µm)", lambda t, lost: 2 * exact_radius(t)),
+                ("Corrosion_Rate", 1.0, "rate since the start (mm/year)", lambda t, lost: 8.76 * lost / t),
+                ("Hydrogen_Gas", 1.0, "hydrogen at 37 °C (mL/cm²)", lambda t, lost: 1e-4 * hydrogen * lost))
+    for axis, (column, factor, label, exact) in zip(axes, measures):
+        for name, style, where in (("mg_pin", "C0-", "in the flow"), ("still", "C2--", "in fluid at rest")):
+            if not (folder / f"{name}.csv").exists():
+                continue
+            history = read_history(folder / f"{name}.csv")
+            t, values = history["time"][1:] / 3600, history[column][1:] * factor
+            expected = exact(t, (RADIUS**2 - exact_radius(t)**2) / (2 * RADIUS))  # um of the first surface are lost
+            axis.plot(t, values, style, label=where)
+            at = [int(np.argmin(np.abs(t - hour))) for hour in (1, 3, 6, 9)]
+            print(f"{column}, {name}, after 1, 3, 6, 9 h: " +
+                  ", ".join(f"{values[k]:.4g} ({expected[k]:.4g})" for k in at))
+        axis.plot(t, expected, "k:", label="round wire")
+        axis.set(xlabel="time (h)", ylabel=label)
+    figures.save_curves(figure, folder / "measures.png", axes)
 
 
 def whole(results, step, label, sign=1.0):
@@ -115,5 +132,6 @@ def draw_shape():
 
 
 draw_loss()
+draw_measures()
 draw_flow()
 draw_shape()

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Meshes, runs and pictures of this scene, into results/mg_pin: two minutes.
+# Meshes, runs, fit and pictures of this scene, into results/mg_pin: two minutes.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -16,4 +16,5 @@ cd "$results"
 "$pdmesh" grid box --quiet --spacing 5e-6 --size 280e-6 445e-6 --origin -15e-6 0 \
   --block "2: y > 425e-6 || (y < 40e-6 && (x < 0 || x > 250e-6))" -o "$here/along.txt"
 "$pdrun" "$here/along.yaml" --quiet
+"$pdrun" --fit "$here/fit.yaml"
 "$here/plot.py" "$results"

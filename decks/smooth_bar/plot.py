@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """line.png: strain ranges over the lives of the runs, and the law of the deck; plot.py [RESULTS]"""
 import csv
+import json
 import sys
 from pathlib import Path
 
@@ -9,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
+from scipy.stats import linregress, t  # noqa: E402
 
 COEFFICIENT, EXPONENT, LIMIT, RUN_OUT = 426.0, 2.77, 1.86e-3, 1e10  # of bar.yaml; the last of run.sh
 
@@ -42,3 +44,15 @@ axis.grid(alpha=0.3, which="both")
 axis.legend()
 figure.savefig(folder / "line.png", dpi=150)
 print(folder / "line.png")
+
+# The fit of fit.yaml beside a straight line through logarithms, ln N = -ln A1 - m1 ln(e - e_limit).
+amplitude, cycles = np.loadtxt(Path(__file__).parent / "lives.csv", delimiter=",", skiprows=2).T
+line = linregress(np.log(2 * amplitude - LIMIT), np.log(cycles))
+student = t.ppf(0.975, len(cycles) - 2)
+m1 = [-line.slope + side * student * line.stderr for side in (0, -1, 1)]
+A1 = [np.exp(-line.intercept + side * student * line.intercept_stderr) for side in (0, -1, 1)]
+with open(folder / "strain_life.fit.json") as text:
+    for value, exact in zip(json.load(text)["values"], (A1, m1)):
+        fitted = (value["value"], *value["interval"])
+        print(f"{value['name']}: fitted {' '.join(f'{number:.6g}' for number in fitted)}, regression "
+              f"{' '.join(f'{number:.6g}' for number in exact)}")

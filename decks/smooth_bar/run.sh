@@ -14,4 +14,5 @@ for ratio in -1 0 0.5; do
     run "R${ratio}_$range" "$(awk "BEGIN {print $range / (1 - $ratio)}")" "$ratio"
   done
 done
+"$pdrun" --fit "$here/fit.yaml"
 "$here/plot.py" "$results"

@@ -237,7 +237,7 @@ class FitReader {
                     "the standard deviation must be above 0; leave the row out, or by From and Until of "
                     "series \"" +
                         series.label + "\" out of the fit");
-    if (series.isLogarithmic && !(point.measured > 0.0))
+    if (series.isLogarithmic && point.isFitted && !(point.measured > 0.0))
       mistakes_.add(point.place, "a value of a Logarithmic series must be above 0");
     series.points.push_back(point);
   }

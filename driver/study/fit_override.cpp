@@ -91,7 +91,7 @@ FitOverride readFitOverride(const std::string& path, const DeckNode& node, const
   if (node.isScalar())  // braces of sections and lists are YAML's
     for (const std::string& name : unknown)
       mistakes.add(result.place, node.path() + ": nothing is called \"" + name + "\"" + didYouMean(name, known) +
-                                     "; there are: " + quotedList(known));
+                                     (known.empty() ? "" : "; there are: " + quotedList(known)));
   if (result.pieces.size() == 1 && result.pieces.front().value >= 0) result.pieces.front().isWhole = true;
   return result;
 }

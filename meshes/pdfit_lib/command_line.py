@@ -27,7 +27,8 @@ def _fit(problem):
     for judged in judgement.values:
         problem.print(judged.text())
     for series, model in zip(problem.series, models):
-        unit = "standard deviations" if series.has_deviations else "(logarithms)" if series.is_logarithmic else series.unit
+        unit = ("standard deviations" if series.has_deviations else
+                "(logarithms)" if series.is_logarithmic else series.unit)
         for what, numbers in zip(("fitted", "not fitted"), summary_of(series, model)):
             if numbers:
                 problem.print(f"{series.label}, points {what}: off by {numbers[0]:.3g} (rms), {numbers[1]:.3g} at most "
@@ -45,15 +46,15 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(
         prog="pdfit", description="Adjusts values of decks until histories of runs agree with measured series. "
         "`pdrun --fit fit.yaml` checks the fit and starts this program.",
-        epilog="sample run: pdfit results/wire.fit.problem.json   repeats the fit that pdrun has written there; runs that "
-        "are there are not repeated")
+        epilog="sample run: pdfit results/wire.fit.problem.json   repeats the fit that pdrun has written there; runs "
+        "that are there are not repeated")
     parser.add_argument("problem", help="NAME.fit.problem.json, which pdrun --fit writes")
     try:
         problem = Problem(parser.parse_args(arguments).problem)
         if _fit(problem):
             return 0
-        print(f"pdfit: the fit has not converged in {problem.max_iterations} steps; {problem.base}.fit.json has the values "
-              "so far. With a larger Maximum Iterations it goes on: runs that are there are not repeated",
+        print(f"pdfit: the fit has not converged in {problem.max_iterations} steps; {problem.base}.fit.json has the "
+              "values so far. With a larger Maximum Iterations it goes on: runs that are there are not repeated",
               file=sys.stderr)
         return 3
     except (OSError, ValueError, KeyError) as error:

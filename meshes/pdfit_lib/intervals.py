@@ -19,7 +19,8 @@ class Judged:
 
 
 class Judgement:
-    """values: [Judged]; sum_of_squares; degrees: of freedom; correlation [n, n], not numbers for values that have none."""
+    """values: [Judged]; sum_of_squares; degrees: of freedom; correlation [n, n], not numbers where there is
+    none."""
 
     def __init__(self, problem, fitted):
         self.sum_of_squares = float(fitted.residuals @ fitted.residuals)
@@ -38,8 +39,8 @@ class Judgement:
         self.values = [self._judged(problem, fitted, i, half[i]) for i in range(n_values)]
 
     def _factor(self, has_deviations):
-        """Half of an interval in standard deviations as the derivatives have them. Deviations that are given count, unless
-        the points scatter more than they say; without them the scatter tells."""
+        """Half of an interval in standard deviations as the derivatives have them. Deviations that are given count,
+        unless the points scatter more than they say; without them the scatter tells."""
         if self.degrees <= 0:
             return norm.ppf(0.975) if has_deviations else np.inf
         variance = self.sum_of_squares / self.degrees

@@ -75,8 +75,9 @@ class Fit:
         for i, column in enumerate(columns):
             if not np.all(np.isfinite(column)):
                 raise FitError(f"beside {self.problem.values[i].name} = "
-                               f"{self.problem.values[i].text(self.problem.unscaled(scaled)[i])} no run comes to its end "
-                               "by which a derivative could be found; narrow its bounds, or take a smaller Difference Step")
+                               f"{self.problem.values[i].text(self.problem.unscaled(scaled)[i])} no run comes to its "
+                               "end by which a derivative could be found; narrow its bounds, or take a smaller "
+                               "Difference Step")
         self._last = (scaled.copy(), np.stack(columns, axis=1))
         return self._last[1]
 
@@ -94,5 +95,5 @@ class Fit:
         influence = np.linalg.norm(jacobian, axis=0)
         for value, size in zip(self.problem.values, influence):
             if size <= 1e-9 * influence.max() or size == 0.0:
-                raise FitError(f"{value.name} has no influence on any fitted point at its Start; leave it out of Values, "
-                               "compare another history, or take a larger Difference Step")
+                raise FitError(f"{value.name} has no influence on any fitted point at its Start; leave it out of "
+                               "Values, compare another history, or take a larger Difference Step")

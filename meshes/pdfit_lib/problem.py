@@ -70,8 +70,8 @@ class Series:
         return values * self.factor
 
     def interpolation_error(self, histories):
-        """What linear interpolation between the rows of the history is off by at the fitted points, in the unit of the data,
-        as its second differences say; not a number where there are too few rows for these."""
+        """What linear interpolation between the rows of the history is off by at the fitted points, in the unit of the
+        data, as its second differences say; not a number where there are too few rows for these."""
         time, column = finite_rows(histories[self.runs[0]], self.column)
         time, first = np.unique(time, return_index=True)
         column, at = column[first], self.time[self.is_fitted]

@@ -74,13 +74,14 @@ def coarse_history(series, histories):
         return ""
     error = series.interpolation_error(histories)
     measured = series.measured[series.is_fitted]
-    enough = 0.2 * series.deviation[series.is_fitted].min() if series.has_deviations and not series.is_logarithmic else \
-        0.01 * np.max(np.abs(measured))
+    enough = 0.01 * np.max(np.abs(measured))
+    if series.has_deviations and not series.is_logarithmic:
+        enough = 0.2 * series.deviation[series.is_fitted].min()
     if error <= enough:
         return ""
     how = f"may be off by {error:.2g} {series.unit}".rstrip() if np.isfinite(error) else "cannot be judged"
-    return (f"{series.label}: the history has so few rows that its values between them, linear in time, {how}: ask for more "
-            "Load Steps, or a smaller History Frequency")
+    return (f"{series.label}: the history has so few rows that its values between them, linear in time, {how}: ask for "
+            "more Load Steps, or a smaller History Frequency")
 
 
 def write_results(problem, runs, fitted, judgement, models):
@@ -116,7 +117,8 @@ def draw(problem, judgement, models, histories):
         left.set_ylabel(with_unit(series.column if series.is_over_time else "model", unit))
         left.set_title(series.label)
         what = "ln(model) - ln(measured)" if series.is_logarithmic else "model - measured"
-        right.set_ylabel(f"{what} (standard deviations)" if series.has_deviations else with_unit(what, unit))
+        right.set_ylabel(with_unit(what, "standard deviations" if series.has_deviations else
+                                   "" if series.is_logarithmic else unit))
         right.axhline(0.0, color="0.5", linewidth=0.8)
         if series.has_deviations:
             right.axhspan(-1.0, 1.0, color="0.92", zorder=0)
@@ -146,8 +148,8 @@ def _draw_over_time(left, right, series, model, histories):
         measured = series.measured[those]
         if series.is_logarithmic:
             errors = [measured * (1 - np.exp(-errors)), measured * (np.exp(errors) - 1)]
-        left.errorbar(series.time[those] / length, measured, yerr=errors, fmt="ko", markersize=4, capsize=2, label=label,
-                      **style)
+        left.errorbar(series.time[those] / length, measured, yerr=errors, fmt="ko", markersize=4, capsize=2,
+                      label=label, **style)
         right.plot(series.time[those] / length, residuals[those], "ko", markersize=4, **style)
     if series.is_logarithmic:
         left.set_yscale("log")

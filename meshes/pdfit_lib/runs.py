@@ -73,8 +73,8 @@ class Runs:
         if history is None:
             lines = done.stderr.strip().splitlines() or [f"ended with code {done.returncode}"]
             self.failures[key] = lines[0]
-            values = ", ".join(f"{value.name} {value.text(number)}" for value, number in zip(self.problem.values, values))
-            print(f"a run failed with {values}:\n  " + "\n  ".join(lines[:5]), file=sys.stderr, flush=True)
+            said = ", ".join(f"{value.name} {value.text(number)}" for value, number in zip(self.problem.values, values))
+            print(f"a run failed with {said}:\n  " + "\n  ".join(lines[:5]), file=sys.stderr, flush=True)
         return history
 
     @staticmethod

@@ -1,7 +1,6 @@
-"""pdrun --fit: values that are known are found again, intervals are those of certified regressions, mistakes are told."""
-import contextlib
+"""pdrun --fit: values that are known are found again, intervals are those of certified regressions, mistakes
+are told."""
 import csv
-import io
 import json
 import math
 import os
@@ -148,7 +147,8 @@ Series:
 
     def test_what_the_runs_tell_is_told(self):
         self.write_fit(FIT.replace("  D: {", "  E: {Start: 3.0e9, Lowest: 1.0e9, Highest: 1.0e10}\n  D: {").replace(
-            "Overrides:\n", "Overrides:\n  Materials/Iron/Young's Modulus: \"{E}\"\n  Materials/Iron/Poisson's Ratio: 0.33\n"))
+            "Overrides:\n", "Overrides:\n  Materials/Iron/Young's Modulus: \"{E}\"\n"
+            "  Materials/Iron/Poisson's Ratio: 0.33\n"))
         done = self.fit()
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("E has no influence on any fitted point", done.stderr)
@@ -318,7 +318,7 @@ class Numbers(unittest.TestCase):
         values = [{"name": "rate", "start": 0.2}]
         judgement = StubProblem(values, x, np.exp(-x)).judge(lambda x, k: np.exp(-k * x) if k < 1.05 else None)
         self.assertAlmostEqual(judgement.values[0].number, 1.0, delta=1e-6)
-        with contextlib.redirect_stderr(io.StringIO()), self.assertRaisesRegex(FitError, "Start a run failed: too much"):
+        with self.assertRaisesRegex(FitError, "Start a run failed: too much"):
             StubProblem(values, x, np.exp(-x)).judge(lambda x, k: None)
 
 

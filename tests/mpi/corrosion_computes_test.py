@@ -20,12 +20,19 @@ COMPUTES = {
     "Place": {"Compute Class": "Deepest_Place", **SURFACE},
     "Width": {"Compute Class": "Pit_Width", **SURFACE},
     "Speed": {"Compute Class": "Front_Speed", **SURFACE},
+    "Rate": {"Compute Class": "Corrosion_Rate", "Over": "Last Interval"},
+    "Gas": {"Compute Class": "Hydrogen_Gas"},
+    "Since": {"Compute Class": "Relative_Volume_Loss", "First Scan": 6.0},
+    "Wire": {"Compute Class": "Wire_Diameter", "First Diameter": 1e-5, "Slice Width": 1e-6, "Of": "Smallest"},
+    "Pits": {"Compute Class": "Pit_Count", **SURFACE, "Deeper Than": 1e-6},
+    "Pit Depth": {"Compute Class": "Pit_Depth", **SURFACE, "Deeper Than": 1e-6},
     "Mean Current": {"Compute Class": "Mean_Current_Density"},
     "Peak Current": {"Compute Class": "Peak_Current_Density"},
     "Peak Place": {"Compute Class": "Current_Place"},
     "Current": {"Compute Class": "Total_Current"},
 }
-HISTORIES = ("Mass_Loss", "Maximum_Depth", "Mean_Depth", "Deepest_PlaceX", "Deepest_PlaceY", "Pit_Width", "Front_Speed",
+HISTORIES = ("Corrosion_Rate", "Hydrogen_Gas", "Relative_Volume_Loss", "Wire_Diameter", "Pit_Count", "Pit_Depth",
+             "Mass_Loss", "Maximum_Depth", "Mean_Depth", "Deepest_PlaceX", "Deepest_PlaceY", "Pit_Width", "Front_Speed",
              "Mean_Current_Density", "Peak_Current_Density", "Current_PlaceX", "Current_PlaceY", "Total_Current")
 
 

@@ -17,6 +17,8 @@ COMPUTES = {
     "Mass": {"Compute Class": "Mass_Loss", "Molar Mass": MOLAR_MASS},
     "Amount": {"Compute Class": "Dissolved_Amount"},
     "Volume": {"Compute Class": "Volume_Loss"},
+    "Rate": {"Compute Class": "Corrosion_Rate"},
+    "Gas": {"Compute Class": "Hydrogen_Gas"},
     "Depth": {"Compute Class": "Corrosion_Depth", **SURFACE},
     "Deepest": {"Compute Class": "Maximum_Depth", **SURFACE, "Measure": "Deepest"},
     "Mean": {"Compute Class": "Mean_Depth", **SURFACE},
@@ -60,6 +62,9 @@ class Computes(CorrosionTest):
         np.testing.assert_allclose(h["Mass_Loss"], MOLAR_MASS * dissolved, rtol=1e-8)
         np.testing.assert_allclose(h["Volume_Loss"], dissolved / STEEL["Solid Concentration"], rtol=1e-8)
         np.testing.assert_allclose(depth, h["Volume_Loss"] / length, rtol=1e-8)
+        year = 8760 * 3600e3  # in seconds, of millimetres
+        np.testing.assert_allclose(h["Corrosion_Rate"][1:], front_speed(STEEL) * year, rtol=2e-3)
+        np.testing.assert_allclose(h["Hydrogen_Gas"], amount / length * 24465.4e-4, rtol=2e-3)  # 24.4654 L/mol
         np.testing.assert_allclose(h["Front_Speed"][1:], np.diff(depth) / np.diff(h["time"]), rtol=1e-8)
         self.assertEqual(h["Front_Speed"][0], 0.0)
         np.testing.assert_allclose(h["Mean_Current_Density"], CURRENT, rtol=1e-8)
