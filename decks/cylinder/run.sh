@@ -18,3 +18,7 @@ run shifted_10 10 0.37 0.81
 run askew_10 10 0.61 0.23
 run channel_20 20 0 0
 "$here/plot.py" "$results"
+
+"$pdmesh" grid box --quiet --spacing 0.1 --size 20.8 8.4 --origin -8.4 0 -o "$here/wide.txt"
+"$pdrun" "$here/wide.yaml" --quiet
+"$here/plot_wide.py" "$results"

@@ -195,8 +195,7 @@ double SteadyFlow::solveByIteration(Simulation& simulation, bool isStokes, const
     throw RunError(fmt::format(
         "Steady Flow: GMRES left a residual of {:.3g} after {} iterations. Let velocities grow over several Load Steps "
         "(\"Velocity\" as a function of t), refine where rho |v| h/mu of the spacing h, here {:.3g}, is well above 1, "
-        "or "
-        "take \"Linear Solver: Direct\", if there is memory for it. With \"Pressure Smoothing: 0\" pressures that "
+        "or take \"Linear Solver: Direct\", if there is memory for it. With \"Pressure Smoothing: 0\" pressures that "
         "alternate from point to point are not seen",
         report.relativeResidual, report.iterations, equations_->largestCellReynolds()));
   return report.relativeResidual;
@@ -277,11 +276,12 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
 
 std::vector<std::string> SteadyFlow::summary() const {
   const std::string factors =
-      hasFactor_ ? fmt::format("{} factors ({:.3g} entries)", nFactors_, largestFactor_) : "no factor";
+      hasFactor_ ? fmt::format("{} factors of {} unknowns ({:.3g} entries)", nFactors_, nUnknowns_, largestFactor_)
+                 : fmt::format("{} unknowns without a factor", nUnknowns_);
   std::vector<std::string> lines{fmt::format(
-      "Steady Flow: {} load steps, {} Newton steps, {} of {} unknowns, {} iterations of GMRES; largest relative "
-      "residual of a linear solve {:.3g}",
-      nLoadSteps_, nNewtonSteps_, factors, nUnknowns_, nLinearIterations_, largestResidual_)};
+      "Steady Flow: {} load steps, {} Newton steps, {}, {} iterations of GMRES; largest relative residual of a linear "
+      "solve {:.3g}",
+      nLoadSteps_, nNewtonSteps_, factors, nLinearIterations_, largestResidual_)};
   if (nLoadSteps_ > 0)
     lines.push_back(fmt::format(
         "Steady Flow: at the end rho |v| h/mu of the spacing h is at most {:.3g}; largest divergence {:.3g} 1/s; what "
