@@ -1,5 +1,6 @@
 #include "spring_operator.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -31,7 +32,7 @@ std::array<double, 6> minusInverse(const std::array<double, 6>& a) {
 SpringOperator::SpringOperator(const SpringNetwork& network, const PointExchange& exchange, bool isDistributed)
     : network_(network), exchange_(exchange), isDistributed_(isDistributed) {
   const int n = network.points().nPoints, width = network.familyWidth();
-  if (isDistributed) exchanged_.resize(3 * static_cast<std::size_t>(n));
+  if (isDistributed) findSources();
   response_ = {PointVector<double>(n, width == 3 ? 6 : width), PointVector<float>(n, width == 3 ? 6 : width)};
   families_ = {PointVector<double>(n, width), PointVector<float>(n, width)};
   const int nOwned = network.points().nOwned;
@@ -46,6 +47,16 @@ SpringOperator::SpringOperator(const SpringNetwork& network, const PointExchange
   std::vector<int> all(static_cast<std::size_t>(nOwned));
   std::iota(all.begin(), all.end(), 0);
   refresh(all);
+}
+
+/// What ghosts and images add reaches the points that they stand for.
+void SpringOperator::findSources() {
+  const int nOwned = network_.points().nOwned;
+  exchanged_.resize(3 * static_cast<std::size_t>(network_.points().nPoints));
+  std::fill(exchanged_.begin() + nOwned, exchanged_.begin() + network_.points().nPoints, 1.0);
+  exchange_.exportAdd(exchanged_.data(), 1, Reflection::Even);
+  for (int i = 0; i < nOwned; ++i)
+    if (exchanged_[static_cast<std::size_t>(i)] != 0.0) sources_.push_back(i);
 }
 
 void SpringOperator::refresh(const std::vector<int>& changed) {
@@ -114,7 +125,7 @@ void SpringOperator::importInto(PointVector<Real>& x) {
   if (!isDistributed_) return;
   const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
   for (int c = 0; c < x.nComponents(); ++c)
-    for (int i = 0; i < nOwned; ++i) exchanged_[static_cast<std::size_t>(3 * i + c)] = static_cast<double>(x[c][i]);
+    for (const int i : sources_) exchanged_[static_cast<std::size_t>(3 * i + c)] = static_cast<double>(x[c][i]);
   exchange_.import(exchanged_.data(), 3, Reflection::Vector);
   for (int c = 0; c < x.nComponents(); ++c)
     for (int i = nOwned; i < nPoints; ++i) x[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
@@ -124,12 +135,16 @@ template <class Real>
 void SpringOperator::exportFrom(PointVector<Real>& y) {
   if (!isDistributed_) return;
   const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
-  for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < nPoints; ++i)
-      exchanged_[static_cast<std::size_t>(3 * i + c)] = c < y.nComponents() ? static_cast<double>(y[c][i]) : 0.0;
+  const auto copy = [&](int c, int i) {
+    exchanged_[static_cast<std::size_t>(3 * i + c)] = c < y.nComponents() ? static_cast<double>(y[c][i]) : 0.0;
+  };
+  for (int c = 0; c < 3; ++c) {
+    for (const int i : sources_) copy(c, i);
+    for (int i = nOwned; i < nPoints; ++i) copy(c, i);
+  }
   exchange_.exportAdd(exchanged_.data(), 3, Reflection::Vector);
   for (int c = 0; c < y.nComponents(); ++c)
-    for (int i = 0; i < nOwned; ++i) y[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
+    for (const int i : sources_) y[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
 }
 
 template <class Real>

@@ -68,6 +68,7 @@ class SpringOperator {
   template <class Real>
   void exportFrom(PointVector<Real>& y);
 
+  void findSources();
   void findResponse(const std::vector<int>& changed);
   void updateResponses(const std::vector<int>& changed, const PointVector<double>& x,
                        PointVector<double>& responses) const;
@@ -80,6 +81,7 @@ class SpringOperator {
   std::vector<Addition> additions_;
   std::tuple<PointVector<double>, PointVector<float>> response_, families_;
   std::vector<double> exchanged_;  ///< [3 nPoints]
+  std::vector<int> sources_;       ///< of ghosts and images: the owned points that an exchange is about
 };
 
 }  // namespace pd
