@@ -53,8 +53,9 @@ class FlowForce : public TabledCompute {
         fields_(parameters_) {
     if (outer_ <= inner_) throw std::invalid_argument("Flow_Force: \"Outer Radius\" must be above \"Inner Radius\"");
     if (rings_.areUsed() && (dimension_ != 3 || center_[rings_.radial()] != 0.0))
-      throw std::invalid_argument("Flow_Force: in a body of revolution take \"Ring: Spheres\" about a \"Center\" on its "
-                                  "axis");
+      throw std::invalid_argument(
+          "Flow_Force: in a body of revolution take \"Ring: Spheres\" about a \"Center\" on its "
+          "axis");
   }
 
   const Fields& fields() const override { return fields_; }

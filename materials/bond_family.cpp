@@ -33,9 +33,10 @@ void BondFamily::declareSection(ParameterDeclarations& declare) {
 
 void BondFamily::declareAxis(ParameterDeclarations& declare) {
   declare
-      .text(axisOfRevolution,
-            "Points are half of a section of a body of revolution about this axis, and volumes those of rings; given by "
-            "Discretization.")
+      .text(
+          axisOfRevolution,
+          "Points are half of a section of a body of revolution about this axis, and volumes those of rings; given by "
+          "Discretization.")
       .oneOf({"x", "y"});
 }
 

@@ -45,8 +45,8 @@ struct BondFamily {
   double share(double distance, double volume, double neighborVolume) const {
     return kernels::volumeShare(volumeCorrection, distance, horizon, 0.5 * (spacing(volume) + spacing(neighborVolume)));
   }
-  /// What the flux of the bond from i to j, or `part` of it, is multiplied by at i (kernels/rings.hpp); 1 in bodies that
-  /// are not of revolution. `volume`, `neighborVolume`: of the plane.
+  /// What the flux of the bond from i to j, or `part` of it, is multiplied by at i (kernels/rings.hpp); 1 in bodies
+  /// that are not of revolution. `volume`, `neighborVolume`: of the plane.
   double ringShare(const double* x, int i, int j, double volume, double neighborVolume, double part = 1.0) const {
     return rings.areUsed() ? rings.share(x, i, j, 0.5 * (spacing(volume) + spacing(neighborVolume)), part) : 1.0;
   }

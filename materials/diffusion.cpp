@@ -91,8 +91,9 @@ class DiffusionMaterial : public PeridigmNS::Material, public FieldUser {
     list = shared.complete(list, owner);
     if (params.isParameter(axisOfRevolution) && params.get<bool>("Use Improved Quadrature"))
       throw std::invalid_argument(
-          owner + ": the improved quadrature fits weights to neighbourhoods in a plane or in space, and this is a body "
-                  "of revolution; leave \"Use Improved Quadrature\" out");
+          owner +
+          ": the improved quadrature fits weights to neighbourhoods in a plane or in space, and this is a body "
+          "of revolution; leave \"Use Improved Quadrature\" out");
     return NonlocalDiffusion(list, BondFamily(list, owner), owner,
                              params.get<std::string>("Interface Flux") == "Series"
                                  ? NonlocalDiffusion::Interface::Series

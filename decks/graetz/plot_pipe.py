@@ -69,9 +69,10 @@ def draw():
         axis.plot(x / (2 * RADIUS), exact, "k-", linewidth=0.8, label="exact, no axial diffusion")
         axis.plot(x / (2 * RADIUS), leveque(x, diffusivity), "k:", linewidth=0.8, label="Lévêque")
         axis.axhline(3.657, color="0.6", linewidth=0.6)
-        for color, points in zip(("C0", "C1", "C2"), (5, 10, 20)):
+        for color, points in zip(("C1", "C2"), (10, 20)):
             columns, sherwood = measure(f"{run}_{points}", diffusivity)
-            axis.plot(columns / (2 * RADIUS), sherwood, "o", color=color, markersize=2.5, label=f"{points} points a radius")
+            axis.plot(columns / (2 * RADIUS), sherwood, "o", color=color, markersize=2.5,
+                      label=f"{points} points a radius")
             places = (0.5, 1, 2, 3)
             errors = []
             for place in places:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""loss.png, measures.png, flow.png, shape.png: the wire against measurements; plot.py [RESULTS]"""
+"""loss.png, along.png, measures.png, flow.png, shape.png: the wire against measurements; plot.py [RESULTS]"""
 import sys
 from pathlib import Path
 
@@ -37,7 +37,6 @@ def draw_loss():
     constant = (1.304, 0.0)
     breaking = (SPEED, FILM)
     for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", breaking),
-                                    ("along", "C3-.", "the same along the axis of the tube", breaking),
                                     ("still", "C2--", "the same in fluid at rest", breaking),
                                     ("no_film", "C1-", "5.0 A/m² from the start", constant)):
         if not (folder / f"{name}.csv").exists():
@@ -79,6 +78,24 @@ def draw_measures():
         axis.plot(t, expected, "k:", label="round wire")
         axis.set(xlabel="time (h)", ylabel=label)
     figures.save_curves(figure, folder / "measures.png", axes)
+
+
+def draw_along():
+    """The wire along the axis of the tube."""
+    figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
+    axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
+    t, pristine, first, _ = losses("along")
+    exact = 100 * (1 - (exact_radius(t) / RADIUS)**2)
+    axis.plot(t[t >= FIRST_SCAN - 0.05], first[t >= FIRST_SCAN - 0.05], "C3-", label="along the axis of the tube")
+    off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
+    print(f"along: {' '.join(f'{d:+.2f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
+          f"{pristine[-1]:.1f} % of the pristine wire; off a round wire's by at most "
+          f"{np.max(np.abs(pristine - exact)):.2f} points")
+    axis.set_xlabel("time (h)")
+    axis.set_ylabel("volume loss (% of the first scan)")
+    axis.legend(fontsize=8)
+    figure.savefig(folder / "along.png", dpi=110)
+    print(folder / "along.png")
 
 
 def whole(results, step, label, sign=1.0):
@@ -133,5 +150,6 @@ def draw_shape():
 
 draw_loss()
 draw_measures()
+draw_along()
 draw_flow()
 draw_shape()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""profile.png, errors.png, pipe.png: flow in a channel and a pipe against the parabola; plot.py [RESULTS]"""
+"""profile.png, errors.png: flow in a channel against the parabola; plot.py [RESULTS]"""
 import json
 import sys
 from pathlib import Path
@@ -13,7 +13,6 @@ from pdplot_lib.results import Results  # noqa: E402
 
 POINTS = (10, 20, 40)
 LATTICES = {"along": "along the channel", "off": "off it", "turned": "turned by 20°"}
-PIPES = {"pipe_along": "along the pipe", "pipe_off": "off it", "pipe_jittered": "jittered"}
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
@@ -26,34 +25,34 @@ def report(name):
     return json.loads((folder / f"{name}.report.json").read_text())
 
 
-def slope_error(name, exact=-240):
+def slope_error(name):
     """Of the pressure's gradient between a quarter and three quarters of the channel."""
     results = Results(str(folder / name))
     step = results.steps[-1]
     x = results.x[:, 0]
     inside = (results.field("Fluid", step) == 1) & (x > 0.5e-3) & (x < 1.5e-3)
-    return np.polyfit(x[inside], results.field("Pressure", step)[inside], 1)[0] / exact - 1
+    return np.polyfit(x[inside], results.field("Pressure", step)[inside], 1)[0] / -240 - 1
 
 
-def draw_errors(lattices, exact_slope, picture):
+def draw_errors():
     figure, (left, right) = figures.plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True)
-    for color, (lattice, title) in zip(("C0", "C1", "C2"), lattices.items()):
+    for color, (lattice, title) in zip(("C0", "C1", "C2"), LATTICES.items()):
         for suffix, style in (("", "o-"), ("_staircase", "s:")):
             names = [f"{lattice}{suffix}_{n}" for n in POINTS]
             errors = [report(name)["error_norms"]["along relative L2 error"] for name in names]
-            slopes = [slope_error(name, exact_slope) for name in names]
+            slopes = [slope_error(name) for name in names]
             label = title + (", without Surface" if suffix else "")
             left.loglog(POINTS, errors, style, color=color, markersize=4, label=label)
             right.loglog(POINTS, np.abs(slopes), style, color=color, markersize=4)
             print(f"{label}: L2 " + " ".join(f"{e:.2e}" for e in errors) + "  dp/dx "
                   + " ".join(f"{s:+.2e}" for s in slopes))
     for axis, title in ((left, "error of the velocity (L2)"), (right, "error of the pressure's gradient")):
-        axis.set_xlabel("points across")
+        axis.set_xlabel("points across the channel")
         axis.set_ylabel(title)
         axis.set_xticks(POINTS, POINTS)
         axis.minorticks_off()
     left.legend(fontsize=7, loc=(0.02, 0.4))
-    save(figure, picture)
+    save(figure, "errors.png")
 
 
 def draw_profile():
@@ -72,6 +71,14 @@ def draw_profile():
     save(figure, "profile.png")
 
 
-draw_errors(LATTICES, -240, "errors.png")
-draw_errors(PIPES, -640, "pipe.png")
+def print_pipes():
+    for lattice in ("along", "off", "jittered"):
+        for suffix in ("", "_staircase"):
+            errors = [report(f"pipe_{lattice}{suffix}_{n}")["error_norms"] for n in POINTS]
+            print(f"pipe, {lattice}{suffix}: L2 " + " ".join(f"{e['along relative L2 error']:.2e}" for e in errors)
+                  + "  pressure " + " ".join(f"{e['pressure relative L2 error']:.2e}" for e in errors))
+
+
+draw_errors()
 draw_profile()
+print_pipes()

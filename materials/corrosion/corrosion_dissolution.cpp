@@ -312,8 +312,8 @@ void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     for (const int i : phases.sinks())
-      cache.correction[p][0][i] =
-          views.dissolutionCorrection[i] * radius(views, i) * (cache.isOfPhase.empty() ? 1.0 : cache.isOfPhase[p][0][i]);
+      cache.correction[p][0][i] = views.dissolutionCorrection[i] * radius(views, i) *
+                                  (cache.isOfPhase.empty() ? 1.0 : cache.isOfPhase[p][0][i]);
     for (const int j : phases.sources()) cache.area[p][0][j] = 0.0;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromLiquid(), phases.wetChunks(), nullptr,
                             cache.correction[p][0], cache.area[p][0]);

@@ -20,10 +20,10 @@ using PeridigmNS::DataManager;
 ///   dC_i/dt = - sum_j U_ij C_ij + sum_j w_ij (C_j - C_i)/s_ij,
 /// U_ij the Bond_Flow to neighbour j, that a solver of flow has balanced, C_ij what the bond carries
 /// (kernels/advection.hpp), s_ij its Bond_Opening: bonds that meet a wall end there, with the value of the point beyond
-/// it; w_ij = 2 d D V_j/(V_H |xi|^2), d the dimension, V_H the mean volume of both neighbourhoods, in bodies of revolution
-/// those of the plane, times the share of the rings (kernels/rings.hpp). What leaves one end
-/// of a bond arrives at the other. Bonds between two points beyond the flow carry nothing, nor do those to points in
-/// which the scalar does not diffuse: walls of another block.
+/// it; w_ij = 2 d D V_j/(V_H |xi|^2), d the dimension, V_H the mean volume of both neighbourhoods, in bodies of
+/// revolution those of the plane, times the share of the rings (kernels/rings.hpp). What leaves one end of a bond
+/// arrives at the other. Bonds between two points beyond the flow carry nothing, nor do those to points in which the
+/// scalar does not diffuse: walls of another block.
 class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public AsymmetricRate {
  public:
   struct Fields : FieldTable {
@@ -258,8 +258,8 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
       const double both = 2.0 * diffusivity_ * diffusivity / (diffusivity_ + diffusivity);
       const double here = family_.rings.planeVolume(views.x, views.volume, i);
       const double there = family_.rings.planeVolume(views.x, views.volume, j);
-      const double volume = there * family_.share(length, here, there) *
-                            family_.ringShare(views.x, i, j, here, there, opening);
+      const double volume =
+          there * family_.share(length, here, there) * family_.ringShare(views.x, i, j, here, there, opening);
       visit(j, 2.0 * family_.dimension() * both * volume / (whole * length * length * opening), isBeyond);
     }
   }

@@ -153,9 +153,8 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
     const kernels::BondEnds compact = bondsWithin(law_.gradientHorizon, point, count, neighbors, x, volume, ends);
     const std::vector<double> gradient = kernels::linearGradientWeights(compact);
     // In rings lap v has d/dr v/r besides, and -v_r/r^2 along the radius.
-    const double ofRings = law_.family.rings.areUsed()
-                               ? law_.viscosity / law_.density / law_.family.rings.radius(x, point)
-                               : 0.0;
+    const double ofRings =
+        law_.family.rings.areUsed() ? law_.viscosity / law_.density / law_.family.rings.radius(x, point) : 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k)
       for (std::size_t b = 0; b < dimension; ++b) {
         const double weight = gradient[dimension * k + b];
@@ -166,8 +165,8 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
           for (std::size_t a = 0; a < dimension; ++a) rate[a] += ofRings * weight * difference(ends[k], a);
       }
     if (law_.family.rings.areUsed())
-      rate[law_.family.rings.radial()] -=
-          ofRings * velocity[3 * point + static_cast<int>(law_.family.rings.radial())] / law_.family.rings.radius(x, point);
+      rate[law_.family.rings.radial()] -= ofRings * velocity[3 * point + static_cast<int>(law_.family.rings.radial())] /
+                                          law_.family.rings.radius(x, point);
   }
 
   FlowLaw law_;
