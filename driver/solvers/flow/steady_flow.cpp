@@ -129,7 +129,7 @@ double SteadyFlow::largestVelocity(const std::vector<double>& change) const {
 /// change = -matrix^-1 residual. Returns the true relative residual.
 double SteadyFlow::solveLinear(Simulation& simulation, const SparseRows& matrix, const std::vector<double>& residual,
                                bool mayKeepFactor, std::vector<double>& change) {
-  const Timers::Scope timer(simulation.model.timers(), "linear solve");
+  const Timers::Scope timer(simulation.model.timers(), "flow solve");
   system_->setMatrix(matrix);
   std::vector<double> rightSide(residual.size());
   std::transform(residual.begin(), residual.end(), rightSide.begin(), [](double value) { return -value; });
