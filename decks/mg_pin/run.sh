@@ -19,10 +19,10 @@ tube mg_pin 5e-6 53 147 89
 # A wire of grains: particles of a second phase, then the boundaries of grains in what is left.
 grains() { # name, spacing, cells across
   "$pdmesh" grid box --quiet --spacing "$2" --size "$(of "$2*$3")" "$(of "$2*$3")" \
-    --origin "$(of "-60e-6 - 0.3*$2")" -60e-6 -o "$here/plain.txt"
-  "$pdmesh" grains "$here/plain.txt" --quiet --size 4e-6 --width 0 --by-share --where "r < 40e-6" --boundary-block 2 \
-    --phase 3=0.04 -o "$here/plain.txt"
-  "$pdmesh" grains "$here/plain.txt" --quiet --split 1 --size 40e-6 --width 2e-6 --by-share --where "r < 40e-6" \
+    --origin "$(of "-60e-6 - 0.3*$2")" -60e-6 -o "$here/$1_plain.txt"
+  "$pdmesh" grains "$here/$1_plain.txt" --quiet --size 4e-6 --width 0 --by-share --where "r < 40e-6" --boundary-block 2 \
+    --phase 3=0.04 -o "$here/$1_particles.txt"
+  "$pdmesh" grains "$here/$1_particles.txt" --quiet --split 1 --size 40e-6 --width 2e-6 --by-share --where "r < 40e-6" \
     --boundary-block 2 --seed 3 -o "$here/$1.txt"
 }
 grains grains 1e-6 120
@@ -34,7 +34,7 @@ coarse=(--quiet --set "Discretization/Input Mesh File=grains_coarse.txt" --set "
   --set "Output/Output Filename=grains_alone"
 "$here/plot_grains.py" "$results"
 "$here/plot.py" "$results"
-"$here/film.py" "$results"
+[[ -z "$(command -v ffmpeg)" ]] || "$here/plot_film.py" "$results"
 [[ "${1:-}" == --study ]] || exit 0
 tube pin_10.6 10.625e-6 26 76 44
 tube pin_7.1 7.0833333e-6 38 112 64

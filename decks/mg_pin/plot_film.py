@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""pin.mp4: the wire dissolves; speed with streamlines, and dissolved magnesium; film.py [RESULTS] [NAME]. Needs ffmpeg."""
+"""pin.mp4: the wire dissolves; speed with streamlines, and dissolved magnesium; plot_film.py [RESULTS] [NAME]. Needs ffmpeg."""
 import sys
 from pathlib import Path
 
