@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""pin.mp4: the wire dissolves; speed with streamlines, and dissolved magnesium; plot_film.py [RESULTS] [NAME]. Needs ffmpeg."""
+"""pin.mp4: the wire dissolves; speed with streamlines, dissolved magnesium; plot_film.py [RESULTS] [NAME]; needs ffmpeg"""
 import sys
 from pathlib import Path
 
@@ -35,7 +35,8 @@ for axis, scale, top, label in zip(axes, scales, most, ("speed (m/s)", "Mg²⁺ 
     scale.set_clim(0, top)
     figure.colorbar(scale, ax=axis, label=label, shrink=0.8)
 writer = FFMpegWriter(fps=6, bitrate=400, extra_args=["-pix_fmt", "yuv420p"])
-with writer.saving(figure, str(folder / "pin.mp4"), 100):
+# All frames of one size: nothing is cut to what is in it.
+with figures.plt.rc_context({"savefig.bbox": None}), writer.saving(figure, str(folder / "pin.mp4"), 100):
     for step in results.steps[1:]:
         is_dry = whole("Fluid", step) != 1
         u, v = whole("Velocity", step, 0), whole("Velocity", step, 1, -1.0)

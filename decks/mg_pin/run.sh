@@ -20,8 +20,8 @@ tube mg_pin 5e-6 53 147 89
 grains() { # name, spacing, cells across
   "$pdmesh" grid box --quiet --spacing "$2" --size "$(of "$2*$3")" "$(of "$2*$3")" \
     --origin "$(of "-60e-6 - 0.3*$2")" -60e-6 -o "$here/$1_plain.txt"
-  "$pdmesh" grains "$here/$1_plain.txt" --quiet --size 4e-6 --width 0 --by-share --where "r < 40e-6" --boundary-block 2 \
-    --phase 3=0.04 -o "$here/$1_particles.txt"
+  "$pdmesh" grains "$here/$1_plain.txt" --quiet --size 4e-6 --width 0 --by-share --where "r < 40e-6" \
+    --boundary-block 2 --phase 3=0.04 -o "$here/$1_particles.txt"
   "$pdmesh" grains "$here/$1_particles.txt" --quiet --split 1 --size 40e-6 --width 2e-6 --by-share --where "r < 40e-6" \
     --boundary-block 2 --seed 3 -o "$here/$1.txt"
 }
