@@ -276,7 +276,7 @@ class DissolvingPin(SceneTest):
         points = self.mesh()
         deck = self.deck(film="0.0")
         deck["Boundary Conditions"]["Wire Node Set"]["Expression"] = (
-            "x^2 + y^2 < (60e-6)^2 && x^2 + y^2 > (20e-6)^2")  # a shell thicker than the horizon, which bonds do not span
+            "x^2 + y^2 < (60e-6)^2 && x^2 + y^2 > (20e-6)^2")  # thicker than the horizon: bonds do not span the shell
         deck["Materials"]["Wire"]["Current Density"] = "25.0"
         deck["Solver"]["Staggered"]["Load Steps"] = 8
         result = self.solve(deck)
