@@ -24,6 +24,10 @@ using PeridigmNS::DataManager;
 /// revolution those of the plane, times the share of the rings (kernels/rings.hpp). What leaves one end of a bond
 /// arrives at the other. Bonds between two points beyond the flow carry nothing, nor do those to points in which the
 /// scalar does not diffuse: walls of another block.
+///
+/// C_ij of Limited has kinks, but is homogeneous: the sum of its derivatives times the values that it is made of. Where
+/// a solver has the field <label>_Limited_At, derivatives are those at its values, so that the solver may hold them:
+/// C_ij is linear then, and the same wherever both fields agree.
 class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public AsymmetricRate {
  public:
   struct Fields : FieldTable {
@@ -32,11 +36,12 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
     FieldHandle fluid = reads(pd::fields::fluidShare());
     FieldHandle flow = reads(pd::fields::bondFlow());
     FieldHandle opening = reads(pd::fields::bondOpening());
-    FieldHandle value, rate, diffusivity, familyVolume;
+    FieldHandle value, rate, diffusivity, familyVolume, limitedAt;
     std::string label;
-    Fields(const std::string& field, bool diffuses) : label(field) {
+    Fields(const std::string& field, bool diffuses, bool isLimited) : label(field) {
       value = reads(pd::fields::diffusingScalar(label));
       rate = adds(pd::fields::fluxDivergence(label));
+      if (isLimited) limitedAt = readsIfThere(pd::fields::limitedAt(label));
       if (!diffuses) return;
       diffusivity = writes(diffusivityOf(label), Ghosts::AfterInitialize);
       familyVolume = writes(pd::fields::pointScalar(label + "_Family_Volume", "m3", "What bonds of the point reach."),
@@ -81,7 +86,7 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
 
   explicit AdvectionDiffusion(const Teuchos::ParameterList& given)
       : AdvectionDiffusion(given, completed<AdvectionDiffusion>(given, "material Advection Diffusion")) {}
-  static FieldTable describeFields() { return Fields("Concentration", true); }
+  static FieldTable describeFields() { return Fields("Concentration", true, true); }
 
   std::string Name() const override { return "Advection Diffusion"; }
   double Density() const override {
@@ -174,6 +179,7 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
  private:
   struct Views {
     const double *x, *volume, *fluid, *flow, *opening, *value, *diffusivity, *familyVolume;
+    const double* limitedAt;  ///< null: at `value`
     double* rate;
     Views(const Fields& fields, DataManager& data)
         : x(fields.modelCoordinates.of(data)),
@@ -184,7 +190,9 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
           value(fields.value.of(data)),
           diffusivity(fields.diffusivity.isUsed() ? fields.diffusivity.of(data) : nullptr),
           familyVolume(fields.familyVolume.isUsed() ? fields.familyVolume.of(data) : nullptr),
+          limitedAt(fields.limitedAt.ifIn(data)),
           rate(fields.rate.of(data)) {}
+    const double* slopesOf() const { return limitedAt == nullptr ? value : limitedAt; }
   };
   struct Family {
     int point, count;
@@ -195,6 +203,13 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
   struct FarValue {
     double value = 0.0;
     std::vector<std::pair<int, double>> weights;
+    /// Of a value that a bond from i to j carries, by its derivatives.
+    double linear(const kernels::CarriedValue& carried, const double* values, int i, int j) const {
+      double sum = carried.byUpwind * values[i] + carried.byDownwind * values[j];
+      if (carried.byFar != 0.0)
+        for (const auto& [point, weight] : weights) sum += carried.byFar * weight * values[point];
+      return sum;
+    }
     template <class Visit>
     void forEach(Visit visit) const {
       for (const auto& [point, weight] : weights) visit(point, weight);
@@ -216,7 +231,7 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
         diffusivity_(params.get<double>("Diffusivity")),
         upwindShare_(params.get<double>("Upwind Share")),
         isLimited_(params.get<std::string>("Scheme") == "Limited"),
-        fields_(params.get<std::string>("Field"), diffusivity_ > 0.0) {
+        fields_(params.get<std::string>("Field"), diffusivity_ > 0.0, isLimited_) {
     const double half = 0.5 * family_.horizon;
     gradientHorizon_ = params.isParameter("Gradient Horizon") ? params.get<double>("Gradient Horizon") : half;
     if (gradientHorizon_ > half)
@@ -277,8 +292,10 @@ class AdvectionDiffusion : public PeridigmNS::Material, public FieldUser, public
 class AdvectionDiffusion::Slopes {
  public:
   Slopes(const AdvectionDiffusion& material, const Views& views, const Family& family)
-      : dimension_(static_cast<std::size_t>(material.family_.dimension())), views_(views), point_(family.point) {
-    lowest_ = highest_ = views.value[point_];
+      : dimension_(static_cast<std::size_t>(material.family_.dimension())),
+        value_(views.slopesOf()),
+        point_(family.point) {
+    lowest_ = highest_ = value_[point_];
     atLowest_ = atHighest_ = point_;
     std::array<double, 9> moments{};
     for (int k = 0; k < family.count; ++k) {
@@ -303,14 +320,14 @@ class AdvectionDiffusion::Slopes {
     for (std::size_t a = 0; a < dimension_; ++a)
       for (std::size_t b = 0; b < dimension_; ++b) along[a] += inverse_[3 * a + b] * xi[b];
     far.weights.clear();
-    far.value = views_.value[to];
+    far.value = value_[to];
     double ofPoint = 0.0;
     for (const Bond& bond : bonds_) {
       double weight = 0.0;
       for (std::size_t a = 0; a < dimension_; ++a) weight -= 2.0 * bond.weight * along[a] * bond.xi[a];
       if (weight == 0.0) continue;
       ofPoint -= weight;
-      far.value += weight * (views_.value[bond.neighbor] - views_.value[point_]);
+      far.value += weight * (value_[bond.neighbor] - value_[point_]);
       far.weights.emplace_back(bond.neighbor, weight);
     }
     far.weights.emplace_back(to, 1.0);
@@ -329,7 +346,7 @@ class AdvectionDiffusion::Slopes {
   };
 
   void include(int j) {
-    const double value = views_.value[j];
+    const double value = value_[j];
     if (value < lowest_) {
       lowest_ = value;
       atLowest_ = j;
@@ -357,7 +374,7 @@ class AdvectionDiffusion::Slopes {
   }
 
   std::size_t dimension_;
-  const Views& views_;
+  const double* value_;  ///< by local id
   int point_;
   double lowest_, highest_;
   int atLowest_, atHighest_;
@@ -383,8 +400,11 @@ void AdvectionDiffusion::advect(const Views& views, const Family& family, Visit 
     } else if (!isLimited_) {
       visit(Carried{j, i, flow[k], kernels::upwindBiasedValue(views.value[i], views.value[j], upwindShare_), nullptr});
     } else {
+      const double* at = views.slopesOf();
       slopes->findFar(j, ReferenceBond(views.x, i, j).xi, far);
-      visit(Carried{j, i, flow[k], kernels::limitedValue(far.value, views.value[i], views.value[j]), &far});
+      Carried carried{j, i, flow[k], kernels::limitedValue(far.value, at[i], at[j]), &far};
+      if (at != views.value) carried.value.value = far.linear(carried.value, views.value, i, j);
+      visit(carried);
     }
   }
 }

@@ -12,6 +12,10 @@ inline FieldDescription viscosity() {
 inline FieldDescription fluidShare() {
   return pointScalar("Fluid", "1", "1 at points of the flow, 0 beyond its walls, inlets and outflows.");
 }
+/// Where a solver has it: what a flow carries is linear in the scalar, with the derivatives at these values of it.
+inline FieldDescription limitedAt(const std::string& label) {
+  return pointScalar(label + "_Limited_At", unitOfDeck, "Values at which slopes of what a flow carries are limited.");
+}
 /// Of bonds that begin at a point of the flow.
 inline FieldDescription bondFlow() {
   FieldDescription field = bondScalar(

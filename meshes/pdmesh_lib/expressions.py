@@ -8,7 +8,7 @@ from .errors import MeshError
 _FUNCTIONS = {name: getattr(np, name) for name in ("sqrt", "abs", "sin", "cos", "tan", "exp", "log", "hypot", "floor")}
 _FUNCTIONS.update(atan2=np.arctan2, min=np.minimum, max=np.maximum)
 _BINARY = {ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
-           ast.BitXor: np.power, ast.Mod: np.mod, ast.BitAnd: np.logical_and, ast.BitOr: np.logical_or}
+           ast.Mod: np.mod, ast.BitAnd: np.logical_and, ast.BitOr: np.logical_or}
 _COMPARE = {ast.Lt: np.less, ast.LtE: np.less_equal, ast.Gt: np.greater, ast.GtE: np.greater_equal,
             ast.Eq: np.equal, ast.NotEq: np.not_equal}
 
@@ -16,7 +16,9 @@ _COMPARE = {ast.Lt: np.less, ast.LtE: np.less_equal, ast.Gt: np.greater, ast.GtE
 def evaluate(text, variables):
     """Value of `text`; `variables` maps names to arrays or numbers. Throws MeshError on anything else."""
     try:
-        tree = ast.parse(text.replace("&&", " and ").replace("||", " or ").strip(), mode="eval")
+        # Python's own ^ binds less than + does.
+        words = text.replace("&&", " and ").replace("||", " or ").replace("^", "**")
+        tree = ast.parse(words.strip(), mode="eval")
     except SyntaxError as error:
         raise MeshError(f"expression `{text}`: {error.msg} at column {error.offset}") from None
     return _value(tree.body, variables, text)

@@ -26,19 +26,22 @@ def make_grains(x, spacing, size, width, random, steps=None, by_share=False):
     `steps` [dimension], need only max_d steps_d |n_d|, n being the normal of the plane. Then a boundary thinner than
     the spacing is just one point thick, counted along the axis that it crosses most steeply (a naive digital plane:
     Andres, Acharya & Sibata, Graph. Models Image Process. 59 (1997) 302), and keeps together: of two lattice neighbours
-    in different grains at least one is marked. Where `by_share`, the thickness is the width alone: the share of marked
-    points is then width times length a unit area in the mean at any spacing, but they lie apart where that is wider.
+    in different grains at least one is marked. Where `by_share`, the thickness is the width alone, and those points are
+    marked whose cells boundaries fill most, of as much volume in all as boundaries have: the share of marked points is
+    that of the boundaries of these very grains at any spacing, but they lie apart where that is wider.
     """
     seeds = _seeds(x, np.max(spacing, initial=0.0) if steps is None else steps, size, random)
     tree = cKDTree(seeds)
+    if by_share:
+        cells = spacing if steps is None else np.tile(steps, (len(x), 1))
+        grain = np.unique(tree.query(x)[1], return_inverse=True)[1]
+        return Grains(grain, _fullest(x, cells, tree, seeds, width), seeds)
     grain, is_boundary = np.empty(len(x), int), np.zeros(len(x), bool)
     for begin in range(0, len(x), 100000):
         part = slice(begin, begin + 100000)
         distances, neighbors = tree.query(x[part], k=2)
         grain[part] = neighbors[:, 0]
         least = spacing[part] if steps is None else np.full(len(distances), np.max(steps))
-        if by_share:
-            least = np.zeros(len(distances))
         # A plane at distance b is that of a seed at most 2 b farther away than the nearest.
         reach = (distances[:, 0] + np.maximum(width, least)) * (1 + 1e-9)
         close = np.flatnonzero(distances[:, 1] <= reach)
@@ -51,10 +54,37 @@ def make_grains(x, spacing, size, width, random, steps=None, by_share=False):
         normal = apart / np.linalg.norm(apart, axis=1)[:, None]
         distance = np.sum(((seeds[other] + own) / 2 - here) * normal, axis=1)
         thickness = least[point]
-        if steps is not None and not by_share:
+        if steps is not None:
             thickness = np.max(steps * np.abs(normal), axis=1)
         is_boundary[begin + point[distance <= np.maximum(width, thickness) / 2]] = True
     return Grains(np.unique(grain, return_inverse=True)[1], is_boundary, seeds)
+
+
+def _fullest(x, steps, tree, seeds, width):
+    """[n] Whether a point is of those whose cells, boxes of `steps`, boundaries fill most, of as much volume as they fill
+    in all. What they fill of a cell is counted on a grid in it, a finer one where there are few cells."""
+    steps = np.broadcast_to(np.reshape(steps, (len(x), -1)), x.shape)
+    dimension, cell = x.shape[1], np.prod(steps, axis=1)
+    apart = np.diff(tree.query(x, k=2)[0], axis=1)[:, 0]  # at most twice the distance from the boundary
+    close = np.flatnonzero(apart <= width + np.linalg.norm(steps, axis=1))
+    if len(close) == 0:
+        return np.zeros(len(x), bool)
+    count = int(np.clip(np.ceil((4e4 / max(len(close), 1)) ** (1 / dimension)), 2, 16))
+    offsets = (np.arange(count) + 0.5) / count - 0.5
+    inside = np.stack([axis.ravel() for axis in np.meshgrid(*[offsets] * dimension, indexing="ij")], axis=1)
+    share = np.zeros(len(x))
+    for part in np.array_split(close, max(1, len(close) * len(inside) // 400000)):
+        places = (x[part][:, None] + inside * steps[part][:, None]).reshape(-1, dimension)
+        distances, neighbors = tree.query(places, k=min(4, len(seeds)))
+        between = np.linalg.norm(seeds[neighbors[:, 1:]] - seeds[neighbors[:, :1]], axis=2)
+        to_plane = (distances[:, 1:] ** 2 - distances[:, :1] ** 2) / (2 * between)
+        share[part] = np.any(to_plane < width / 2, axis=1).reshape(len(part), -1).mean(axis=1)
+    # Of cells that are filled alike, those whose points are nearest to a boundary.
+    order = np.lexsort((apart, -share))
+    filled = np.cumsum(cell[order]) - 0.5 * cell[order]
+    chosen = np.zeros(len(x), bool)
+    chosen[order[(filled < np.sum(share * cell)) & (share[order] > 0)]] = True
+    return chosen
 
 
 def _seeds(x, steps, size, random):

@@ -31,8 +31,8 @@ def add_grains(commands):
     command.add_argument("--phase", action="append", default=[], metavar="BLOCK=SHARE",
                          help="grains of a second phase: that share of the grains becomes this block; may be repeated")
     command.add_argument("--by-share", action="store_true",
-                         help="thin boundaries: mark points by the width alone. The share of the volume is right, but "
-                              "marked points lie apart")
+                         help="mark the points whose cells boundaries fill most, of as much volume as boundaries have. The "
+                              "share is right at any spacing, but where boundaries are thinner, marked points lie apart")
     command.add_argument("--grains", metavar="FILE", help="write the number of each point's grain")
     command.add_argument("--seeds", metavar="FILE", help="write the points about which grains are, x y z a line")
     command.add_argument("--seed", type=int, default=1, help="of the random numbers")

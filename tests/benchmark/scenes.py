@@ -149,6 +149,17 @@ def driven_cavity(counts, steps):
     }
 
 
+def write_pin(path, spacing):
+    """The whole section of `decks/mg_pin`: a tube of 0.85 mm, its walls a horizon thick, the wire at the origin."""
+    x = spacing * (np.arange(-np.ceil(250e-6 / spacing) - 3, np.ceil(450e-6 / spacing) + 4) + 0.2)
+    rows = round(425e-6 / spacing) + 4
+    y = spacing * (np.arange(-rows, rows) + 0.5)
+    y, x = (axis.ravel() for axis in np.meshgrid(y, x, indexing="ij"))
+    block = np.where(np.abs(y) < 425e-6, 1, 2)
+    np.savetxt(path, np.column_stack([x, y, np.zeros(len(x)), block, np.full(len(x), spacing**2)]),
+               fmt=["%.10g"] * 3 + ["%d", "%.10g"])
+
+
 def mpi(ranks):
     """What a command on `ranks` ranks begins with."""
     if ranks == 1:

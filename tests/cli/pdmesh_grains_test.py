@@ -71,6 +71,23 @@ class Amounts(unittest.TestCase):
         for others in seeds[1:]:
             np.testing.assert_array_equal(others, seeds[0])
 
+    def test_share_of_few_grains_in_a_round_wire(self):
+        # 80 um with grains of 40 um: points marked at spacings of 5 to 0.5 um, over the area at 0.05 um.
+        def share(spacing, width, seed, by_share):
+            n = int(np.ceil(45.0 / spacing))
+            x = (lattice(2 * n, 2) - n) * spacing
+            x = x[np.hypot(*x.T) < 40.0]
+            steps = np.full(2, spacing)
+            # The box of the wire, not that of its points, says where seeds are.
+            box = np.array([[-45.0, -45.0], [45.0, 45.0]])
+            seeds = FixedSeeds(np.random.default_rng(seed).uniform(box[0] - 160, box[1] + 160, (105, 2)))
+            return make_grains(x, np.full(len(x), spacing), 40.0, width, seeds, steps, by_share).is_boundary.mean()
+
+        for width, seed in ((2.0, 1), (5.0, 2), (1.0, 3)):
+            area = share(0.1, width, seed, False)
+            for spacing in (5.0, 2.5, 1.0, 0.5):
+                self.assertLess(abs(share(spacing, width, seed, True) / area - 1), 0.1, (width, seed, spacing))
+
     def test_share_is_that_of_the_ridges_of_this_tessellation(self):
         n, width = 1200, 2.0
         made, _, marks = on_lattice(n, 2, 100.0, width, 4, False)
@@ -217,6 +234,10 @@ class Command(PdmeshCase):
     def test_only_a_part(self):
         made = self.grains("--width", 2e-6, "--where", "x > 5e-5")
         self.assertTrue(np.all(made.block[made.x[:, 0] < 5e-5] == 1))
+        made = self.grains("--width", 2e-6, "--where", "x^2 + y^2 < (5e-5)^2")
+        is_far = np.hypot(made.x[:, 0], made.x[:, 1]) > 5e-5
+        self.assertEqual(set(made.block[is_far]), {1})
+        self.assertAlmostEqual(np.mean(made.block[~is_far] == 2), 0.2, delta=0.06)
         self.pdmesh("grid", "box", "--size", 1e-4, 1e-4, "--spacing", 2e-6, "--block", "3: y > 5e-5", "-o", "plain.txt")
         made = self.grains("--width", 4e-6, "--split", 3)
         below = made.x[:, 1] < 5e-5

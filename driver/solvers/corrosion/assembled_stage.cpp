@@ -108,7 +108,7 @@ SparseRows AssembledStage::assemble(StageEquation& equation, const std::vector<d
 
 bool AssembledStage::solve(StageEquation& equation, const std::vector<double>& slope, double tolerance,
                            std::vector<double>& step) {
-  constexpr int keptIterations = 25, newIterations = 50;
+  constexpr int keptIterations = 12, newIterations = 50;
   constexpr double enough = 0.1;  // what is left is for the next of Newton's steps
   if (!system_) system_ = std::make_unique<RowSystem>(equation.model().comm());
   system_->setMatrix(assemble(equation, slope));

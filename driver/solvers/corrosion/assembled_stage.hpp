@@ -20,7 +20,10 @@ class AssembledStage {
   /// step = matrix^-1 residual at free points, 0 at others, to a relative residual of `tolerance`. `slope`: s' by point
   /// of the equation. False where it failed. Collective.
   bool solve(StageEquation& equation, const std::vector<double>& slope, double tolerance, std::vector<double>& step);
-  void forget() { system_.reset(); }
+  void forget() {
+    system_.reset();
+    largestDiagonal_ = 1.0;
+  }
   double largestDiagonal() const { return largestDiagonal_; }  ///< over the volumes
   long long nIterations() const { return nIterations_; }
   long long nFactors() const { return nFactors_; }

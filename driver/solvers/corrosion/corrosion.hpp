@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "../solver.hpp"
+#include "flow_fields.hpp"
 #include "surface_record.hpp"
 #include "transport_step.hpp"
 
@@ -31,7 +32,9 @@ class Corrosion : public Solver {
         writes(pd::fields::pointScalar("Transport_Unknown", "1", "Of the linear system of a step, for its exchange."));
     FieldHandle lastRate = writes(pd::fields::pointScalar(
         "Last_Transport_Rate", "mol/(m3 s)", "Rate of liquid points in the step before; no number elsewhere."));
+    FieldHandle limitedAt;
     explicit Fields(const std::string& ions = "Concentration") {
+      limitedAt = writes(pd::fields::limitedAt(ions));
       concentration = writes(pd::fields::ionConcentration(ions));
       rate = reads(pd::fields::ionFluxDivergence(ions));
     }

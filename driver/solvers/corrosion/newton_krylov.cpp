@@ -13,6 +13,8 @@ namespace pd {
 namespace {
 
 constexpr int isIndefinite = -1, stillGoing = -2, maximumIterations = 50;
+/// After so many, Newton's method goes to and fro at the kinks of what a flow carries.
+constexpr int iterationsAtKinks = 3;
 
 }  // namespace
 
@@ -159,10 +161,19 @@ bool NewtonKrylov::solve(StageEquation& equation) {
     if (!std::isfinite(largest)) return false;
     const double ratio = before > 0.0 ? largest / before : 1.0;
     const double share = std::clamp(std::min(0.9 * ratio * ratio, 0.1 * largest), tightest, loosest);
-    // What a flow carries has kinks, which may lead to and fro: then what lies between is better.
-    if (isAsymmetric_) part = ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part) : std::min(1.0, 2.0 * part);
+    if (isAsymmetric_ && iteration == iterationsAtKinks) {
+      equation.holdLimits();
+      ++nHeld_;
+    }
+    // Until then what lies between is better.
+    if (isAsymmetric_)
+      part = iteration >= iterationsAtKinks ? 1.0
+             : ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part)
+                                            : std::min(1.0, 2.0 * part);
     before = largest;
-    if (!solveLinear(equation, std::max(0.1 * tolerance, share * largest))) return false;
+    // Of what a flow carries the matrix costs more than a few more iterations with it.
+    if (!solveLinear(equation, std::max(0.1 * tolerance, (isAsymmetric_ ? 0.01 * tightest : share) * largest)))
+      return false;
     for (std::size_t k = 0; k < step_.size(); ++k)
       equation.fields().concentration[equation.ids()[k]] += part * step_[k];
     ++nIterations_;
@@ -172,8 +183,8 @@ bool NewtonKrylov::solve(StageEquation& equation) {
 
 std::string NewtonKrylov::work() const {
   if (isAsymmetric_)
-    return fmt::format("{} Newton iterations, {} of GMRES with {} factors", nIterations_, assembled_.nIterations(),
-                       assembled_.nFactors());
+    return fmt::format("{} Newton iterations, {} of GMRES with {} factors, {} stages with limits held", nIterations_,
+                       assembled_.nIterations(), assembled_.nFactors(), nHeld_);
   return fmt::format("{} Newton and {} linear iterations with {} preconditioners", nIterations_, nLinearIterations_,
                      nPreconditioners_);
 }

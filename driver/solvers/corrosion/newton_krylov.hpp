@@ -46,7 +46,7 @@ class NewtonKrylov : public StageSolver {
   bool isAsymmetric_ = false;
   double builtFor_ = 0.0;                 ///< length of stage of the preconditioner
   int leastIterations_ = 0, excess_ = 0;  ///< with it: fewest of a solve; all beyond that
-  long long nIterations_ = 0, nLinearIterations_ = 0, nPreconditioners_ = 0;
+  long long nIterations_ = 0, nLinearIterations_ = 0, nPreconditioners_ = 0, nHeld_ = 0;
 };
 
 }  // namespace pd

@@ -13,6 +13,7 @@ void StageEquation::begin(const std::vector<double>& start, double h, const std:
   start_ = start;
   least_ = least;
   h_ = h;
+  limitsAreHeld_ = false;
   residual_.resize(ids().size());
   isFree_ = points_.isUnknown;
   isBeyond_.assign(ids().size(), 0);
@@ -51,6 +52,7 @@ double StageEquation::evaluate() {
   else
     fields_.coverWithSalt(ids(), 0.0);
   model_.importGhosts(fields_.label);
+  if (!limitsAreHeld_) fields_.limitHere();
   findRates();
   double largest = 0.0;
   for (std::size_t k = 0; k < ids().size(); ++k) {

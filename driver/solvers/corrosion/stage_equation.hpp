@@ -27,6 +27,10 @@ class StageEquation {
 
   /// For a stage of length h from C_start: first guess from fields alone, so that a restarted run makes the same.
   void begin(const std::vector<double>& start, double h, const std::vector<double>& least);
+  /// From now on what a flow carries is limited as at the concentrations of the last evaluation, and linear in C: the
+  /// stage has a solution that Newton's method finds at once, in which the same leaves one end of a bond as enters the
+  /// other. Until the next stage begins.
+  void holdLimits() { limitsAreHeld_ = true; }
   /// Residual C_start + h rate - C at the concentrations in the fields, of held points with bare surfaces; the largest
   /// of free points, relative to saturation.
   double evaluate();
@@ -61,6 +65,7 @@ class StageEquation {
   const std::vector<double>& paused_;
   long long& nEvaluations_;
   double h_ = 0.0;
+  bool limitsAreHeld_ = false;
   std::vector<double> start_, least_, residual_;
   std::vector<char> isFree_, isBeyond_;  ///< beyond: free, with C > C_sat
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "field_names.hpp"
+#include "flow_fields.hpp"
 
 namespace pd {
 
@@ -20,7 +21,10 @@ TransportFields::TransportFields(Model& model, const std::string& concentrationF
       slope(model.field("Dissolution_Rate_Slope")),
       saturation(model.field("Saturation_Concentration")),
       volume(model.field("Volume")),
-      area(model.field("Interface_Area_Density")) {}
+      area(model.field("Interface_Area_Density")),
+      limitedAt(model.field(fields::limitedAt(label).label)) {}
+
+void TransportFields::limitHere() const { std::copy_n(concentration, nPoints, limitedAt); }
 
 void TransportFields::coverWithSalt(const std::vector<int>& ids, double coverage) const {
   for (const int i : ids) salt[i] = coverage;
@@ -74,6 +78,7 @@ bool TransportStep::solve(Simulation& simulation, const PhaseLists& lists, doubl
   for (const int i : solidIds_) solidBefore_.push_back(fields.concentration[i]);
   begin(simulation, fields, t + h);
   model.importGhosts(label_);
+  fields.limitHere();
   model.importGhosts("Salt_Coverage");
   model.evaluateFluxDivergence(h, fields.rateLabel);  // takes up the phases
   if (!advance(simulation, fields, t, h)) {

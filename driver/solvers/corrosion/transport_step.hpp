@@ -21,10 +21,12 @@ enum class Saturation {
 struct TransportFields {
   std::string label, rateLabel;  ///< of the concentration and its rate
   int nOwned, nPoints;
-  double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area;
+  double *concentration, *rate, *salt, *dissolution, *slope, *saturation, *volume, *area, *limitedAt;
   TransportFields(Model& model, const std::string& concentrationField);
   /// Salt_Coverage of the owned points `ids`, and the same of all points of other ranks.
   void coverWithSalt(const std::vector<int>& ids, double coverage) const;
+  /// What a flow carries is limited at the present concentrations, ghosts included, until this is called again.
+  void limitHere() const;
   /// Salt_Coverage of the owned points `ids`; imports that of others.
   void setSalt(Model& model, const std::vector<int>& ids, const std::vector<double>& coverage) const;
 };

@@ -134,10 +134,10 @@ std::vector<double> SteadyFlow::newtonStep(Simulation& simulation, bool isStokes
       const Timers::Scope timer(timers, "flow matrix");
       matrix = equations_->matrix(!isStokes);
     }
-    const Timers::Scope timer(timers, "linear solve");
+    const Timers::Scope timer(timers, "flow solve");
     left = solveByFactor(matrix, rightSide, mayKeepFactor, change);
   } else {
-    const Timers::Scope timer(timers, "linear solve");
+    const Timers::Scope timer(timers, "flow solve");
     left = solveByIteration(simulation, isStokes, rightSide, change);
   }
   largestResidual_ = std::max(largestResidual_, left);
