@@ -10,8 +10,8 @@ namespace pd {
 namespace {
 
 constexpr double reachesInACell = 1.5;  ///< enough points for a cell of a turned or jittered lattice to be nearly full
-/// Of a row of cells along the crack: below the first it is beyond a side of the body, where nothing is to be. A cell is
-/// open below the second part of what its row has, which such a side may cut.
+/// Of a row of cells along the crack: below the first it is beyond a side of the body, where nothing is to be. A cell
+/// is open below the second part of what its row has, which such a side may cut.
 constexpr double leastOfARow = 0.4, leastOfACell = 0.5;
 
 }  // namespace

@@ -53,19 +53,29 @@ std::vector<Broken> brokenPairings() {
        {"deck.yaml:37:19: Blocks/Plate: the metal of Materials/Steel dissolves, and needs a damage model that changes "
         "its "
         "phase: \"Dissolution\""}},
+      {"TooLittleMetal",
+       with({metal,
+             dissolution,
+             solver("Corrosion: {}"),
+             {"Type: Prescribed Concentration", "Type: Initial Concentration"},
+             {"    Value: \"1.0e-5*min(t/10, 1)\"", "    Value: 5.5e3"},
+             {"Horizon: 3.1e-3", "Horizon: 4.1e-3"}},
+            withoutMechanics),
+       {"begins with 5500 mol/m3, above the Saturation Concentration 5000, by which it is metal, but with no tenth of "
+        "its Solid Concentration 100000"}},
       {"LimitOfBondsThatDoNotTire",
        {{"    Damage Model: Critical Stretch\n    Critical Stretch: 0.01\n",
          "    Damage Model: Remaining Life\n    Growth Coefficient: 1.0e4\n    Growth Exponent: 3.0\n    Cycles Per "
          "Step: "
          "1.0\n    Fatigue Limit: 1.0e-3\n"}},
-       {"deck.yaml:35:20: Damage Models/Brittle: damage model Remaining Life: \"Fatigue Limit\" is of bonds away from "
+       {"deck.yaml:34:20: Damage Models/Brittle: damage model Remaining Life: \"Fatigue Limit\" is of bonds away from "
         "cracks, which lose no life here"}},
       {"LimitThatIsNot",
        {{"    Damage Model: Critical Stretch\n    Critical Stretch: 0.01\n",
          "    Damage Model: Remaining Life\n    Growth Coefficient: 1.0e4\n    Growth Exponent: 3.0\n    Cycles Per "
          "Step: "
          "1.0\n    Fatigue Limit In Growth: true\n"}},
-       {"deck.yaml:35:30: Damage Models/Brittle: damage model Remaining Life: \"Fatigue Limit In Growth\" does nothing "
+       {"deck.yaml:34:30: Damage Models/Brittle: damage model Remaining Life: \"Fatigue Limit In Growth\" does nothing "
         "without a \"Fatigue Limit\""}},
       {"DissolutionIntoOtherIons",
        with({metal, dissolution, solver("Corrosion: {Concentration Field: Ions}")}, withoutMechanics),
@@ -166,16 +176,6 @@ std::vector<Broken> refusedStarts() {
              {"Horizon: 3.1e-3", "Horizon: 4.1e-3"}},
             withoutMechanics),
        {"deck.yaml:53:3: Solver/Corrosion: Corrosion: concentration 200000 mol/m3 at point "}},
-      {"TooLittleMetal",
-       with({metal,
-             dissolution,
-             solver("Corrosion: {}"),
-             {"Type: Prescribed Concentration", "Type: Initial Concentration"},
-             {"    Value: \"1.0e-5*min(t/10, 1)\"", "    Value: 5.5e3"},
-             {"Horizon: 3.1e-3", "Horizon: 4.1e-3"}},
-            withoutMechanics),
-       {"begins with 5500 mol/m3, above the Saturation Concentration 5000, by which it is metal, but with no tenth of "
-        "its Solid Concentration 100000"}},
       {"LoadThatNothingHolds",
        {solver("QuasiStatic: {}"),
         {"    Type: Prescribed Displacement\n    Node Set: Left Node Set\n    Coordinate: x\n    Value: 0.0\n",

@@ -288,7 +288,9 @@ std::vector<Broken> brokenRuns() {
         "Boundary Conditions (did you mean \"Top Node Set\"?); there are: \"Left Node Set\", \"Right Node Set\", \"Top "
         "Node Set\", \"Corner Node Set\""}},
       {"WorkOfNothing",
-       {{"    Compute Class: Reaction_Force\n    Node Set: Right Node Set\n", "    Compute Class: External_Work\n"}},
+       {{"    Compute Class: Reaction_Force\n    Node Set: Right Node Set\n    Output Label: Pulling_Force\n",
+         "    Compute Class: External_Work\n"},
+        {"Concentration, Pulling_Force]", "Concentration, External_Work]"}},
        {"deck.yaml:72:3: Compute Class Parameters/Pulling Force: no condition of this deck is a load, so that it would "
         "stay 0; name the \"Node Set\""}},
       {"ComputeKey",
