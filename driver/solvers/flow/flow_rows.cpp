@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <unordered_map>
 
 #include "../../model/collective.hpp"
 #include "exact_weights.hpp"
+#include "flow_pressure_fits.hpp"
 
 namespace pd {
 
@@ -26,10 +26,6 @@ constexpr double jumpShare = 0.05;
 
 std::size_t localIndex(int point) { return static_cast<std::size_t>(point); }
 
-/// Sources (FlowRows) in a constant, each with its weight.
-template <class Weight>
-using SourceWeights = std::vector<std::pair<std::size_t, Weight>>;
-
 /// A velocity as a sum over points, some of which are seen mirrored, and a constant.
 struct VelocityValue {
   struct Part {
@@ -41,21 +37,15 @@ struct VelocityValue {
   SourceWeights<double> sources{};
 };
 
-/// The gradient of the pressure at a point.
-struct PressureFit {
-  struct Term {
-    int point, copy;
-    FlowVector weight;
-  };
-  std::vector<Term> terms;
-  FlowVector constant{};
-  SourceWeights<FlowVector> sources{};
-};
-
 class RowMaker {
  public:
   RowMaker(const FlowGeometry& geometry, const Communicator& comm, double t)
-      : geometry_(geometry), comm_(comm), t_(t), n_(static_cast<std::size_t>(geometry.dimension())) {}
+      : geometry_(geometry),
+        comm_(comm),
+        t_(t),
+        n_(static_cast<std::size_t>(geometry.dimension())),
+        sources_(geometry, t),
+        fits_(geometry, sources_, t) {}
 
   FlowRows make() {
     std::vector<double> jumpOf;
@@ -65,6 +55,7 @@ class RowMaker {
       for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) makeRow(row, jumps);
     });
     rows_.nAtJumps = comm_.sum(rows_.nAtJumps);
+    rows_.sources = sources_.take();
     return std::move(rows_);
   }
 
@@ -74,7 +65,7 @@ class RowMaker {
 
   /// In space the ends of all bonds would take more memory than all rows: they are found when they are needed.
   void makeRow(std::size_t row, const std::vector<double>& jumps) {
-    constexpr std::size_t sample = 200, mostFits = 50000;
+    constexpr std::size_t sample = 200;
     const int point = geometry_.fluid()[row];
     const std::vector<FlowEnd> ends = geometry_.endsOf(point);
     velocityRows(row, ends);
@@ -85,30 +76,14 @@ class RowMaker {
       divergenceRow(row);
     smoothingRow(row, ends);
     if (row == sample) rows_.expect(geometry_.fluid().size());
-    if (fits_.size() > mostFits) fits_.clear();  // those of the points around come again, few of them
+    fits_.forget();
   }
 
   FlowVector velocityAt(int point, const FlowEnd& end) const {
     return geometry_.wallVelocity(end.boundary, geometry_.placeOn(point, end, end.fraction), t_);
   }
-  /// The source of a boundary's value there, with a weight; none where that stays as it is.
-  template <class Weight>
-  SourceWeights<Weight> sourceAt(int boundary, const FlowVector& place, bool isPressure, const Weight& weight) {
-    if (!geometry_.changesWithTime(boundary)) return {};
-    const bool isOne = !geometry_.dependsOnPlace(boundary);
-    const auto known = sourceOf_.find(boundary);
-    if (isOne && known != sourceOf_.end()) return {{known->second, weight}};
-    FlowVector value{};
-    if (isPressure)
-      value[0] = geometry_.outflowPressure(boundary, place, t_);
-    else
-      value = geometry_.wallVelocity(boundary, place, t_);
-    rows_.sources.push_back({boundary, isPressure, place, value});
-    if (isOne) sourceOf_[boundary] = rows_.sources.size() - 1;
-    return {{rows_.sources.size() - 1, weight}};
-  }
   SourceWeights<double> sourceOf(int point, const FlowEnd& end, double weight) {
-    return sourceAt(end.boundary, geometry_.placeOn(point, end, end.fraction), false, weight);
+    return sources_.at(end.boundary, geometry_.placeOn(point, end, end.fraction), false, weight);
   }
   bool isCompact(const FlowEnd& end) const { return end.length <= geometry_.law().gradientHorizon * (1.0 + 1e-9); }
 
@@ -324,84 +299,6 @@ class RowMaker {
     own[4 * radial] -= 1.0 / (r * r);
   }
 
-  /// Of any fluid point of this rank: from its own neighbours, or from those of the owned point beside it. Beyond an
-  /// outflow the pressure is twice that of the outflow less that of the mirrored place.
-  const PressureFit& fitAt(int point, const std::vector<int>& candidates) {
-    const auto found = fits_.find(point);
-    if (found != fits_.end()) return found->second;
-    const std::vector<FlowEnd> ends =
-        geometry_.compactEndsOf(point, point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates);
-    std::vector<FlowEnd> used, fluid;
-    for (const FlowEnd& end : ends) {
-      const bool isOpen = end.openFraction <= 1.0;
-      if (isOpen || end.kind == FlowKind::Fluid) used.push_back(end);
-      if (!isOpen && end.kind == FlowKind::Fluid) fluid.push_back(end);
-    }
-    PressureFit fit;
-    if (!used.empty()) {
-      const std::vector<double> weights = kernels::linearGradientWeights(wholeBonds(used));
-      FlowVector opposite{};
-      for (std::size_t k = 0; k < used.size(); ++k) {
-        FlowVector weight{};
-        for (std::size_t a = 0; a < n_; ++a) {
-          weight[a] = weights[n_ * k + a];
-          opposite[a] -= weight[a];
-        }
-        if (used[k].openFraction > 1.0)
-          fit.terms.push_back({used[k].point, used[k].copy, weight});
-        else
-          addMirroredPressure(point, used[k], fluid, weight, fit);
-      }
-      fit.terms.push_back({mesh().sourceOf(point), mesh().copyOf(point), opposite});
-    }
-    return fits_.emplace(point, std::move(fit)).first->second;
-  }
-
-  kernels::BondEnds wholeBonds(const std::vector<FlowEnd>& ends) const {
-    kernels::BondEnds bonds;
-    bonds.dimension = geometry_.dimension();
-    for (const FlowEnd& end : ends) bonds.add(end.xi.data(), end.volume);
-    return bonds;
-  }
-
-  void addMirroredPressure(int point, const FlowEnd& end, const std::vector<FlowEnd>& fluid, const FlowVector& weight,
-                           PressureFit& fit) {
-    const FlowVector seen = geometry_.mirrored(point, end), place = geometry_.placeOn(point, end, end.openFraction);
-    const double pressure = geometry_.outflowPressure(end.outflow, place, t_);
-    FlowVector twice{};
-    for (std::size_t a = 0; a < n_; ++a) {
-      twice[a] = 2.0 * weight[a];
-      fit.constant[a] += pressure * twice[a];
-    }
-    for (const auto& source : sourceAt(end.outflow, place, true, twice)) fit.sources.push_back(source);
-    const auto add = [&](int other, int copy, double share) {
-      FlowVector part{};
-      for (std::size_t a = 0; a < n_; ++a) part[a] = -share * weight[a];
-      fit.terms.push_back({other, copy, part});
-    };
-    const std::vector<double> shares = sharesAt(point, fluid, seen);
-    double rest = 1.0;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      if (shares[k] != 0.0) add(fluid[k].point, fluid[k].copy, shares[k]);
-      rest -= shares[k];
-    }
-    if (rest != 0.0) add(mesh().sourceOf(point), mesh().copyOf(point), rest);
-  }
-
-  /// Of the ends in the value at a place `seen` from the point, whose share is the rest: of the one that is there, or
-  /// of a linear fit.
-  std::vector<double> sharesAt(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) const {
-    const double near = 1e-3 * geometry_.spacingOf(point);
-    std::vector<double> shares(ends.size(), 0.0);
-    if (std::hypot(seen[0], seen[1], seen[2]) < near) return shares;
-    for (std::size_t k = 0; k < ends.size(); ++k)
-      if (std::hypot(ends[k].xi[0] - seen[0], ends[k].xi[1] - seen[1], ends[k].xi[2] - seen[2]) < near) {
-        shares[k] = 1.0;
-        return shares;
-      }
-    return kernels::interpolationWeights(wholeBonds(ends), seen.data(), 1);
-  }
-
   std::vector<int> candidatesAround(int point) const {
     std::vector<int> candidates = geometry_.neighborsOf(point);
     candidates.push_back(point);
@@ -410,7 +307,7 @@ class RowMaker {
 
   void pressureRow(std::size_t row) {
     const int point = geometry_.fluid()[row];
-    const PressureFit& fit = fitAt(point, {});
+    const PressureFit& fit = fits_.at(point, {});
     for (const auto& term : fit.terms) rows_.pressureGradient.add(term.point, term.weight);
     for (const auto& [source, weight] : fit.sources) rows_.pressureGradient.addShare(source, weight);
     rows_.pressureGradient.close(fit.constant);
@@ -459,7 +356,7 @@ class RowMaker {
           ReferenceBond(mesh().x.data(), point, other).length > geometry_.law().gradientHorizon * (1.0 + 1e-9))
         continue;
       FlowVector weight{};
-      for (const auto& part : fitAt(other, candidates).terms)
+      for (const auto& part : fits_.at(other, candidates).terms)
         if (part.point == point && part.copy == 0)
           for (std::size_t a = 0; a < n_; ++a)
             weight[a] += part.weight[a] * volume[localIndex(other)] / volume[localIndex(point)];
@@ -533,7 +430,7 @@ class RowMaker {
       add(end.point, weight);
       add(point, -weight);
       for (const int side : {point, neighbor}) {
-        const PressureFit& fit = fitAt(side, candidates);
+        const PressureFit& fit = fits_.at(side, candidates);
         const auto along = [&](const FlowVector& g) { return g[0] * end.xi[0] + g[1] * end.xi[1] + g[2] * end.xi[2]; };
         for (const auto& term : fit.terms) add(term.point, -0.5 * weight * along(term.weight));
         constant -= 0.5 * weight * along(fit.constant);
@@ -557,8 +454,8 @@ class RowMaker {
   const double t_;
   const std::size_t n_;
   FlowRows rows_;
-  std::unordered_map<int, PressureFit> fits_;  ///< by local point
-  std::map<int, std::size_t> sourceOf_;        ///< of boundaries whose value is the same everywhere
+  FlowSources sources_;
+  PressureFits fits_;
 };
 
 }  // namespace

@@ -4,15 +4,9 @@
 
 #include "flow_geometry.hpp"
 #include "flow_operator.hpp"
+#include "flow_sources.hpp"
 
 namespace pd {
-
-/// A velocity (or in its first component a pressure) of a boundary that changes with time, at a place on it.
-struct FlowSource {
-  int boundary;
-  bool isPressure;
-  std::array<double, 3> place, value;  ///< value: at the time of the rows
-};
 
 /// Values at the time of the boundaries. v, p: velocity and pressure of the points.
 struct FlowRows {
