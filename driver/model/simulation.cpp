@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../deck/sections.hpp"
+#include "../deck/symmetry_planes.hpp"
 #include "../solvers/event_solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
@@ -33,9 +34,11 @@ void logModel(Model& model, Output& output, const Deck& deck) {
       "{}: {} points in {} dimension(s), {} directed bonds ({:.1f} a point), {} block(s), {} rank(s)", deck.fileName(),
       mesh.nGlobal, mesh.dimension, nBonds, static_cast<double>(nBonds) / static_cast<double>(mesh.nGlobal),
       model.blocks()->size(), comm.size()));
-  if (!mesh.symmetry.empty())
+  const bool isOfRevolution = ringsOf(deck).areUsed();
+  if (isOfRevolution) output.log("body of revolution: points are rings; totals are of the whole body about the axis");
+  if (!mesh.symmetry.empty() && !(isOfRevolution && mesh.symmetry.nCopies() == 2))
     output.log(fmt::format("planes of symmetry: the mesh is one of {} equal parts of the body; totals are of this part",
-                           mesh.symmetry.nCopies()));
+                           mesh.symmetry.nCopies() / (isOfRevolution ? 2 : 1)));
   if (mesh.isDecomposed) output.log(mesh.decompositionNote);
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }

@@ -31,11 +31,11 @@ bool has(DataManager& dataManager, const char* label, Field::Step step) {
 /// Points above saturation are metal at the start. Throws std::invalid_argument where one at x [3] can hardly be meant
 /// so.
 void requireMetal(double concentration, double saturation, double solid, const double* x) {
-  if (concentration - saturation >= leastMetal * (solid - saturation)) return;
+  if (concentration >= leastMetal * solid) return;
   std::ostringstream text;
   text << corrosionDissolution << ": the point at (" << x[0] << ", " << x[1] << ", " << x[2] << ") m begins with "
        << concentration << " mol/m3, above the Saturation Concentration " << saturation
-       << ", by which it is metal, but with no tenth of its Solid Concentration " << solid
+       << ", by which it is metal, but with less than a tenth of its Solid Concentration " << solid
        << "; give metal that at the start, and electrolyte no more than saturation";
   throw std::invalid_argument(text.str());
 }

@@ -61,7 +61,8 @@ std::vector<Broken> brokenPairings() {
              {"    Value: \"1.0e-5*min(t/10, 1)\"", "    Value: 5.5e3"},
              {"Horizon: 3.1e-3", "Horizon: 4.1e-3"}},
             withoutMechanics),
-       {"begins with 5500 mol/m3, above the Saturation Concentration 5000, by which it is metal, but with no tenth of "
+       {"begins with 5500 mol/m3, above the Saturation Concentration 5000, by which it is metal, but with less than a "
+        "tenth of "
         "its Solid Concentration 100000"}},
       {"LimitOfBondsThatDoNotTire",
        {{"    Damage Model: Critical Stretch\n    Critical Stretch: 0.01\n",

@@ -199,11 +199,15 @@ std::vector<ComputeSample> computeSamples() {
   const auto text = [&](const char* plugin, const char* key, const char* value) {
     given[plugin].set<std::string>(key, value);
   };
-  for (const char* plugin :
-       {"Corrosion_Depth", "Maximum_Depth", "Mean_Depth", "Deepest_Place", "Pit_Width", "Front_Speed"}) {
+  for (const char* plugin : {"Corrosion_Depth", "Maximum_Depth", "Mean_Depth", "Deepest_Place", "Pit_Width",
+                             "Pit_Count", "Pit_Depth", "Front_Speed"}) {
     text(plugin, "Node Set", "Surface");
     given[plugin].set("Into Y", 1.0);
   }
+  for (const char* plugin : {"Pit_Count", "Pit_Depth"}) given[plugin].set("Deeper Than", 0.5);
+  text("Corrosion_Rate", "Over", "Last Interval");
+  given["Wire_Diameter"].set("First Diameter", 6.0);
+  given["Wire_Diameter"].set("Slice Width", 2.0);
   for (const char* plugin : {"Field_Mean", "Field_Integral", "Field_Minimum", "Field_Maximum", "Block_Data",
                              "Node_Set_Data", "Nearest_Point_Data"}) {
     text(plugin, "Variable", "Displacement");

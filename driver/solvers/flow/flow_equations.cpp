@@ -305,6 +305,15 @@ double FlowEquations::largestSpeed() const {
   return model_.comm().max(largest);
 }
 
+double FlowEquations::scaleOfSpeed() const {
+  constexpr double rounded = 1e-6;  // a flow that p drives over a thousand spacings is a hundred times as fast
+  const double* pressure = model_.field("Pressure");
+  double largest = 0.0;
+  for (const int point : geometry_.fluid())
+    largest = std::max(largest, rounded * std::abs(pressure[point]) * geometry_.spacingOf(point) / viscosity_);
+  return std::max({largestSpeed(), rows_.largestVelocity, model_.comm().max(largest)});
+}
+
 double FlowEquations::largestCellReynolds() const {
   double largest = 0.0;
   for (const int point : geometry_.fluid())
@@ -313,7 +322,7 @@ double FlowEquations::largestCellReynolds() const {
 }
 
 double FlowEquations::largestNetFlow() const {
-  const double velocity = std::max(largestSpeed(), rows_.largestVelocity);
+  const double velocity = scaleOfSpeed();
   double largest = 0.0;
   for (std::size_t k = 0; k < lambda_.size(); ++k)
     if (lambda_[k] != 0.0 && velocity > 0.0)

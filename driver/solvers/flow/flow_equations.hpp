@@ -66,6 +66,8 @@ class FlowEquations {
   void shiftPockets(const double* r, std::vector<double>& pressure) const;
 
   double largestSpeed() const;         ///< of fluid points, all ranks, m/s
+  /// Of fluid, walls and inlets, and no less than what rounding of the pressures makes of a fluid at rest, m/s.
+  double scaleOfSpeed() const;
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
   /// Largest net flow into a closed pocket, over its largest velocity times its width. All ranks.
   double largestNetFlow() const;

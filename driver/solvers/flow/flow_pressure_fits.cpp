@@ -44,7 +44,10 @@ kernels::BondEnds PressureFits::wholeBonds(const std::vector<End>& ends) const {
 
 void PressureFits::addMirroredPressure(int point, const End& end, const std::vector<End>& fluid, const Vector& weight,
                                        PressureFit& fit) {
-  const Vector seen = geometry_.mirrored(point, end), place = geometry_.placeOn(point, end, end.openFraction);
+  const Vector seen = geometry_.mirrored(point, end);
+  Vector place;  // between the end and what is seen in its place, where the bond itself need not pass
+  for (std::size_t a = 0; a < 3; ++a)
+    place[a] = geometry_.mesh().x[3 * static_cast<std::size_t>(point) + a] + 0.5 * (end.xi[a] + seen[a]);
   const double pressure = geometry_.outflowPressure(end.outflow, place, t_);
   Vector twice{};
   for (std::size_t a = 0; a < n_; ++a) {

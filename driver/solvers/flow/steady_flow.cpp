@@ -245,11 +245,13 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     ++nNewtonSteps_;
     const double part = isStokes ? 1.0 : takeStep(simulation, change, norm);
     if (isStokes) equations_->add(1.0, change);
-    const double largest = std::max(equations_->largestSpeed(), equations_->rows().largestVelocity);
+    const double largest = equations_->scaleOfSpeed();
     const double changed = model.comm().max(largestVelocity(change));
     if (!std::isfinite(changed)) giveUp(t + dt, iteration, changed, "the velocity is no number");
     relativeChange = changed == 0.0 ? 0.0 : part * changed / largest;
-    const bool isDone = !isStokes && part == 1.0 && relativeChange <= tolerance_;
+    // A fluid at rest has residuals of rounding alone, which no step lessens.
+    const bool isAtRest = !isStokes && changed <= tolerance_ * largest && largest > equations_->largestSpeed();
+    const bool isDone = isAtRest || (!isStokes && part == 1.0 && relativeChange <= tolerance_);
     isStokes = false;
     if (isDone) break;
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
