@@ -157,7 +157,8 @@ class FlowDecks(SceneTest):
     def test_the_force_of_a_flow_is_that_of_steady_flow(self):
         def measure(deck):
             deck["Compute Class Parameters"] = {"Drag": {
-                "Compute Class": "Flow_Force", "Center X": 0.5, "Center Y": 0.5, "Inner Radius": 0.1, "Outer Radius": 0.4}}
+                "Compute Class": "Flow_Force", "Center X": 0.5, "Center Y": 0.5, "Inner Radius": 0.1,
+                "Outer Radius": 0.4}}
 
         def push(deck):
             measure(deck)
@@ -173,7 +174,8 @@ class FlowDecks(SceneTest):
 
     def test_forces_act_on_fluid(self):
         self.assert_refused(push_at("y > 1"), 'condition "Weight" moves nothing: none of its points is fluid')
-        self.assert_refused(push_at("x > 0 && x < 1 && y > 0 && y < 1", "1/(x-x)"), 'the value of "1/(x-x)" is infinite')
+        self.assert_refused(push_at("x > 0 && x < 1 && y > 0 && y < 1", "1/(x-x)"),
+                            'the value of "1/(x-x)" is infinite')
 
     def test_a_flow_that_runs_away(self):
         deck = copy.deepcopy(DECK)
