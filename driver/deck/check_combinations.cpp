@@ -32,7 +32,10 @@ class CombinationCheck {
 
   void run() {
     influence();
-    agreesWithMaterials("Thickness", {"Plane Stress", "Plane Strain"});
+    if (deck_["Discretization"][axisOfRevolution])
+      ofRevolution();
+    else
+      agreesWithMaterials("Thickness", {"Plane Stress", "Plane Strain"});
     agreesWithMaterials("Cross Section Area", {"One Dimensional"});
     for (const CheckedSection* block : check_.ofKind(Kind::Block)) {
       isTimeless(block->section.node["Horizon"]);
@@ -47,7 +50,7 @@ class CombinationCheck {
       isTimeless(set->section.node["Expression"]);
     }
     cutBondsCount();
-    if (deck_["Discretization"][axisOfRevolution]) ofRevolution();
+    forcesOfFlows();
     labels();
     times();
     outputs();
@@ -263,8 +266,18 @@ class CombinationCheck {
       if (const auto* plugin = MaterialRegistry::self().find(name);
           plugin->partsKey.empty() && plugin->declare().find(axisOfRevolution) != nullptr)
         known.push_back(name);
+    const DeckNode section = deck_["Discretization"];
+    if (section["Thickness"])
+      mistakes_.add(section["Thickness"].place(),
+                    fmt::format("{}: rings of {} have no thickness; leave it out, and let the volumes of the mesh be "
+                                "areas, m2, as of a plane 1 m thick",
+                                section["Thickness"].path(), body));
     for (const CheckedSection* material : check_.ofKind(Kind::Material))
       for (const DeckNode& part : materialParts(material->section.node)) {
+        const DeckNode thickness = part["Thickness"];
+        if (thickness.isScalar() && parseReal(thickness.text()).value_or(1.0) != 1.0)
+          mistakes_.add(thickness.place(),
+                        fmt::format("{}: rings of {} have no thickness; leave it out", thickness.path(), body));
         const DeckNode model = part["Material Model"];
         if (!model.isScalar() || MaterialRegistry::self().find(model.text()) == nullptr ||
             std::find(known.begin(), known.end(), model.text()) != known.end())
@@ -283,6 +296,28 @@ class CombinationCheck {
           break;
         }
     }
+  }
+
+  /// The momentum that passes a ring is the force on the body where the flow is steady and nothing else acts on the
+  /// fluid within.
+  void forcesOfFlows() {
+    const auto find = [&](Kind kind, const std::string& plugin) -> const CheckedSection* {
+      for (const CheckedSection* checked : check_.ofKind(kind))
+        if (checked->section.plugin == plugin) return checked;
+      return nullptr;
+    };
+    const CheckedSection* compute = find(Kind::Compute, "Flow_Force");
+    if (compute == nullptr) return;
+    const DeckNode& node = compute->section.node;
+    if (const CheckedSection* force = find(Kind::Condition, "Flow Body Force"))
+      mistakes_.add(node.keyPlace(),
+                    fmt::format("{}: Flow_Force does not count {}, which acts on the fluid within its ring; leave one "
+                                "of them out, or let pressures of outflows drive the flow",
+                                node.path(), force->section.node.path()));
+    if (const CheckedSection* solver = find(Kind::Solver, "Weakly Compressible Flow"))
+      deck_.warnings().add(node.keyPlace(), fmt::format("{}: Flow_Force is that of steady flow; with {} it counts once "
+                                                        "the flow has become steady",
+                                                        node.path(), solver->section.node.path()));
   }
 
   /// Of fields that the deck names: they go into the headings of files.

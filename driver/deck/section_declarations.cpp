@@ -94,7 +94,7 @@ Declarations declareDiscretization(const std::string& type) {
   declare
       .text(axisOfRevolution,
             "The mesh, in the x-y plane, is half of a section of a body of revolution about this axis (x: at y > 0; y: "
-            "at x > 0). Points become rings: volumes of the mesh are area x Thickness, those of the run 2 pi r x area.")
+            "at x > 0). Points become rings: volumes of the mesh are areas, those of the run 2 pi r x area.")
       .oneOf({"x", "y"});
   declare.atMostOneOf({"Thickness", "Cross Section Area"});
   return declare;

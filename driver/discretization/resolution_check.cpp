@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../deck/block_plugins.hpp"
+
 namespace pd {
 
 namespace {
@@ -55,7 +57,9 @@ void addSpacingMistake(const Deck& deck, const MeshPoints& points, const std::ve
                        const Surroundings& s) {
   const char* remedies[] = {
       "set Discretization/Cross Section Area (m2)",
-      "set Discretization/Thickness (m) to the thickness that the volumes of the mesh contain",
+      deck["Discretization"][axisOfRevolution]
+          ? "volumes of the mesh must be areas, m2, as of a plane 1 m thick"
+          : "set Discretization/Thickness (m) to the thickness that the volumes of the mesh contain",
       "coordinates must be in m and volumes in m3",
   };
   const char* formulas[] = {"volume / cross section area", "square root of volume / thickness", "cube root of volume"};

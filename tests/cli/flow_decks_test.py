@@ -24,6 +24,14 @@ DECK = {
     "Output": {"Output Filename": "result", "Output Frequency": 1, "Output Variables": ["Velocity", "Pressure"]}}
 
 
+def push_at(place, value=1.0):
+    def push(deck):
+        deck["Boundary Conditions"].update({
+            "Pushed Node Set": {"Expression": place},
+            "Weight": {"Type": "Flow Body Force", "Node Set": "Pushed Node Set", "Coordinate": "x", "Value": value}})
+    return push
+
+
 class FlowDecks(SceneTest):
     def setUp(self):
         super().setUp()
@@ -145,6 +153,37 @@ class FlowDecks(SceneTest):
                                                          "Inner Radius": 0.1, "Outer Radius": 0.4}}
             deck["Output"]["Output Variables"] = ["Velocity", "Flow_Force"]
         self.assert_refused(go_round_nothing, "no point lies between \"Inner Radius\" and \"Outer Radius\"")
+
+    def test_the_force_of_a_flow_is_that_of_steady_flow(self):
+        def measure(deck):
+            deck["Compute Class Parameters"] = {"Drag": {
+                "Compute Class": "Flow_Force", "Center X": 0.5, "Center Y": 0.5, "Inner Radius": 0.1,
+                "Outer Radius": 0.4}}
+
+        def push(deck):
+            measure(deck)
+            push_at("x > 0 && x < 1 && y > 0 && y < 1")(deck)
+        self.assert_refused(push, "Compute Class Parameters/Drag: Flow_Force does not count Boundary Conditions/Weight")
+
+        def start(deck):
+            measure(deck)
+            deck["Solver"] = {"Final Time": 1e-3, "Weakly Compressible Flow": {"Sound Speed": 1.0}}
+        result = self.check(start)
+        self.assertEqual(result.code, 0, result.text)
+        self.assertIn("it counts once the flow has become steady", result.text)
+
+    def test_forces_act_on_fluid(self):
+        self.assert_refused(push_at("y > 1"), 'condition "Weight" moves nothing: none of its points is fluid')
+        self.assert_refused(push_at("x > 0 && x < 1 && y > 0 && y < 1", "1/(x-x)"),
+                            'the value of "1/(x-x)" is infinite')
+
+    def test_a_flow_that_runs_away(self):
+        deck = copy.deepcopy(DECK)
+        push_at("x > 0 && x < 1 && y > 0 && y < 1", 1e100)(deck)
+        deck["Solver"] = {"Final Time": 1.0, "Weakly Compressible Flow": {"Sound Speed": 1.0}}
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("s: velocities or pressures are no longer finite: the flow is not stable", result.text)
 
     def test_what_flows_into_a_closed_part_must_leave_it(self):
         deck = copy.deepcopy(DECK)

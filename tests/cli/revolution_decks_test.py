@@ -46,6 +46,15 @@ class RevolutionDecks(SceneTest):
             result = self.check(lambda deck: deck["Materials"]["Water"].update(more))
             self.assertEqual(result.code, 0, result.text)
 
+    def test_rings_have_no_thickness(self):
+        for section in ("Discretization", "Materials/Water"):
+            def thicken(deck):
+                part = deck
+                for name in section.split("/"):
+                    part = part[name]
+                part["Thickness"] = 3.0
+            self.assert_refused(thicken, f"{section}/Thickness: rings of bodies of revolution", "leave it out")
+
     def test_the_axis_is_x_or_y(self):
         self.assert_refused(lambda deck: deck["Discretization"].update({"Axis Of Revolution": "z"}),
                             'Discretization/Axis Of Revolution "z" is not allowed here (one of "x", "y")')

@@ -19,6 +19,27 @@ std::vector<char> solidPoints(Model& model) {
   return isSolid;
 }
 
+namespace {
+
+/// What is solid dissolves and becomes fluid. Collective.
+void requireForcesOnFluid(const FlowGeometry& geometry, const Simulation& simulation) {
+  Mistakes mistakes;
+  for (const auto& condition : simulation.conditions.all()) {
+    if (dynamic_cast<const FlowForce*>(condition.get()) == nullptr) continue;
+    const std::vector<int>& points = condition->points();
+    const bool moves = std::any_of(points.begin(), points.end(),
+                                   [&](int point) { return geometry.isFluid(point) || geometry.isSolid(point); });
+    if (!simulation.model.comm().any(moves))
+      mistakes.add(condition->node().keyPlace(),
+                   condition->title() +
+                       " moves nothing: none of its points is fluid; give it a node set that holds "
+                       "points before the walls, inlets and outflows");
+  }
+  mistakes.report();
+}
+
+}  // namespace
+
 FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
                            std::vector<char> isSolid)
     : simulation_(simulation), mesh_(simulation.model.discretization()), law_(law), isSolid_(std::move(isSolid)) {
@@ -31,6 +52,7 @@ FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std
   }
   findKinds(flowBlocks);
   collectively(simulation.model.comm(), [&] { checkSides(); });
+  requireForcesOnFluid(*this, simulation);
   findNearBoundary();
 }
 

@@ -36,7 +36,8 @@ class FlowGeometry {
     int outflow = -1;
   };
 
-  /// Throws DeckError where points lie on the wrong side of a surface, or nothing is fluid. Collective.
+  /// Throws DeckError where points lie on the wrong side of a surface, nothing is fluid, or a force acts on nothing
+  /// that is. Collective.
   FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
                std::vector<char> isSolid);
 

@@ -152,7 +152,8 @@ class RowMaker {
     throw DeckError(
         fmt::format("the neighbours of the fluid point at ({:g}, {:g}, {:g}) m do not suffice for its "
                     "gradients: the gap is too narrow there, or points beyond a wall are missing; they are "
-                    "needed one horizon deep",
+                    "needed one horizon deep. Where points are irregular, a larger Horizon, or Gradient Horizon of the "
+                    "material, helps",
                     x[0], x[1], x[2]));
   }
 

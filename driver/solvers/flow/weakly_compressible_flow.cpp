@@ -198,12 +198,13 @@ void WeaklyCompressibleFlow::watch(Model& model, double t) {
   isFinite = !model.comm().any(!isFinite);
   hasTension = model.comm().any(hasTension);
   if (isFinite && !hasTension && speed_ <= largestMach_ * fluid_.soundSpeed) return;
-  rates_->write(state_);
-  if (!isFinite)
+  if (!isFinite)  // nor written: fields that are not finite would have a message of their own
     throw RunError(
-        fmt::format("{}: t = {:.6g} s: the flow is not stable. Lower \"Time Step\", or give a larger "
-                    "\"Density Diffusion\" or closer points",
+        fmt::format("{}: t = {:.6g} s: velocities or pressures are no longer finite: the flow is not stable. Lower "
+                    "\"Time Step\", or give a larger \"Sound Speed\" or \"Density Diffusion\" or closer points; look "
+                    "at the values of the conditions, too",
                     solverName, t));
+  rates_->write(state_);
   requireMach(speed_, "the flow has reached", t);
   throw RunError(
       fmt::format("{}: t = {:.6g} s: the pressure has fallen below {:.6g} Pa, half of that at which the fluid has no "
