@@ -52,13 +52,14 @@ for n, color in zip(PARTS[1:], ("tab:red", "tab:orange", "tab:green", "tab:blue"
     of_work.loglog(work[f"Uniform_{n}"], 100 * np.max(np.abs(share - wanted)), "o", color=color, label=f"uniform, n = {n}")
     print(f"n = {n}: largest error {100 * np.max(np.abs(share - wanted)):.3f} % of a bond, {work[f'Uniform_{n}']:.0f} lines")
 for tolerance, marker in (("1.0e-2", "^"), ("1.0e-3", "s"), ("1.0e-4", "D")):
-    error = shares(f"Adaptive_{tolerance}") - wanted
+    error, in_two = (shares(f"Adaptive_{tolerance}_{parts}") - wanted for parts in (1, 2))
+    lines, lines_in_two = (work[f"Adaptive_{tolerance}_{parts}"] for parts in (1, 2))
     label = f"adaptive, tolerance {float(tolerance):g}"
     if tolerance == "1.0e-3":
         of_error.plot(a, 100 * error, "k--", label=label)
-    of_work.loglog(work[f"Adaptive_{tolerance}"], 100 * np.max(np.abs(error)), marker, color="k", fillstyle="none", label=label)
-    print(f"{label}: largest error {100 * np.max(np.abs(error)):.3f} % of a bond, {work[f'Adaptive_{tolerance}']:.0f} lines")
-print(f"integral: largest error {100 * np.max(np.abs(shares('Integral') - wanted)):.4f} % of a bond, {work['Integral']:.0f} lines")
+    of_work.loglog(lines, 100 * np.max(np.abs(error)), marker, color="k", fillstyle="none", label=label)
+    print(f"{label}: largest error {100 * np.max(np.abs(error)):.3f} % of a bond, {lines:.0f} lines; with the crack in two parts "
+          f"{100 * np.max(np.abs(in_two)):.3f} %, {lines_in_two:.0f} lines")
 of_share.set_xlabel("length of the crack over that of the edge")
 of_share.set_ylabel("share of the bond that is left")
 of_error.set_xlabel("length of the crack over that of the edge")

@@ -12,8 +12,9 @@ pairs() { # name, rule, straight parts of a crack
 }
 rm -f pairs.log
 for n in 2 5 10 20 40; do pairs "Uniform_$n" "{Rule: Uniform, Partitions: $n}" 1; done
-for tolerance in 1.0e-2 1.0e-3 1.0e-4; do pairs "Adaptive_$tolerance" "{Rule: Adaptive, Tolerance: $tolerance}" 2; done
-pairs Integral "{Rule: Adaptive}" 1
+for tolerance in 1.0e-2 1.0e-3 1.0e-4; do
+  for parts in 1 2; do pairs "Adaptive_${tolerance}_$parts" "{Rule: Adaptive, Tolerance: $tolerance}" "$parts"; done
+done
 
 calculated() { awk "BEGIN {printf \"%.9g\", $1}"; }
 : > times.txt

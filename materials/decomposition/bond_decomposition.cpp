@@ -9,8 +9,10 @@ namespace pd::decomposition {
 
 namespace {
 
-constexpr double negligible = 1e-6;       ///< what is less counts as nothing
-constexpr double errorOfIntegral = 1e-4;  ///< of the share beside a straight crack; what is less is no bond
+constexpr double negligible = 1e-6;  ///< what is less counts as nothing
+constexpr int linesInSpace = 8;      ///< of the adaptive rule, along each edge
+
+double rounded(double share) { return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share; }
 
 /// The middles of equal parts of a cell that count, [3][parts], and after them the last one again, for a vector's sake.
 void findParts(const LineGrid& grid, const Taken& taken, const LineMeasure& measure,
@@ -107,25 +109,13 @@ double InteractionShares::byLines(const NamedCell& a, const NamedCell& b, const 
         std::min(kernels::lanes, nParts - first));
   nLines_ += static_cast<long long>(nParts) * sight_.nLines();
   if (all == 0.0) return -1.0;
-  const double share = seen / all;
-  return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share;
+  return rounded(seen / all);
 }
 
 double InteractionShares::adaptively(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near) {
-  if (between_.screens.size() == 1 && between_.voids.empty() && !cells_.isCut(a.id, a.cell, near) &&
-      !cells_.isCut(b.id, b.cell, near))
-    if (const std::optional<double> hidden = between_.screens.front()->hiddenShare(a.cell, b.cell))
-      return 1.0 - *hidden < errorOfIntegral ? 0.0 : std::min(1.0, 1.0 - *hidden);
-  const int most = a.cell.dimension == 3 ? 8 : 32;
-  double coarse = byLines(a, b, near, 4, false);
-  // Shares of n lines are off by about a constant over n: what doubling changes is what is left of the error.
-  for (int n = 8;; n *= 2) {
-    const double fine = byLines(a, b, near, n, false);
-    // The first change is small by chance at times.
-    const double least = n == 8 && n < most ? 0.1 * rule_.tolerance : 0.5 * rule_.tolerance;
-    if ((fine >= 0.0 && std::abs(fine - coarse) <= least) || n >= most) return std::max(fine, 0.0);
-    coarse = fine;
-  }
+  if (a.cell.dimension == 3) return std::max(0.0, byLines(a, b, near, linesInSpace, false));
+  const WithinCell &withinA = cells_.within(a.id, a.cell, near), &withinB = cells_.within(b.id, b.cell, near);
+  return rounded(throughBoth_.share({&a.cell, &withinA}, {&b.cell, &withinB}, between_.screens, rule_.tolerance));
 }
 
 double InteractionShares::byTipRule(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near,

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "lines_through_plane_cells.hpp"
 #include "sight.hpp"
 
 namespace pd::decomposition {
@@ -13,7 +14,8 @@ namespace pd::decomposition {
 /// How the connections of two cells are counted.
 struct DecompositionRule {
   enum class Kind {
-    Adaptive,      ///< lines in one cell, finer and finer until the share changes by no more than `tolerance`
+    Adaptive,      ///< in a plane lines through both cells, more and more until the share is known to about
+                   ///< `tolerance` of a bond; in space 8^2 lines of one cell as seen from 8^3 places of the other
     Uniform,       ///< all pairs of n^D middles of equal parts of both cells: eqs. 13 and 14 there
     Intersection,  ///< the bond between the two points alone
     Both,          ///< the same, but at cracks in the plane by TipRule::Both
@@ -56,8 +58,8 @@ class InteractionShares {
   double of(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
   /// Of the bonds so far, those between whose cells a crack or a void may be.
   long long nNear() const { return nNear_; }
-  /// Lines of cells times places that looked at them, so far.
-  long long nLines() const { return nLines_; }
+  /// Lines through cells, and lines of cells times places that looked at them, so far.
+  long long nLines() const { return nLines_ + throughBoth_.nLines(); }
 
  private:
   /// By n^D places of `a` that look at n^(D-1) lines of `b`; negative where no place of `a`, or of `b`, counts.
@@ -71,6 +73,7 @@ class InteractionShares {
   NearDiscontinuities between_;  ///< the two cells
   std::array<std::vector<double>, 3> parts_;
   Sight sight_;
+  LinesThroughPlaneCells throughBoth_;
   long long nNear_ = 0, nLines_ = 0;
 };
 

@@ -3,11 +3,12 @@
 
 #include "convex_geometry.hpp"
 #include "discontinuities.hpp"
-#include "segment_crossings.hpp"
 
 namespace pd::decomposition {
 
 namespace stdx = kernels::stdx;
+using kernels::choose;
+using kernels::greaterBits;
 using kernels::Vector;
 using kernels::wherePositive;
 
@@ -88,8 +89,20 @@ class SegmentScreen : public FlatScreen {
     ends.add(b_);
     return boxOf(ends);
   }
-  std::optional<double> hiddenShare(const Cell& a, const Cell& b) const override {
-    return shareAcrossSegment(a, b, a_, b_);
+  PD_INLINES RangePerLane meet(const LinePerLane& lines) const override {
+    const Vector slope = dot(normal_, lines.step), height = dot(normal_, minus(lines.start, origin_));
+    const unsigned char isAcross = greaterBits(stdx::abs(slope), 1e-300);
+    const Vector s = -height / choose(slope, 1.0, isAcross);
+    const Place along = minus(b_, a_);
+    const double length2 = dot(along, along);
+    const Vector foot = dot(along, minus(lines.start, a_)) + s * dot(along, lines.step);
+    const auto isMet = static_cast<unsigned char>(isAcross & greaterBits(foot, -rimTolerance * length2) &
+                                                  greaterBits((1.0 + rimTolerance) * length2, foot));
+    return {choose(s, beyondAll, isMet), choose(s, -beyondAll, isMet)};
+  }
+  Range heights(const Place& axis) const override {
+    const double a = dot(a_, axis), b = dot(b_, axis);
+    return {std::min(a, b), std::max(a, b)};
   }
   std::optional<bool> cuts(const Place& p, const Place& q, TipRule rule) const override {
     const double heightP = dot(minus(p, origin_), normal_), heightQ = dot(minus(q, origin_), normal_);

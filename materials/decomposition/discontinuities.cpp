@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "convex_geometry.hpp"
 
@@ -32,6 +33,14 @@ bool Box::meets(const Box& other) const {
   for (std::size_t d = 0; d < 3; ++d)
     if (low[d] > other.high[d] || high[d] < other.low[d]) return false;
   return true;
+}
+
+RangePerLane Screen::meet(const LinePerLane&) const {
+  throw std::logic_error("a screen in space has no lines in a plane");
+}
+Range Screen::heights(const Place&) const { throw std::logic_error("a screen in space has no heights in a plane"); }
+void Void::addWithinEach(const LinePerLane&, std::vector<RangePerLane>&) const {
+  throw std::logic_error("a void in space has no lines in a plane");
 }
 
 namespace {

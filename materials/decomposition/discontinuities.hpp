@@ -10,12 +10,16 @@
 #include "places.hpp"
 #include "simd.hpp"
 
+/// For what works on vectors throughout: all that it calls becomes part of it, since calls pass vectors through memory.
+#define PD_INLINES [[gnu::flatten]]
+
 namespace pd::decomposition {
 
 /// From `low` to `high`; nothing where low >= high.
 struct Range {
   double low, high;
 };
+constexpr double beyondAll = 1e300;
 
 /// Up to 16 places: the corners of one cell or of two.
 class Corners {
@@ -46,6 +50,16 @@ Corners cornersOf(const Cell& a, const Cell& b);
 
 /// As many places as a vector of the processor has lanes.
 using Places = std::array<kernels::Vector, 3>;
+
+/// One straight line each: start + s step.
+struct LinePerLane {
+  Places start, step;
+};
+
+/// One range each; nothing where low >= high, but of what is flat where low > high.
+struct RangePerLane {
+  kernels::Vector low, high;
+};
 
 /// For each of several places, all x with normal . (x - origin) <= offset.
 struct HalfSpace {
@@ -85,6 +99,11 @@ class Screen {
   virtual bool hideFromEach(const Places&, const Lines&, kernels::Vector* /*from*/, kernels::Vector* /*to*/) const {
     return false;
   }
+  /// Of one in the plane: where each line in the plane, and its continuation, meets it, in s; at low = high where it is
+  /// flat. Others throw.
+  virtual RangePerLane meet(const LinePerLane& lines) const;
+  /// Of one in the plane: the heights along `axis`, x . axis, from which to which it reaches. Others throw.
+  virtual Range heights(const Place& axis) const;
   /// False only where no connection of the two cells meets it.
   virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
   virtual Box box() const = 0;
@@ -92,9 +111,6 @@ class Screen {
   virtual bool divides(const Cell&, const Cell&) const { return false; }
   /// Of a flat crack: whether a place is on the side that its normal points to.
   virtual bool isAbove(const Place&) const { return true; }
-  /// Share of the connections of all places of both cells that meet it, where that is known in closed form or nearly
-  /// so.
-  virtual std::optional<double> hiddenShare(const Cell&, const Cell&) const { return std::nullopt; }
   /// By a rule for tips; nothing where the screen has none.
   virtual std::optional<bool> cuts(const Place&, const Place&, TipRule) const { return std::nullopt; }
 };
@@ -106,6 +122,8 @@ class Void {
   virtual bool contains(const Place& place) const = 0;
   /// Adds the ranges of s that it takes of the line start + s step.
   virtual void addWithin(const Place& start, const Place& step, std::vector<Range>& ranges) const = 0;
+  /// Of one in the plane: adds what it takes of each line in the plane and its continuation. Others throw.
+  virtual void addWithinEach(const LinePerLane& lines, std::vector<RangePerLane>& ranges) const;
   virtual Box box() const = 0;
   /// Heights along `axis` (of any length; height = place . axis) at which cross-sections change their form.
   virtual std::vector<double> heights(const Place& axis) const = 0;

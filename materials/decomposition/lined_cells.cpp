@@ -101,8 +101,7 @@ std::vector<SolidPart> solidParts(const LineGrid& grid, std::vector<Piece>& piec
   return result;
 }
 
-Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
-                 const NearDiscontinuities& within, const std::optional<Place>& seenFrom) {
+Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const WithinCell& within) {
   const LineGrid grid(cell, axis, n);
   const Lines lines = linesOf(grid);
   std::vector<std::vector<Range>> ofLine(lines.size());
@@ -113,14 +112,14 @@ Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& m
   std::vector<Range> ranges;
   for (std::size_t r = 0; r < lines.size(); ++r) {
     ranges.clear();
-    for (const Void* v : within.voids)
+    for (const Void* v : within.of.voids)
       v->addWithin({lines.start[0][r], lines.start[1][r], lines.start[2][r]}, lines.step, ranges);
     for (const Range& range : ranges) add(r, range);
   }
-  if (seenFrom) {
+  if (within.seenFrom) {
     std::vector<double> from(lines.size()), to(lines.size());
-    for (const Screen* screen : within.screens) {
-      screen->hide(*seenFrom, lines, from.data(), to.data());
+    for (const Screen* screen : within.of.screens) {
+      screen->hide(*within.seenFrom, lines, from.data(), to.data());
       for (std::size_t r = 0; r < lines.size(); ++r) add(r, {from[r], to[r]});
     }
   }
@@ -212,11 +211,11 @@ bool Taken::covers(int line, double s) const {
 const Taken& LinedCells::taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
                                const NearDiscontinuities& near) {
   static const Taken nothing;
-  Within& found = within(id, cell, near);
-  if (found.of.empty()) return nothing;
+  Found& found = this->found(id, cell, near);
+  if (found.within.of.empty()) return nothing;
   const auto [entry, isNew] = found.taken.try_emplace({static_cast<int>(axis), n, measure.nParts});
   if (isNew) {
-    entry->second = takenByAll(cell, axis, n, measure, found.of, found.seenFrom);
+    entry->second = takenByAll(cell, axis, n, measure, found.within);
     nLines_ += static_cast<std::size_t>(LineGrid(cell, axis, n).size());
   }
   return entry->second;
@@ -228,16 +227,16 @@ void LinedCells::forgetMany() {
   nLines_ = 0;
 }
 
-LinedCells::Within& LinedCells::within(int id, const Cell& cell, const NearDiscontinuities& near) {
+LinedCells::Found& LinedCells::found(int id, const Cell& cell, const NearDiscontinuities& near) {
   const auto [entry, isNew] = cells_.try_emplace(id);
   if (isNew) {
     nLines_ += 4;
     const Box box = boxAround(cell, cell);
     for (const Screen* screen : near.screens)
-      if (screen->box().meets(box) && screen->isBetween(cell, cell)) entry->second.of.screens.push_back(screen);
+      if (screen->box().meets(box) && screen->isBetween(cell, cell)) entry->second.within.of.screens.push_back(screen);
     for (const Void* v : near.voids)
-      if (v->box().meets(box)) entry->second.of.voids.push_back(v);
-    entry->second.seenFrom = placeThatSees(cell, entry->second.of.voids);
+      if (v->box().meets(box)) entry->second.within.of.voids.push_back(v);
+    entry->second.within.seenFrom = placeThatSees(cell, entry->second.within.of.voids);
   }
   return entry->second;
 }

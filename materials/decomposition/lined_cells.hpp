@@ -70,6 +70,12 @@ struct Taken {
   bool covers(int line, double s) const;
 };
 
+/// What of the discontinuities is in a cell, and from where it is seen.
+struct WithinCell {
+  NearDiscontinuities of;
+  std::optional<Place> seenFrom;
+};
+
 /// What discontinuities take of cells, and remembers it.
 class LinedCells {
  public:
@@ -77,22 +83,20 @@ class LinedCells {
   /// forgetMany().
   const Taken& taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
                      const NearDiscontinuities& near);
-  /// Whether a screen may pass through the cell.
-  bool isCut(int id, const Cell& cell, const NearDiscontinuities& near) {
-    return !within(id, cell, near).of.screens.empty();
+  const WithinCell& within(int id, const Cell& cell, const NearDiscontinuities& near) {
+    return found(id, cell, near).within;
   }
   /// Forgets all where that is much.
   void forgetMany();
 
  private:
-  struct Within {
-    NearDiscontinuities of;
-    std::optional<Place> seenFrom;
+  struct Found {
+    WithinCell within;
     std::map<std::array<int, 3>, Taken> taken;  ///< by axis, n, and whether middles are counted
   };
-  Within& within(int id, const Cell& cell, const NearDiscontinuities& near);
+  Found& found(int id, const Cell& cell, const NearDiscontinuities& near);
 
-  std::unordered_map<int, Within> cells_;
+  std::unordered_map<int, Found> cells_;
   std::size_t nLines_ = 0;
 };
 

@@ -13,7 +13,6 @@ using kernels::Vector;
 
 namespace {
 
-constexpr double beyondAll = 1e300;
 constexpr int mostParts = 64;
 
 struct RangeOfEach {

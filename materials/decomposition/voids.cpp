@@ -48,6 +48,19 @@ class UnitBall {
     }
     return seen < (1.0 - 1e-9) * dot(axis, axis) ? everywhere : std::sqrt(sum);
   }
+  /// Where lines that are not along an axis of infinite length are within it.
+  PD_INLINES RangePerLane meet(const LinePerLane& lines) const {
+    const Places x = mapped(minus(lines.start, shape_.center)), d = mapped(lines.step);
+    const Vector square = dot(d, d), along = dot(x, d), within = along * along + square * (1.0 - dot(x, x));
+    const unsigned char isMet = greaterBits(within, 0.0);
+    const Vector root = kernels::squareRoot(choose(within, 0.0, isMet)), perSquare = 1.0 / square;
+    return {choose((-along - root) * perSquare, beyondAll, isMet),
+            choose((-along + root) * perSquare, -beyondAll, isMet)};
+  }
+  Range heights(const Place& axis) const {
+    const double middle = dot(shape_.center, axis), reach = this->reach(axis);
+    return {middle - reach, middle + reach};
+  }
   const Box& box() const { return box_; }
   const Place& center() const { return shape_.center; }
   /// Whether it is a circle or an ellipse in the plane across an axis of infinite length, or of the plane itself.
@@ -186,6 +199,8 @@ class EllipsoidScreen : public Screen {
     return true;
   }
   Box box() const override { return ball_.box(); }
+  PD_INLINES RangePerLane meet(const LinePerLane& lines) const override { return ball_.meet(lines); }
+  Range heights(const Place& axis) const override { return ball_.heights(axis); }
 
  private:
   /// Lines along an axis of infinite length: all of one or nothing.
@@ -213,10 +228,13 @@ class EllipsoidVoid : public Void {
     const Range range = withinBall(ball_.mappedPlace(start), ball_.mapped(step));
     if (range.low < range.high) ranges.push_back(range);
   }
+  PD_INLINES void addWithinEach(const LinePerLane& lines, std::vector<RangePerLane>& ranges) const override {
+    ranges.push_back(ball_.meet(lines));
+  }
   Box box() const override { return ball_.box(); }
   std::vector<double> heights(const Place& axis) const override {
-    const double middle = dot(ball_.center(), axis), reach = ball_.reach(axis);
-    return {middle - reach, middle + reach};
+    const Range range = ball_.heights(axis);
+    return {range.low, range.high};
   }
 
  private:
@@ -248,6 +266,35 @@ class PolygonVoid : public Void {
       const Range range{std::max(0.0, crossings[k]), std::min(1.0, crossings[k + 1])};
       if (range.low < range.high) ranges.push_back(range);
     }
+  }
+  PD_INLINES void addWithinEach(const LinePerLane& lines, std::vector<RangePerLane>& ranges) const override {
+    static thread_local std::vector<Vector> crossings;  // in order
+    crossings.clear();
+    const Vector square = dot(lines.step, lines.step);
+    const auto heightOf = [&](const Places& away)
+                              PD_INLINED { return away[1] * lines.step[0] - away[0] * lines.step[1]; };
+    Places a = minus(corners_.back(), lines.start);
+    Vector heightA = heightOf(a);
+    for (const Place& corner : corners_) {
+      const Places b = minus(corner, lines.start);
+      const Vector heightB = heightOf(b);
+      const auto isCrossed = static_cast<unsigned char>(greaterBits(heightA, 0.0) ^ greaterBits(heightB, 0.0));
+      if (isCrossed != 0) {
+        const Vector part = heightA / choose(heightA - heightB, 1.0, isCrossed);
+        const Vector alongA = dot(a, lines.step), alongB = dot(b, lines.step);
+        Vector latest = choose((alongA + part * (alongB - alongA)) / square, beyondAll, isCrossed);
+        for (Vector& other : crossings) {
+          const Vector first = stdx::min(other, latest);
+          latest = stdx::max(other, latest);
+          other = first;
+        }
+        crossings.push_back(latest);
+      }
+      a = b;
+      heightA = heightB;
+    }
+    if (crossings.size() % 2 == 1) crossings.push_back(beyondAll);
+    for (std::size_t k = 0; k < crossings.size(); k += 2) ranges.push_back({crossings[k], crossings[k + 1]});
   }
   Box box() const override { return boxOf(corners_); }
   std::vector<double> heights(const Place& axis) const override {

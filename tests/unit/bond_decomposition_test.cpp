@@ -82,11 +82,12 @@ TEST(BondDecomposition, ACrackMayBeginWhereCellsDo) {
   EXPECT_EQ(interactionShare(cube(0.5, -0.5, 0.5), cube(1.5, 0.5, 0.5), {{flat.get()}, {}}, adaptive(1e-3)), 0.0);
 }
 
-TEST(BondDecomposition, ASegmentAloneNeedsNoPairs) {
+TEST(BondDecomposition, ASegmentAlone) {
   for (double a = 0.0125; a < 1.0; a += 0.025) {
     long long nLines = 0;
-    EXPECT_NEAR(besideCrack(a, adaptive(1e-3), &nLines), exactShare(a), 2e-4) << a;
-    EXPECT_EQ(nLines, 0);
+    EXPECT_NEAR(besideCrack(a, adaptive(1e-3), &nLines), exactShare(a), 1e-3) << a;
+    EXPECT_LT(nLines, 8000);  // of n = 20
+    EXPECT_NEAR(besideCrack(a, adaptive(1e-5)), exactShare(a), 2e-5) << a;
   }
 }
 
@@ -99,7 +100,7 @@ TEST(BondDecomposition, AdaptiveLinesKeepToTheToleranceWithLessWork) {
     const double share = interactionShare(square(-0.5, 0.5), square(0.5, 0.5), {{first.get(), second.get()}, {}},
                                           adaptive(1e-3), &nLines);
     EXPECT_NEAR(share, exactShare(a), 1e-3) << a;
-    EXPECT_LT(nLines, 160000);  // pairs of n = 20
+    EXPECT_LT(nLines, 8000);  // of n = 20
   }
 }
 
@@ -197,6 +198,95 @@ TEST(BondDecomposition, FormsInSpace) {
   EXPECT_NEAR(interactionShare(a, b, {{triangle.get()}, {}}, adaptive(1e-3)), pastTriangle.share,
               3e-3 + pastTriangle.error);
   EXPECT_NEAR(1.0 - solidShare(cube(0.6, 0.3, 0.4), {pore.get()}), 4.0 / 3.0 * pi * 0.3 * 0.2 * 0.4, 5e-4);
+}
+
+/// Mean over many uniform partitions, whose errors differ in sign.
+double byManyPartitions(const Cell& a, const Cell& b, const NearDiscontinuities& near, int from, int to, int step) {
+  double sum = 0.0;
+  int count = 0;
+  for (int n = from; n <= to; n += step, ++count) sum += interactionShare(a, b, near, uniform(n));
+  return sum / count;
+}
+
+/// Screens and voids of several forms.
+struct Forms {
+  std::vector<std::unique_ptr<Screen>> screens;
+  std::vector<std::unique_ptr<Void>> voids;
+  void addEllipsoid(const Ellipsoid& shape) {
+    screens.push_back(ellipsoidScreen(shape));
+    voids.push_back(ellipsoidVoid(shape));
+  }
+  void addPolygon(const std::vector<Place>& corners) {
+    voids.push_back(polygonVoid(corners));
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      screens.push_back(segmentScreen(corners[k], corners[(k + 1) % corners.size()]));
+  }
+  NearDiscontinuities near() const {
+    NearDiscontinuities all;
+    for (const auto& screen : screens) all.screens.push_back(screen.get());
+    for (const auto& v : voids) all.voids.push_back(v.get());
+    return all;
+  }
+};
+
+/// The adaptive rule of every kth bond, as parts of whole bonds between whole cells.
+void expectTolerance(const std::vector<Cell>& cells, const Forms& forms, int every, int from, int to, int step,
+                     double most) {
+  const NearDiscontinuities near = forms.near();
+  std::vector<double> solid;
+  for (const Cell& cell : cells) solid.push_back(solidShare(cell, near.voids));
+  int number = 0, nShared = 0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = i + 1; j < cells.size(); ++j) {
+      if (lengthOf(minus(cells[i].center, cells[j].center)) > 2.3 || solid[i] * solid[j] == 0.0) continue;
+      const double share = interactionShare(cells[i], cells[j], near, adaptive(1e-3));
+      if (share == 0.0 || share == 1.0 || ++number % every != 0) continue;
+      const double expected = byManyPartitions(cells[i], cells[j], near, from, to, step);
+      const double error = solid[i] * solid[j] * (share - expected);
+      EXPECT_LT(std::abs(error), most) << i << " " << j;
+      squares += error * error;
+      ++nShared;
+    }
+  EXPECT_GT(nShared, 10);
+  EXPECT_LT(std::sqrt(squares / nShared), 0.4 * most);
+}
+
+std::vector<Cell> jittered(int n, double jitter) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  std::vector<Cell> cells;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) cells.push_back(square(i + move(random), j + move(random)));
+  return cells;
+}
+
+TEST(BondDecomposition, TheAdaptiveRuleKeepsToItsTolerance) {
+  for (const double jitter : {0.0, 0.3}) {
+    Forms rim, pores, polygon;
+    rim.addEllipsoid({{2.61, 2.37, 0.0}, {{1.9, 0.0, 0.0}, {0.0, 1.9, 0.0}}});
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> place(0.0, 5.0), size(0.02, 0.4);
+    for (int k = 0; k < 15; ++k) {
+      const double radius = size(random);
+      pores.addEllipsoid({{place(random), place(random), 0.0}, {{radius, 0.0, 0.0}, {0.0, radius, 0.0}}});
+    }
+    polygon.addPolygon({{0.217, 1.911, 0.0}, {2.523, 1.713, 0.0}, {2.013, 3.117, 0.0}, {3.419, 4.813, 0.0}});
+    for (const Forms* forms : {&rim, &pores, &polygon})
+      expectTolerance(jittered(6, jitter), *forms, 3, 32, 64, 4, 2e-3);
+  }
+}
+
+TEST(BondDecomposition, TheAdaptiveRuleInSpaceIsWithinAPercentOrSo) {
+  Forms ball, cylinder, disk;
+  ball.addEllipsoid({{1.2, 0.9, 0.8}, {{0.8, 0.0, 0.0}, {0.0, 0.7, 0.1}, {0.0, -0.1, 0.7}}});
+  cylinder.addEllipsoid({{1.2, 0.9, 0.0}, {{0.7, 0.0, 0.0}, {0.0, 0.7, 0.0}}});
+  disk.screens.push_back(diskScreen({1.1, 0.9, 0.55}, {0.1, 0.2, 1.0}, 1.1));
+  std::vector<Cell> cells;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) cells.push_back(cube(i, j, k));
+  for (const Forms* forms : {&ball, &cylinder, &disk}) expectTolerance(cells, *forms, 9, 13, 17, 2, 1.2e-2);
 }
 
 /// A crack through points, which then are on the side of its normal; along the bond; along the edge of cells; through
