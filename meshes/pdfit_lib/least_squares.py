@@ -1,4 +1,6 @@
 """Nonlinear least squares by SciPy's trust region within bounds, with differences whose runs go on side by side."""
+import sys
+
 import numpy as np
 from scipy.optimize import least_squares
 
@@ -20,6 +22,7 @@ class Fit:
         self.lowest = np.array([value.bounds[0] for value in problem.values])
         self.highest = np.array([value.bounds[1] for value in problem.values])
         self._last = None  # scaled values and derivatives
+        self._told = set()
 
     def run(self):
         start = np.array([value.scaled(value.start) for value in self.problem.values])
@@ -35,20 +38,40 @@ class Fit:
         return Fitted(solution, self._derivatives(solution.x, solution.fun))
 
     def _residuals(self, sets):
-        """Of the fitted points, for each set of scaled values; infinite where runs failed or ended too soon."""
+        """Of the fitted points, for each set of scaled values; infinite where runs failed or ended too soon, which is
+        told."""
         results = []
-        for histories in self.runs.histories([self.problem.unscaled(u) for u in sets]):
+        for scaled, histories in zip(sets, self.runs.histories([self.problem.unscaled(u) for u in sets])):
             if histories is None:
                 results.append(np.full(sum(series.is_fitted.sum() for series in self.problem.series), np.inf))
                 continue
             parts = [series.residuals(series.model(histories))[series.is_fitted] for series in self.problem.series]
-            results.append(np.nan_to_num(np.concatenate(parts), nan=np.inf))
+            residuals = np.concatenate(parts)
+            results.append(np.where(np.isfinite(residuals), residuals, np.inf))
+            if not np.all(np.isfinite(residuals)):
+                self._tell(scaled)
         return results
 
     def _reason(self, scaled):
-        said = self.runs.why(self.problem.unscaled(scaled))
-        return (f"a run failed: {said}" if said else
-                "a history has no value at a fitted point (or none that a logarithm is defined of)")
+        """Why there are no residuals with these values."""
+        values = self.problem.unscaled(scaled)
+        said = self.runs.why(values)
+        if said:
+            return f"a run failed: {said}"
+        histories = self.runs.histories([values])[0]
+        for series in self.problem.series:
+            obstacle = series.obstacle(series.model(histories))
+            if obstacle:
+                row, why = obstacle
+                return f"{series.places[row]} (run {self.runs.name(series.runs[row], values)}): {why}"
+        return ""
+
+    def _tell(self, scaled):
+        """Once; at the start the error does."""
+        text = f"a trial failed with {self.problem.text(self.problem.unscaled(scaled))}:\n  {self._reason(scaled)}"
+        if self._last is not None and text not in self._told:
+            self._told.add(text)
+            print(text, file=sys.stderr, flush=True)
 
     def _jacobian(self, scaled):
         residuals = self._residuals([scaled])[0]
@@ -77,7 +100,7 @@ class Fit:
                 raise FitError(f"beside {self.problem.values[i].name} = "
                                f"{self.problem.values[i].text(self.problem.unscaled(scaled)[i])} no run comes to its "
                                "end by which a derivative could be found; narrow its bounds, or take a smaller "
-                               "Difference Step")
+                               "Difference Step. " + self._reason(self._moved(scaled, i, signs[i] * steps[i])))
         self._last = (scaled.copy(), np.stack(columns, axis=1))
         return self._last[1]
 

@@ -90,6 +90,18 @@ class Series:
             difference = np.log(model) - np.log(self.measured) if self.is_logarithmic else model - self.measured
             return difference / np.where(self.deviation > 0, self.deviation, 1.0 if not self.has_deviations else np.nan)
 
+    def obstacle(self, model):
+        """(row, why and what to do) of the first fitted point that cannot be compared; nothing where all can."""
+        rows = np.flatnonzero(self.is_fitted & ~np.isfinite(self.residuals(model)))
+        if not len(rows):
+            return None
+        value, why = model[rows[0]], f'"{self.column}" has no value there'
+        if np.isfinite(value):
+            why = f'"{self.column}" is {value:g}, which has no logarithm'
+        elif self.value_kind == "Time Of Maximum":
+            why = f'the maximum of "{self.column}" is reached at the start: nothing happened'
+        return rows[0], why + "; set a later Final Time or leave the row out"
+
 
 def finite_rows(history, column):
     if column not in history:
@@ -99,7 +111,8 @@ def finite_rows(history, column):
 
 
 def value_of(time, column, kind):
-    if not len(column):
+    """Not a number where there is none: a maximum at the start is the time of nothing."""
+    if not len(column) or (kind == "Time Of Maximum" and np.argmax(column) == 0):
         return np.nan
     return {"Final": lambda: column[-1], "Maximum": column.max, "Minimum": column.min,
             "Time Of Maximum": lambda: time[np.argmax(column)]}[kind]()
@@ -122,6 +135,9 @@ class Problem:
 
     def unscaled(self, scaled):
         return [value.unscaled(u) for value, u in zip(self.values, scaled)]
+
+    def text(self, values):
+        return ", ".join(f"{value.name} {value.text(number)}" for value, number in zip(self.values, values))
 
     def overrides(self, run, values):
         """Texts path=value of a run with these values."""

@@ -48,6 +48,10 @@ class Runs:
         keys = (self._key(run, values) for run in range(len(self.problem.runs)))
         return next((self.failures[key] for key in keys if key in self.failures), "")
 
+    def name(self, run, values):
+        """That of its files."""
+        return f"{self.problem.name}.fit/{self._key(run, values)}"
+
     def _key(self, run, values):
         text = "\n".join([self.problem.runs[run]["deck"], *self.problem.overrides(run, values)])
         return self.problem.runs[run]["origin"] + "_" + hashlib.sha256(text.encode()).hexdigest()[:16]
@@ -61,7 +65,7 @@ class Runs:
         command = [self.problem.program, self.problem.runs[run]["deck"], "--quiet"]
         if self.problem.folder:
             command += ["--output-folder", self.problem.folder]
-        for text in (*self.problem.overrides(run, values), f'Output/Output Filename="{self.problem.name}.fit/{key}"',
+        for text in (*self.problem.overrides(run, values), f'Output/Output Filename="{self.name(run, values)}"',
                      "Output/Output Frequency=-1", "Output/Checkpoint Frequency=-1"):
             command += ["--set", text]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -73,8 +77,8 @@ class Runs:
         if history is None:
             lines = done.stderr.strip().splitlines() or [f"ended with code {done.returncode}"]
             self.failures[key] = lines[0]
-            said = ", ".join(f"{value.name} {value.text(number)}" for value, number in zip(self.problem.values, values))
-            print(f"a run failed with {said}:\n  " + "\n  ".join(lines[:5]), file=sys.stderr, flush=True)
+            print(f"a run failed with {self.problem.text(values)}:\n  " + "\n  ".join(lines[:5]),
+                  file=sys.stderr, flush=True)
         return history
 
     @staticmethod

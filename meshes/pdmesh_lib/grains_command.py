@@ -1,6 +1,7 @@
 """The command `pdmesh grains`."""
 import os
 import re
+from itertools import count
 
 import numpy as np
 
@@ -48,12 +49,21 @@ def _grains(options):
     if options.thickness is not None:
         points.measure = measure_of(options, points.dimension)
     chosen = _points_to_split(points, options)
-    boundary_block = int(points.block.max()) + 1 if options.boundary_block is None else options.boundary_block
     phases = [_phase(text) for text in options.phase]
+    boundary_block = options.boundary_block
+    if boundary_block is None:
+        of_phases = [number for number, _ in phases]
+        boundary_block = next(number for number in count(int(points.block.max()) + 1) if number not in of_phases)
     if min([boundary_block] + [number for number, _ in phases]) < 1:
         raise MeshError("blocks have numbers from 1 on")
     if sum(share for _, share in phases) > 1 + 1e-9:
         raise MeshError("--phase: the shares add up to more than 1")
+    if boundary_block in [number for number, _ in phases]:
+        raise MeshError(f"--boundary-block {boundary_block} is the block of a --phase: boundaries could not be told "
+                        "from its grains")
+    if boundary_block in points.block[chosen]:
+        raise MeshError(f"--boundary-block {boundary_block} is the block to split: boundaries could not be told from "
+                        "grains")
     random = np.random.default_rng(options.seed)
     dimension, spacing, steps = points.dimension, points.spacing(), grains.lattice_steps(points)
     made = grains.make_grains(points.x[chosen, :dimension], spacing[chosen], options.size, options.width, random, steps,

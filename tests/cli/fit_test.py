@@ -1,12 +1,15 @@
 """pdrun --fit: values that are known are found again, intervals are those of certified regressions, mistakes
 are told."""
 import csv
+import io
 import json
 import math
 import os
 import subprocess
 import sys
 import unittest
+import warnings
+from contextlib import redirect_stderr
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from pdfit_lib.intervals import Judgement  # noqa: E402
 from pdfit_lib.least_squares import Fit  # noqa: E402
-from pdfit_lib.problem import FitError, Series, Value  # noqa: E402
+from pdfit_lib.problem import FitError, Problem, Series, Value  # noqa: E402
 from study_test import DIFFUSIVITY, HISTORIES_DECK, PDRUN, TIME, StudyTest  # noqa: E402
 
 AMPLITUDE = 2.5
@@ -145,6 +148,23 @@ Series:
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertAlmostEqual(self.results()["values"][0]["value"], DIFFUSIVITY, delta=1e-3 * DIFFUSIVITY)
 
+    def test_a_run_in_which_nothing_happens_is_no_life(self):
+        # The highest value of a decay is that of the start.
+        self.write("ends.csv", f"end,life\n{0.5 * TIME:.9g},1\n")
+        self.write_fit(f"""\
+Deck: pair.yaml
+Name: pair
+Values:
+  D: {{Start: {DIFFUSIVITY}}}
+Series:
+  - {{Label: lives, Data: ends.csv, Value: life, History: Highest, History Value: Time Of Maximum,
+     Overrides: {{Solver/Final Time: "{{end}}", Materials/Iron/Diffusivity: "{{D}}"}}}}
+""")
+        done = self.fit()
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertRegex(done.stderr, 'with the values of Start ends.csv:2 \\(run pair.fit/.*the maximum of "Highest" '
+                         "is reached at the start: nothing happened; set a later Final Time or leave the row out")
+
     def test_what_the_runs_tell_is_told(self):
         self.write_fit(FIT.replace("  D: {", "  E: {Start: 3.0e9, Lowest: 1.0e9, Highest: 1.0e10}\n  D: {").replace(
             "Overrides:\n", "Overrides:\n  Materials/Iron/Young's Modulus: \"{E}\"\n"
@@ -230,21 +250,26 @@ class Stub:
                 for values in sets]
 
     def why(self, values):
-        return "too much"
+        return "too much" if self.model(self.time, *values) is None else ""
+
+    def name(self, run, values):
+        return f"stub {run}"
 
 
 class StubProblem:
     tolerance, difference_step, is_central, max_iterations, is_quiet = 1e-8, 1e-4, True, 100, True
 
-    def __init__(self, values, x, y, deviation=0.0):
+    def __init__(self, values, x, y, deviation=0.0, logarithmic=False):
         keys = {"unit": "", "factor": 1.0, "lowest": None, "highest": None, "logarithmic": False}
         self.values = [Value({**keys, "scale": abs(value["start"]), **value}) for value in values]
-        points = [{"run": 0, "time": t, "measured": m, "deviation": deviation, "fitted": True, "place": ""}
-                  for t, m in zip(x, y)]
+        points = [{"run": 0, "time": t, "measured": m, "deviation": deviation, "fitted": True,
+                   "place": f"data.csv:{k}"} for k, (t, m) in enumerate(zip(x, y), 2)]
         self.series = [Series({"label": "s", "column": "Y", "value": "", "factor": 1.0, "unit": "", "time unit": "",
-                               "time factor": 1.0, "logarithmic": False, "points": points})]
+                               "time factor": 1.0, "logarithmic": logarithmic, "points": points})]
 
     has_deviations = property(lambda self: self.series[0].has_deviations)
+
+    text = Problem.text
 
     def unscaled(self, scaled):
         return [value.unscaled(u) for value, u in zip(self.values, scaled)]
@@ -320,6 +345,22 @@ class Numbers(unittest.TestCase):
         self.assertAlmostEqual(judgement.values[0].number, 1.0, delta=1e-6)
         with self.assertRaisesRegex(FitError, "Start a run failed: too much"):
             StubProblem(values, x, np.exp(-x)).judge(lambda x, k: None)
+
+    def test_logarithms_need_values_above_zero(self):
+        x = np.linspace(0.0, 3.0, 8)
+
+        def fit(start):
+            values = [{"name": "rate", "start": start}]
+            model = lambda x, k: np.exp(-k * x) if k < 1.05 else 0.0 * x  # noqa: E731
+            return StubProblem(values, x, np.exp(-2 * x), logarithmic=True).judge(model)
+
+        with warnings.catch_warnings(), redirect_stderr(io.StringIO()) as said:
+            warnings.simplefilter("error")
+            self.assertLess(fit(0.2).values[0].number, 1.05)
+            with self.assertRaisesRegex(FitError, 'Start data.csv:2 .run stub 0.: "Y" is 0, which has no logarithm'):
+                fit(2.0)
+        self.assertRegex(said.getvalue(), 'failed with rate 1.[0-9]+:\n  data.csv:2 .run stub 0.: "Y" is 0, which')
+
 
 
 if __name__ == "__main__":

@@ -231,6 +231,8 @@ class Command(PdmeshCase):
         self.assertAlmostEqual(counts[7], 0.25 * numbers.max(), delta=3)
         self.assertAlmostEqual(counts[4], 0.25 * numbers.max(), delta=3)
 
+        self.assertEqual(set(self.grains("--width", 1e-6, "--phase", "2=0.5").block), {1, 2, 3})
+
     def test_only_a_part(self):
         made = self.grains("--width", 2e-6, "--where", "x > 5e-5")
         self.assertTrue(np.all(made.block[made.x[:, 0] < 5e-5] == 1))
@@ -273,6 +275,8 @@ class Command(PdmeshCase):
                                    ([*good, "--phase", "2=1.5"], "at most 1"),
                                    ([*good, "--phase", "2=.7", "--phase", "3=.7"], "more than 1"),
                                    ([*good, "--boundary-block", 0], "from 1 on"),
+                                   ([*good, "--boundary-block", 1], "is the block to split"),
+                                   ([*good, "--boundary-block", 3, "--phase", "3=.7"], "the block of a --phase"),
                                    ([*good, "--split", 4], "no such block"),
                                    ([*good, "--where", "x > 1"], "no points to split")):
             self.assertIn(message, self.pdmesh("grains", "plain.txt", *arguments, "-o", "b.txt", expect=2)[1])

@@ -130,6 +130,38 @@ TEST_F(Slab, AScanAtAnEvaluationOrAtTheStart) {
   EXPECT_NEAR(body.value("Pristine"), 75.0, 1e-12);
 }
 
+TEST_F(Slab, AScanWithoutMetalIsRefusedOnceItIsOver) {
+  List parameters;
+  parameters.set("First Scan", 15.0).set<std::string>("Output Label", "Late");
+  const auto late = makeCompute(body, "Relative_Volume_Loss", parameters);
+  for (const auto& [time, depth] : {std::pair(0.0, 0.0), std::pair(10.0, 6.0), std::pair(15.0, 6.0)}) {
+    at(time, depth, *late);
+    EXPECT_EQ(body.value("Late"), 0.0);
+  }
+  EXPECT_TRUE(says(complaint([&] { at(20.0, 6.0, *late); }), "\"Late\": at the First Scan no metal was left"));
+}
+
+TEST_F(Slab, AnotherScanMustBeToCome) {
+  List parameters;
+  const auto with = [&](double scan) {
+    parameters.set("First Scan", scan);
+    return makeCompute(body, "Relative_Volume_Loss", parameters);
+  };
+  const auto added = with(5.0);
+  EXPECT_TRUE(says(complaint([&] { at(10.0, 1.0, *added); }), "\"Relative_Volume_Loss\": the First Scan lies before"));
+  const auto first = with(15.0);
+  for (const double time : {10.0, 20.0}) at(time, 0.1 * time, *first);
+  for (const double scan : {10.0, 0.0, 16.0}) {
+    const auto other = with(scan);
+    EXPECT_TRUE(says(complaint([&] { at(30.0, 3.0, *other); }), "lies before the start of this run")) << scan;
+  }
+  // Of 6 rows 4 were there at the last evaluation, 2.5 between the next two.
+  at(30.0, 3.0, *with(20.0));
+  EXPECT_NEAR(body.value("Relative_Volume_Loss"), 100.0 * 1.0 / 4.0, 1e-12);
+  at(40.0, 4.0, *with(35.0));
+  EXPECT_NEAR(body.value("Relative_Volume_Loss"), 100.0 * 0.5 / 2.5, 1e-12);
+}
+
 /// Along z four layers, 0.3 apart; a disc of 12 by 12 points each, of which the outer ones go.
 class Wire : public ::testing::Test {
  protected:
