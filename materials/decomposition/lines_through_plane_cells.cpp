@@ -177,7 +177,8 @@ LinesThroughPlaneCells::Pairs LinesThroughPlaneCells::atAllAngles(double toleran
     Pairs first, middle, last;
   };
   // At the ends lines touch corners only; or they are those of the other end.
-  constexpr int nPieces = 3;  // not directions of lattices
+  constexpr int nPieces = 3;         // not directions of lattices
+  constexpr double ofPieces = 0.25;  // of the tolerance, since what several pieces miss adds up
   std::vector<Piece> pieces;
   const double width = (range.high - range.low) / nPieces, least = 1e-4 * width;
   const Pairs end = areApart ? Pairs() : at(range.low);
@@ -200,7 +201,7 @@ LinesThroughPlaneCells::Pairs LinesThroughPlaneCells::atAllAngles(double toleran
                 two = rule(right.first, right.middle, right.last, half);
     const Pairs fine{one.seen + two.seen, one.all + two.all};
     const double change = fine.seen - coarse.seen, changeOfHidden = fine.all - coarse.all - change;
-    if (std::max(std::abs(change), std::abs(changeOfHidden)) <= tolerance * size || half < least) {
+    if (std::max(std::abs(change), std::abs(changeOfHidden)) <= ofPieces * tolerance * size || half < least) {
       sum.seen += fine.seen;
       sum.all += fine.all;
     } else {
