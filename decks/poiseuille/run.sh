@@ -4,7 +4,7 @@ set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
-times() { python3 -c "print($1)"; }
+times() { /usr/bin/python3 -c "print($1)"; }
 for points in 10 20 40; do
   spacing=$(times "1e-3/$points")
   lattice() { # name, size, corner in spacings beyond that of the channel, more

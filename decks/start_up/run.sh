@@ -4,7 +4,7 @@ set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
-value() { python3 -c "from math import pi; print($1)"; }
+value() { /usr/bin/python3 -c "from math import pi; print($1)"; }
 lattice() { # name, edges and spacing of the flow, more
   "$pdmesh" grid box --quiet --spacing "$4" --size "$(value "$2 + 8*$4")" "$(value "$3 + 8*$4")" \
     --origin "$(value "-4*$4")" "$(value "-4*$4")" "${@:5}" -o "$here/$1.txt"
