@@ -280,6 +280,7 @@ class Wire(CorrosionTest):
         held = f"{radial} < {4 * SPACING!r}" if inside else f"{radial} > {(self.first + 3) * SPACING!r}"
         self.time = 6 * SPACING / front_speed(self.metal)
         deck = corrosion_deck(2, self.metal, solid, held, self.time, self.steps, **solver)
+        del deck["Discretization"]["Thickness"]
         deck["Discretization"]["Axis Of Revolution"] = axis
         deck["Output"]["Output Variables"] += ["Volume", "Current"]
         deck["Compute Class Parameters"]["Current"] = {"Compute Class": "Total_Current", "Output Label": "Current"}
