@@ -18,7 +18,7 @@ struct Function::Implementation {
   std::unique_ptr<FunctionProgram> program;
   std::vector<double> times, values;
   double constant = 0.0;
-  bool dependsOnTime = false;
+  bool dependsOnTime = false, dependsOnPlace = false;
   // A table is asked for many points at one time; the last answer is kept.
   mutable double lastTime = std::numeric_limits<double>::quiet_NaN(), lastValue = 0.0;
 
@@ -56,9 +56,9 @@ Function::Function(const std::string& text, const std::string& place, bool isPer
   } else {
     auto program =
         std::make_unique<FunctionProgram>(compiled(text, place, {"x", "y", "z", "t"}, minusSignOf(isPeridigms)));
-    const bool usesPlace = program->uses(0) || program->uses(1) || program->uses(2);
+    implementation->dependsOnPlace = program->uses(0) || program->uses(1) || program->uses(2);
     implementation->dependsOnTime = program->uses(3);
-    if (usesPlace || implementation->dependsOnTime) {
+    if (implementation->dependsOnPlace || implementation->dependsOnTime) {
       implementation->program = std::move(program);
     } else {
       const double origin[4] = {0.0, 0.0, 0.0, 0.0};
@@ -176,6 +176,8 @@ double Function::at(const double* x, double t, int id) const {
 
 bool Function::isConstant() const { return !implementation_->program && implementation_->times.empty(); }
 bool Function::dependsOnTime() const { return implementation_->dependsOnTime; }
+
+bool Function::dependsOnPlace() const { return implementation_->dependsOnPlace; }
 
 MinusSign minusSignOf(const DeckNode& node) { return minusSignOf(node.isPeridigms()); }
 

@@ -34,6 +34,8 @@ class Function {
   bool isConstant() const;
   /// Whether the value depends on t (then it must be evaluated again each step).
   bool dependsOnTime() const;
+  /// Whether it differs from place to place.
+  bool dependsOnPlace() const;
 
  private:
   Function() = default;

@@ -1,7 +1,6 @@
 // What acts on a flow: velocities of walls and inlets, pressures of outflows, forces.
 #include <algorithm>
 
-#include "../../deck/deck_data.hpp"
 #include "../condition.hpp"
 #include "../flow_boundary.hpp"
 
@@ -14,13 +13,6 @@ Parameter& declareSurface(ParameterDeclarations& declare, const std::string& mor
                           "Where the boundary is: a function that is zero there, positive in the fluid and negative "
                           "at the points of the node set, such as \"min(y, 1-y)\" or \"sqrt(x^2+y^2)-0.05\". " +
                               more);
-}
-
-/// Whether the value of a function in a deck differs from place to place.
-bool usesPlace(const DeckNode& node) {
-  if (!node.isScalar() || parseReal(node.text())) return false;
-  const FunctionProgram program(node.text(), {"x", "y", "z", "t"}, minusSignOf(node));
-  return program.uses(0) || program.uses(1) || program.uses(2);
 }
 
 /// Empty where there is one.
@@ -48,15 +40,10 @@ class PrescribedVelocity : public Condition, public FlowBoundary {
 
   std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
   bool dependsOnTime() const override {
-    for (const Function& component : velocity_)
-      if (component.dependsOnTime()) return true;
-    return false;
+    return std::any_of(velocity_.begin(), velocity_.end(), [](const Function& f) { return f.dependsOnTime(); });
   }
   bool dependsOnPlace() const override {
-    const DeckNode given = node()["Velocity"];
-    if (!given) return false;
-    const std::vector<DeckNode> components = given.each();
-    return std::any_of(components.begin(), components.end(), usesPlace);
+    return std::any_of(velocity_.begin(), velocity_.end(), [](const Function& f) { return f.dependsOnPlace(); });
   }
   bool isPrescription() const override { return true; }
   void markPrescribed(std::vector<char>& isPrescribed) const override {
@@ -100,10 +87,7 @@ class Outflow : public Condition, public FlowBoundary {
 
   std::string obstacle(const RunContents& run) const override { return missingFlowSolver(run); }
   bool dependsOnTime() const override { return pressure_.dependsOnTime(); }
-  bool dependsOnPlace() const override {
-    const DeckNode given = node()["Pressure"];
-    return given && usesPlace(given);
-  }
+  bool dependsOnPlace() const override { return pressure_.dependsOnPlace(); }
   bool isPrescription() const override { return true; }
   void markPrescribed(std::vector<char>& isPrescribed) const override {
     for (const int point : points()) isPrescribed[static_cast<std::size_t>(point)] = 1;
