@@ -216,7 +216,7 @@ Discretization readDiscretization(const Deck& deck, const Communicator& comm) {
   });
   filters.warnOfIdle(comm, deck.warnings());
   fillPoints(body, horizon, d);
-  makeRings(deck, thickness, d.x, d.volume);
+  makeRings(deck, d.x, d.volume);
   if (!geometry.empty()) geometry.decompose(points, cellEdges, comm, d);
   d.nodeSets = localNodeSets(nodeSets, d);
   d.shortestBond = comm.min(d.shortestBond);

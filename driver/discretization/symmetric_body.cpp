@@ -146,11 +146,10 @@ void checkHalfSection(const Deck& deck, const MeshPoints& part, int dimension, c
                  planes.end());
 }
 
-void makeRings(const Deck& deck, double thickness, const std::vector<double>& x, std::vector<double>& volume) {
+void makeRings(const Deck& deck, const std::vector<double>& x, std::vector<double>& volume) {
   const kernels::Rings rings = ringsOf(deck);
   if (!rings.areUsed()) return;
-  for (std::size_t i = 0; i < volume.size(); ++i)
-    volume[i] *= 2.0 * M_PI * rings.radius(x.data(), static_cast<int>(i)) / thickness;
+  for (std::size_t i = 0; i < volume.size(); ++i) volume[i] *= 2.0 * M_PI * rings.radius(x.data(), static_cast<int>(i));
 }
 
 Symmetry symmetryOf(const std::vector<SymmetryPlane>& planes, const MeshPoints& part, int dimension,

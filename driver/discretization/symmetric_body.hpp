@@ -19,9 +19,9 @@ namespace pd {
 void checkHalfSection(const Deck& deck, const MeshPoints& part, int dimension, const std::vector<double>& horizon,
                       std::vector<SymmetryPlane>& planes, Mistakes& mistakes);
 
-/// Makes of volumes of the mesh, area times thickness, those of rings, 2 pi r times area. `x` [3 n], m. Nothing happens
-/// to other bodies.
-void makeRings(const Deck& deck, double thickness, const std::vector<double>& x, std::vector<double>& volume);
+/// Makes of volumes of the mesh, as of a plane 1 m thick, those of rings, 2 pi r times area. `x` [3 n], m. Nothing
+/// happens to other bodies.
+void makeRings(const Deck& deck, const std::vector<double>& x, std::vector<double>& volume);
 
 /// Of the deck's planes. Normals that leave the dimension of the mesh, and bodies of more points than there are numbers
 /// for, are added to `mistakes`.

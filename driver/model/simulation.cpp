@@ -34,11 +34,15 @@ void logModel(Model& model, Output& output, const Deck& deck) {
       "{}: {} points in {} dimension(s), {} directed bonds ({:.1f} a point), {} block(s), {} rank(s)", deck.fileName(),
       mesh.nGlobal, mesh.dimension, nBonds, static_cast<double>(nBonds) / static_cast<double>(mesh.nGlobal),
       model.blocks()->size(), comm.size()));
-  const bool isOfRevolution = ringsOf(deck).areUsed();
-  if (isOfRevolution) output.log("body of revolution: points are rings; totals are of the whole body about the axis");
-  if (!mesh.symmetry.empty() && !(isOfRevolution && mesh.symmetry.nCopies() == 2))
+  const kernels::Rings rings = ringsOf(deck);
+  if (rings.areUsed()) output.log("body of revolution: points are rings; totals are of the whole body about the axis");
+  // Copies on the other side of an axis are the same rings.
+  int nParts = 0;
+  for (int copy = 0; copy < mesh.symmetry.nCopies(); ++copy)
+    nParts += rings.areUsed() && mesh.symmetry.matrix(copy)[4 * rings.radial()] < 0.0 ? 0 : 1;
+  if (nParts > 1)
     output.log(fmt::format("planes of symmetry: the mesh is one of {} equal parts of the body; totals are of this part",
-                           mesh.symmetry.nCopies() / (isOfRevolution ? 2 : 1)));
+                           nParts));
   if (mesh.isDecomposed) output.log(mesh.decompositionNote);
   for (const std::string& warning : deck.warnings().lines()) output.log("warning: " + warning);
 }
