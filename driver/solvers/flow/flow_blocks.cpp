@@ -1,5 +1,7 @@
 #include "flow_blocks.hpp"
 
+#include <algorithm>
+
 namespace pd {
 
 FlowBlocks findFlowBlocks(Model& model, const std::string& solver) {
@@ -25,6 +27,13 @@ FlowBlocks findFlowBlocks(Model& model, const std::string& solver) {
     throw RunError(solver + ": planes of symmetry must be perpendicular to x, y or z");
   if (model.discretization().dimension < 2) throw RunError(solver + ": a flow needs two or three dimensions");
   return found;
+}
+
+void markFluid(Model& model, const FlowGeometry& geometry) {
+  double* fluid = model.field("Fluid");
+  std::fill_n(fluid, model.nPoints(), 0.0);
+  for (const int point : geometry.fluid()) fluid[point] = 1.0;
+  model.importGhosts("Fluid");
 }
 
 }  // namespace pd

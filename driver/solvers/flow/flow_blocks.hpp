@@ -1,4 +1,4 @@
-// The blocks of fluid of a run.
+// The blocks and points of fluid of a run.
 #ifndef PD_FLOW_BLOCKS_HPP
 #define PD_FLOW_BLOCKS_HPP
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../model/model.hpp"
+#include "flow_geometry.hpp"
 #include "flow_law.hpp"
 
 namespace pd {
@@ -18,6 +19,9 @@ struct FlowBlocks {
 /// Throws RunError, naming `solver`, where there is no fluid or there are different ones, and where the points or the
 /// planes of symmetry of the mesh do not do for a flow.
 FlowBlocks findFlowBlocks(Model& model, const std::string& solver);
+
+/// Fluid becomes 1 at the points of the flow and 0 elsewhere, for computes, which may look at it before the first flow.
+void markFluid(Model& model, const FlowGeometry& geometry);
 
 }  // namespace pd
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "flow_blocks.hpp"
 #include "flow_products.hpp"
 
 namespace pd {
@@ -20,15 +21,7 @@ FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const s
   unit_ = HUGE_VAL;
   for (const int point : geometry_.fluid()) unit_ = std::min(unit_, geometry_.spacingOf(point));
   unit_ = model_.comm().min(unit_);
-  markFluid();
-}
-
-/// For computes, which may look at it before the first flow.
-void FlowEquations::markFluid() {
-  double* fluid = model_.field("Fluid");
-  std::fill_n(fluid, model_.nPoints(), 0.0);
-  for (const int point : geometry_.fluid()) fluid[point] = 1.0;
-  model_.importGhosts("Fluid");
+  markFluid(model_, geometry_);
 }
 
 void FlowEquations::setTime(double t) {
@@ -321,16 +314,7 @@ double FlowEquations::largestCellReynolds() const {
   return model_.comm().max(largest);
 }
 
-double FlowEquations::largestNetFlow() const {
-  const double velocity = scaleOfSpeed();
-  double largest = 0.0;
-  for (std::size_t k = 0; k < lambda_.size(); ++k)
-    if (lambda_[k] != 0.0 && velocity > 0.0)
-      largest = std::max(largest,
-                         std::abs(lambda_[k]) / velocity *
-                             std::pow(static_cast<double>(pockets_.pockets[k].nPoints), 1.0 / static_cast<double>(n_)));
-  return largest;
-}
+double FlowEquations::largestNetFlow() const { return pd::largestNetFlow(pockets_, lambda_, scaleOfSpeed(), n_); }
 
 double FlowEquations::leakage() const {
   double largest = 0.0;

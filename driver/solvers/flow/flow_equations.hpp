@@ -65,7 +65,7 @@ class FlowEquations {
   /// points. Collective.
   void shiftPockets(const double* r, std::vector<double>& pressure) const;
 
-  double largestSpeed() const;         ///< of fluid points, all ranks, m/s
+  double largestSpeed() const;  ///< of fluid points, all ranks, m/s
   /// Of fluid, walls and inlets, and no less than what rounding of the pressures makes of a fluid at rest, m/s.
   double scaleOfSpeed() const;
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
@@ -75,7 +75,6 @@ class FlowEquations {
   double largestDivergence() const;  ///< |div v|, all ranks, 1/s
 
  private:
-  void markFluid();
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
   std::size_t nOfPoints() const { return index(geometry_.nPossible()) * (n_ + 1); }  ///< unknowns, but for pockets
   long long column(int point, std::size_t component) const;

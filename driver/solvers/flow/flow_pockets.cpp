@@ -1,5 +1,10 @@
 #include "flow_pockets.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "flow_parts.hpp"
 
 namespace pd {
@@ -38,6 +43,26 @@ FlowPockets findFlowPockets(Model& model, const FlowGeometry& geometry, const Fl
     pocket.nPoints = model.comm().sum(pocket.nPoints);
   }
   return result;
+}
+
+double largestNetFlow(const FlowPockets& pockets, const std::vector<double>& flows, double velocity,
+                      std::size_t dimension) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < flows.size(); ++k)
+    if (flows[k] != 0.0 && velocity > 0.0)
+      largest = std::max(
+          largest, std::abs(flows[k]) / velocity *
+                       std::pow(static_cast<double>(pockets.pockets[k].nPoints), 1.0 / static_cast<double>(dimension)));
+  return largest;
+}
+
+void requireNoNetFlow(double netFlow, const std::string& where, const std::string& why) {
+  constexpr double most = 0.02;  // corners of lids let less than 1e-3 through, walls without a surface not much more
+  if (netFlow <= most) return;
+  throw RunError(fmt::format(
+      "{}: walls and inlets let {:.2g} of the largest velocity, over the width of the fluid, into a part of it that "
+      "has no Outflow, or out of it, and {}. Give it an Outflow, or velocities that let out what they let in",
+      where, netFlow, why));
 }
 
 }  // namespace pd

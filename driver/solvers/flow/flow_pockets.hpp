@@ -2,6 +2,7 @@
 #ifndef PD_FLOW_POCKETS_HPP
 #define PD_FLOW_POCKETS_HPP
 
+#include <string>
 #include <vector>
 
 #include "../../model/model.hpp"
@@ -23,6 +24,15 @@ struct FlowPockets {
 
 /// Points are connected where one has a part in the gradient of the other's pressure. Collective.
 FlowPockets findFlowPockets(Model& model, const FlowGeometry& geometry, const FlowRows& rows);
+
+/// What flows into or out of a pocket, the most of all, over `velocity` and the width of the pocket. `flows`: by
+/// pocket, the mean divergence times the spacing, m/s.
+double largestNetFlow(const FlowPockets& pockets, const std::vector<double>& flows, double velocity,
+                      std::size_t dimension);
+
+/// Throws RunError, which begins with `where`, if walls and inlets contradict each other by that flow; `why`: an end of
+/// a sentence that says what stands against it.
+void requireNoNetFlow(double netFlow, const std::string& where, const std::string& why);
 
 }  // namespace pd
 

@@ -451,12 +451,9 @@ double FlowRates::excessMass(const FlowState& state) const {
 }
 
 double FlowRates::largestNetFlow(double velocity) const {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < leakage_.size(); ++k)
-    if (leakage_[k] != 0.0 && velocity > 0.0)
-      largest = std::max(largest, std::abs(leakage_[k]) * leastSpacing_ / velocity *
-                                      std::pow(static_cast<double>(pockets_.pockets[k].nPoints), 1.0 / dimension_));
-  return largest;
+  std::vector<double> flows = leakage_;
+  for (double& flow : flows) flow *= leastSpacing_;
+  return pd::largestNetFlow(pockets_, flows, velocity, static_cast<std::size_t>(dimension_));
 }
 
 }  // namespace pd

@@ -27,10 +27,6 @@ constexpr long long mostPointsInSpace = 2000;
 /// A change above this part of the largest velocity is a new flow, for which the old factor is not tried.
 constexpr double newFlowChange = 0.3;
 
-/// Net flow into a closed part of the fluid above which its velocities contradict each other; what corners of lids let
-/// through is below 1e-3, walls without a surface not much more.
-constexpr double mostNetFlow = 0.02;
-
 double flowNorm(const Communicator& comm, const std::vector<double>& values) {
   double square = 0.0;
   for (const double value : values) square += value * value;
@@ -256,13 +252,9 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     if (isDone) break;
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
   }
-  if (const double netFlow = equations_->largestNetFlow(); netFlow > mostNetFlow)
-    throw RunError(fmt::format(
-        "Steady Flow: load step {} (t = {:.6g} s): walls and inlets let {:.2g} of the largest velocity, over the width "
-        "of "
-        "the fluid, into a part of it that has no Outflow, or out of it, and the fluid is incompressible. Give it an "
-        "Outflow, or velocities that let out what they let in",
-        nLoadSteps_, t + dt, netFlow));
+  requireNoNetFlow(equations_->largestNetFlow(),
+                   fmt::format("Steady Flow: load step {} (t = {:.6g} s)", nLoadSteps_, t + dt),
+                   "the fluid is incompressible");
   equations_->settle(t + dt);
   for (const std::string& line : outflows_.look(model, equations_->geometry())) simulation.output.log(line);
   if (flows_) flows_->update(t + dt);

@@ -45,7 +45,6 @@ class WeaklyCompressibleFlow : public Solver {
 
  private:
   void prepare(Simulation& simulation, double t);
-  void markFluid(Model& model) const;
   void findCriticalStep(Simulation& simulation);
   int numberOfSteps(double dt) const;
   std::string numbers(double step) const;
