@@ -6,12 +6,12 @@ source "$here/../scene.sh"
 cd "$results"
 run() { # name, points a step, shift of the lattice in spacings along x and y
   local h
-  h=$(/usr/bin/python3 -c "print(1/$2)")
-  "$pdmesh" grid box --quiet --spacing "$h" --size "$(/usr/bin/python3 -c "print(18 + 9*$h)")" "$(/usr/bin/python3 -c "print(2 + 9*$h)")" \
-    --origin "$(/usr/bin/python3 -c "print(-3 - (4 + $3)*$h)")" "$(/usr/bin/python3 -c "print((-4 - $4)*$h)")" \
+  h=$(computed "1/$2")
+  "$pdmesh" grid box --quiet --spacing "$h" --size "$(computed "18 + 9*$h")" "$(computed "2 + 9*$h")" \
+    --origin "$(computed "-3 - (4 + $3)*$h")" "$(computed "(-4 - $4)*$h")" \
     --remove "x < -4.5*$h and y < 1 - 4.5*$h" -o "$here/$1.txt"
   "$pdrun" "$here/step.yaml" --quiet --set "Output/Output Filename=$1" \
-    --set "Discretization/Input Mesh File=$1.txt" --set "Blocks/Fluid/Horizon=$(/usr/bin/python3 -c "print(3.015*$h)")"
+    --set "Discretization/Input Mesh File=$1.txt" --set "Blocks/Fluid/Horizon=$(computed "3.015*$h")"
 }
 run step_10 10 0 0
 run step_20 20 0 0

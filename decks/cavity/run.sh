@@ -5,12 +5,12 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
 for points in 24 48 96; do
-  edge=$(/usr/bin/python3 -c "print(1 + 8/$points)")
-  corner=$(/usr/bin/python3 -c "print(-4/$points)")
-  "$pdmesh" grid box --quiet --spacing "$(/usr/bin/python3 -c "print(1/$points)")" --size "$edge" "$edge" \
+  edge=$(computed "1 + 8/$points")
+  corner=$(computed "-4/$points")
+  "$pdmesh" grid box --quiet --spacing "$(computed "1/$points")" --size "$edge" "$edge" \
     --origin "$corner" "$corner" -o "$here/cavity_$points.txt"
   "$pdrun" "$here/cavity.yaml" --quiet --set "Output/Output Filename=cavity_$points" \
     --set "Discretization/Input Mesh File=cavity_$points.txt" \
-    --set "Blocks/Fluid/Horizon=$(/usr/bin/python3 -c "print(3.015/$points)")"
+    --set "Blocks/Fluid/Horizon=$(computed "3.015/$points")"
 done
 "$here/plot.py" "$results"

@@ -4,7 +4,7 @@ set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
-times() { /usr/bin/python3 -c "print($1 * $2)"; }
+times() { computed "$1 * $2"; }
 run() { # name, horizon in mm, exponent of Paris' law, more overrides
   local name=$1 horizon=$2 exponent=$3
   shift 3

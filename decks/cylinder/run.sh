@@ -6,12 +6,12 @@ source "$here/../scene.sh"
 cd "$results"
 run() { # name, points a diameter, shift of the lattice in spacings along x and y
   local spacing
-  spacing=$(/usr/bin/python3 -c "print(0.1/$2)")
-  "$pdmesh" grid box --quiet --spacing "$spacing" --size "$(/usr/bin/python3 -c "print(2.2 + 9*$spacing)")" \
-    "$(/usr/bin/python3 -c "print(0.41 + 9*$spacing)")" --origin "$(/usr/bin/python3 -c "print((-4 - $3)*$spacing)")" \
-    "$(/usr/bin/python3 -c "print((-4 - $4)*$spacing)")" -o "$here/$1.txt"
+  spacing=$(computed "0.1/$2")
+  "$pdmesh" grid box --quiet --spacing "$spacing" --size "$(computed "2.2 + 9*$spacing")" \
+    "$(computed "0.41 + 9*$spacing")" --origin "$(computed "(-4 - $3)*$spacing")" \
+    "$(computed "(-4 - $4)*$spacing")" -o "$here/$1.txt"
   "$pdrun" "$here/cylinder.yaml" --quiet --set "Output/Output Filename=$1" \
-    --set "Discretization/Input Mesh File=$1.txt" --set "Blocks/Fluid/Horizon=$(/usr/bin/python3 -c "print(3.015*$spacing)")"
+    --set "Discretization/Input Mesh File=$1.txt" --set "Blocks/Fluid/Horizon=$(computed "3.015*$spacing")"
 }
 run channel_10 10 0 0
 run shifted_10 10 0.37 0.81

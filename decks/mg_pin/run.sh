@@ -6,10 +6,9 @@ source "$here/../scene.sh"
 cd "$results"
 # 0.2 and 0.5 spacings off the wire's axis, so that 200 cells make up its area, within 0.5 %.
 tube() { # name, spacing, columns before the axis, all columns, rows
-  "$pdmesh" grid box --quiet --spacing "$2" --size "$(of "$2*$4")" "$(of "$2*$5")" --origin "$(of "$2*(-0.3 - $3)")" 0 \
+  "$pdmesh" grid box --quiet --spacing "$2" --size "$(computed "$2*$4")" "$(computed "$2*$5")" --origin "$(computed "$2*(-0.3 - $3)")" 0 \
     --block "2: abs(y) > 425e-6" -o "$here/$1.txt"
 }
-of() { /usr/bin/python3 -c "print($1)"; }
 tube mg_pin 5e-6 53 147 89
 "$pdmesh" grid box --quiet --spacing 5e-6 --size 310e-6 310e-6 --origin -156.5e-6 -155e-6 -o "$here/still.txt"
 "$pdrun" "$here/still.yaml" --quiet
@@ -23,8 +22,8 @@ tube mg_pin 5e-6 53 147 89
 "$pdrun" --fit "$here/fit.yaml"
 # A wire of grains: particles of a second phase, then the boundaries of grains in what is left.
 grains() { # name, spacing, cells across
-  "$pdmesh" grid box --quiet --spacing "$2" --size "$(of "$2*$3")" "$(of "$2*$3")" \
-    --origin "$(of "-60e-6 - 0.3*$2")" -60e-6 -o "$here/$1_plain.txt"
+  "$pdmesh" grid box --quiet --spacing "$2" --size "$(computed "$2*$3")" "$(computed "$2*$3")" \
+    --origin "$(computed "-60e-6 - 0.3*$2")" -60e-6 -o "$here/$1_plain.txt"
   "$pdmesh" grains "$here/$1_plain.txt" --quiet --size 4e-6 --width 0 --by-share --where "r < 40e-6" \
     --boundary-block 2 --phase 3=0.04 -o "$here/$1_particles.txt"
   "$pdmesh" grains "$here/$1_particles.txt" --quiet --split 1 --size 40e-6 --width 2e-6 --by-share --where "r < 40e-6" \
