@@ -15,13 +15,6 @@ RUNS = (("step_10", 10), ("step_20", 20), ("shifted_20", 20))
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
-def fluid(name):
-    results = Results(str(folder / name))
-    step = results.steps[-1]
-    inside = results.field("Fluid", step) == 1
-    return results.x[inside, :2], results.field("Velocity", step)[inside, :2], results.field("Pressure", step)[inside]
-
-
 def wall_shear(x, u, points):
     """du/dy at y = 0 behind the step, by u = a y + b y^2 through the three rows next to the wall: places, a."""
     behind = (x[:, 0] > 0.2) & (x[:, 0] < 12)
@@ -41,7 +34,7 @@ def reattachment(columns, shear):
 
 
 def draw_flow(name):
-    x, v, _ = fluid(name)
+    x, v, _ = Results(str(folder / name)).of_fluid("Velocity", "Pressure")
     grid = np.meshgrid(np.linspace(-1.5, 8, 951), np.linspace(0.0, 2, 201))
     beyond = (grid[0] < 0) & (grid[1] < 1)
     u, w = (np.where(beyond, np.nan, griddata(x, values, tuple(grid), "linear", 0.0)) for values in v.T)
@@ -62,7 +55,7 @@ figure, axis = figures.plt.subplots(figsize=(7, 4), constrained_layout=True)
 for run, points in RUNS:
     if not (folder / f"{run}.h5").exists():
         continue
-    x, v, _ = fluid(run)
+    x, v, _ = Results(str(folder / run)).of_fluid("Velocity", "Pressure")
     columns, shear = wall_shear(x, v, points)
     length = reattachment(columns, shear)
     history = read_history(folder / f"{run}.csv")

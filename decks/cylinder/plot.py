@@ -15,13 +15,6 @@ DRAG, LIFT, DIFFERENCE = 5.57953523384, 0.010618948146, 0.11752016697  # John & 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
-def fluid(name):
-    results = Results(str(folder / name))
-    step = results.steps[-1]
-    inside = results.field("Fluid", step) == 1
-    return results.x[inside, :2], results.field("Velocity", step)[inside, :2], results.field("Pressure", step)[inside]
-
-
 def pressure_at(place, x, p, spacing):
     """By a quadratic fit to the fluid points near a place on the cylinder."""
     d = (x - place) / spacing
@@ -32,7 +25,7 @@ def pressure_at(place, x, p, spacing):
 
 
 def measure(name, points):
-    x, _, p = fluid(name)
+    x, _, p = Results(str(folder / name)).of_fluid("Velocity", "Pressure")
     history = read_history(folder / f"{name}.csv")
     drag, lift = 500 * history["DragX"][-1], 500 * history["DragY"][-1]
     difference = pressure_at((0.15, 0.2), x, p, 0.1 / points) - pressure_at((0.25, 0.2), x, p, 0.1 / points)
@@ -43,7 +36,7 @@ def measure(name, points):
 
 
 def draw(name):
-    x, v, p = fluid(name)
+    x, v, p = Results(str(folder / name)).of_fluid("Velocity", "Pressure")
     grid = np.meshgrid(np.linspace(0, 1, 501), np.linspace(0, 0.41, 206))
     beyond = np.hypot(grid[0] - 0.2, grid[1] - 0.2) < 0.05
     u, w, pressure = (np.where(beyond, np.nan, griddata(x, values, tuple(grid), "linear"))

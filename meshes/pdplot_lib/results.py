@@ -52,6 +52,14 @@ class Results:
                             "name it under Output Variables in the deck")
         return group[name][:]
 
+    def of_fluid(self, *names):
+        """Places and fields of the points that are fluid, at the last step; of vectors as many components as the body
+        has dimensions."""
+        step = self.steps[-1]
+        inside = self.field("Fluid", step) == 1
+        return [values[inside] if values.ndim == 1 else values[inside, :self.dimension]
+                for values in (self.x, *(self.field(name, step) for name in names))]
+
     def width(self, name):
         """Numbers a point."""
         values = self._group(self.steps[-1])[name]
