@@ -2,8 +2,7 @@
 //
 // Over the whole run it is the rate of an immersion test (ASTM G1, whose years have 8760 h). What an evaluation is
 // compared with is kept in a field, so that it survives a restart.
-#include <stdexcept>
-
+#include "kept_rate.hpp"
 #include "loss_per_surface.hpp"
 #include "plugins.hpp"
 
@@ -44,19 +43,10 @@ class CorrosionRate : public LossPerSurface {
 int CorrosionRate::compute(Blocks blocks) const {
   constexpr double year = 8760.0 * 3600.0, millimetres = 1000.0;
   const double loss = volumes(blocks).dissolved, area = firstSurface(blocks);
-  const double time = *view(blocks->front(), fields_.time);
-  double* last = view(blocks->front(), fields_.last);  // loss, time, is there any
-  if (last[2] != 0.0 && time == last[1]) {
-    if (loss == last[0]) return 0;
-    throw std::runtime_error(
-        "Corrosion_Rate: metal has dissolved, but the field Time, which this host does not keep, has not changed");
-  }
-  setGlobal(blocks, fields_.result,
-            last[2] != 0.0 ? (loss - last[0]) / (area * (time - last[1])) * year * millimetres : 0.0);
-  if (last[2] != 0.0 && !isOfInterval_) return 0;
-  last[0] = loss;
-  last[1] = time;
-  last[2] = 1.0;
+  const auto rate = keptRate(
+      view(blocks->front(), fields_.last), loss, *view(blocks->front(), fields_.time), !isOfInterval_,
+      "Corrosion_Rate: metal has dissolved, but the field Time, which this host does not keep, has not changed");
+  if (rate) setGlobal(blocks, fields_.result, *rate / area * year * millimetres);
   return 0;
 }
 

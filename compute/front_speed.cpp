@@ -2,8 +2,7 @@
 //
 // The evaluation before is kept in a field, so that it survives a restart. Evaluating twice at one time changes
 // nothing.
-#include <stdexcept>
-
+#include "kept_rate.hpp"
 #include "plugins.hpp"
 #include "surface_compute.hpp"
 
@@ -42,17 +41,10 @@ class FrontSpeed : public SurfaceCompute {
 int FrontSpeed::compute(Blocks blocks) const {
   const SurfaceColumns::Profile columns = profile(blocks);
   const double depth = isMaximum_ ? maximumDepth(columns) : meanDepth(columns);
-  const double time = *view(blocks->front(), fields_.time);
-  double* last = view(blocks->front(), fields_.last);  // depth, time, is there any
-  if (last[2] != 0.0 && time == last[1]) {
-    if (depth == last[0]) return 0;
-    throw std::runtime_error(
-        "Front_Speed: the depth has changed, but not the field Time, which this host does not keep");
-  }
-  setGlobal(blocks, fields_.result, last[2] != 0.0 ? (depth - last[0]) / (time - last[1]) : 0.0);
-  last[0] = depth;
-  last[1] = time;
-  last[2] = 1.0;
+  const auto speed =
+      keptRate(view(blocks->front(), fields_.last), depth, *view(blocks->front(), fields_.time), false,
+               "Front_Speed: the depth has changed, but not the field Time, which this host does not keep");
+  if (speed) setGlobal(blocks, fields_.result, *speed);
   return 0;
 }
 
