@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from scene import SceneTest, lattice  # noqa: E402
+from scene import CheckedDeck, lattice  # noqa: E402
 
 DECK = {
     "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt"},
@@ -32,22 +32,13 @@ def push_at(place, value=1.0):
     return push
 
 
-class FlowDecks(SceneTest):
+class FlowDecks(CheckedDeck):
+    DECK = DECK
+
     def setUp(self):
         super().setUp()
         points = lattice([1.8, 1.8], 0.1, origin=[-0.4, -0.4])
         self.write_mesh(points, 0.01, block=np.where(points[:, 0] < 0.5, 1, 2))
-
-    def check(self, change):
-        deck = copy.deepcopy(DECK)
-        change(deck)
-        return self.run_deck(deck, arguments=["--check"])
-
-    def assert_refused(self, change, *messages):
-        result = self.check(change)
-        self.assertEqual(result.code, 2, result.text)
-        for message in messages:
-            self.assertIn(message, result.text)
 
     def test_the_deck_is_good(self):
         result = self.check(lambda deck: None)

@@ -1,13 +1,12 @@
 #!/usr/bin/python3
 """What `pdrun --check` says of decks of bodies of revolution."""
-import copy
 import sys
 import unittest
 
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from scene import SceneTest, lattice  # noqa: E402
+from scene import CheckedDeck, lattice  # noqa: E402
 
 DECK = {
     "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt", "Axis Of Revolution": "x"},
@@ -24,22 +23,13 @@ DECK = {
     "Output": {"Output Filename": "result", "Output Frequency": 1, "Output Variables": ["Velocity", "Pressure"]}}
 
 
-class RevolutionDecks(SceneTest):
+class RevolutionDecks(CheckedDeck):
+    DECK = DECK
+
     def setUp(self):
         super().setUp()
         self.points = lattice([1.8, 1.4], 0.1, origin=[-0.4, 0.0])
         self.write_mesh(self.points, 0.01)
-
-    def check(self, change):
-        deck = copy.deepcopy(DECK)
-        change(deck)
-        return self.run_deck(deck, arguments=["--check"])
-
-    def assert_refused(self, change, *messages):
-        result = self.check(change)
-        self.assertEqual(result.code, 2, result.text)
-        for message in messages:
-            self.assertIn(message, result.text)
 
     def test_the_deck_is_good_whatever_is_said_of_the_plane(self):
         for more in ({}, {"Plane Strain": True}):

@@ -1,4 +1,5 @@
 """Runs of pdrun on meshes and decks that a test makes: what the verification and stability tests stand on."""
+import copy
 import csv
 import json
 import os
@@ -136,6 +137,21 @@ class SceneTest(unittest.TestCase):
         result = self.run_deck(deck, **options)
         self.assertEqual(result.code, 0, result.text)
         return result
+
+
+class CheckedDeck(SceneTest):
+    """What `pdrun --check` says of changes to a good deck, `DECK`, whose mesh setUp() writes."""
+
+    def check(self, change):
+        deck = copy.deepcopy(self.DECK)
+        change(deck)
+        return self.run_deck(deck, arguments=["--check"])
+
+    def assert_refused(self, change, *messages):
+        result = self.check(change)
+        self.assertEqual(result.code, 2, result.text)
+        for message in messages:
+            self.assertIn(message, result.text)
 
 
 def plate_deck(horizon, thickness, material=None, damage=None, conditions=None, solver=None, output=None, **more):
