@@ -19,7 +19,7 @@ for points in 10 20 40; do
   for mesh in couette couette_jittered; do run couette "${mesh}_$points" "$spacing" "${mesh}_$points"; done
   lattice "womersley_$points" 0.5 1 "$spacing"
   for number in 2 5; do
-    frequency=$(computed "0.5*$number**2") periods=$((number == 2 ? 4 : 12))
+    frequency=$(computed "0.5*$number^2") periods=$((number == 2 ? 4 : 12))
     run womersley "womersley_$points" "$spacing" "womersley_${number}_$points" \
       --set "Boundary Conditions/Force/Value=cos($frequency*t)" \
       --set "Solver/Final Time=$(computed "2*pi*$periods/$frequency")" \

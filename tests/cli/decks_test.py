@@ -49,8 +49,9 @@ done
 if [[ " $* " == *" --study "* || " $* " == *" --fit "* ]]; then
   deck="$(dirname "$deck")/$(sed -n 's/^Deck: *//p' "$deck")"
 fi
-log='@LOG@'
-! grep -qxF "$deck" "$log" || exit 0
+known= log='@LOG@'
+read -r -d '' known < "$log" || true # no program of its own: there are a thousand runs
+[[ $'\\n'"$known"$'\\n' != *$'\\n'"$deck"$'\\n'* ]] || exit 0
 echo "$deck" >> "$log"
 [[ -n "$mesh" ]] || mesh="$(sed -n 's/.*Input Mesh File: *\\([^ ,}]*\\).*/\\1/p' "$deck" | tail -n 1)"
 [[ -z "$mesh" || "$mesh" == /* ]] || mesh="$(dirname "$deck")/$mesh"
@@ -78,9 +79,10 @@ class Decks(unittest.TestCase):
             self.write(self.root / name, RECIPE.format(real=self.put_aside(name)))
         self.write(self.root / "bin/gmsh", RECIPE.format(real=shutil.which("gmsh")))
         # Options of runs, which matter as long as a deck is not checked.
-        name = "decks/mixed_mode/cases.py"
-        self.write(self.root / name, f"""#!/bin/bash
-[[ "$(grep -c mixed_mode '{self.log}')" == 2 ]] || exec '{self.put_aside(name)}' "$@"
+        for name, decks in (("decks/mixed_mode/cases.py", 2), ("decks/hole/exact.py", 1)):
+            self.write(self.root / name, f"""#!/bin/bash
+[[ "$(grep -c {Path(name).parent} '{self.log}')" == {decks} ]] || exec '{self.put_aside(name)}' "$@"
+printf '0\\n0\\n'
 """)
         for place in [self.root / "meshes/pdplot",
                       *(p for name in ("plot*", "stud*", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:

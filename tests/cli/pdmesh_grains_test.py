@@ -45,17 +45,17 @@ class FixedSeeds:
 
 class Amounts(unittest.TestCase):
     def test_share_is_width_times_length(self):
-        # 2 x 1600 to 4900 grains; the length of their boundaries scatters by less than 1/sqrt(grains). Boundaries
+        # 2 x 800 to 2500 grains; the length of their boundaries scatters by less than 1/sqrt(grains). Boundaries
         # overlap where they meet: a corner of angle a takes (width/2)^2 cot(a/2) away, six of them a grain; with
         # a = 2 pi/3 that is 0.22 of the square of the share, and more with angles that differ.
-        for n, size, width in ((800, 20.0, 1.0), (800, 20.0, 0.1), (700, 10.0, 0.3), (800, 20.0, 2.0)):
+        for n, size, width in ((560, 20.0, 1.0), (560, 20.0, 0.1), (500, 10.0, 0.3), (560, 20.0, 2.0)):
             share = np.mean([on_lattice(n, 2, size, width, seed, False)[2].mean() for seed in (1, 2)])
             expected = width * DENSITY[2] / size
             self.assertAlmostEqual(share / expected, 1 - 0.25 * expected, delta=0.02, msg=str((n, size, width)))
 
     def test_share_in_a_solid(self):
-        for size, width in ((12.0, 1.0), (12.0, 0.2), (8.0, 0.5)):
-            share = np.mean([on_lattice(100, 3, size, width, seed, False)[2].mean() for seed in (1, 2)])
+        for size, width in ((9.0, 1.0), (9.0, 0.2), (6.0, 0.5)):
+            share = np.mean([on_lattice(64, 3, size, width, seed, False)[2].mean() for seed in (1, 2)])
             expected = width * DENSITY[3] / size
             self.assertAlmostEqual(share / expected, 1 - 0.25 * expected, delta=0.03, msg=str((size, width)))
 

@@ -19,6 +19,7 @@ from time_steps import SHORT, prepare  # noqa: E402
 
 class Ranks(Plate):
     ranks = (2, 4)
+    explicit_methods = ("Euler", "RKL")
 
     def compare(self, metal, time, least=200, **solver):
         expected = self.solve(self.deck(metal, time, 8, "one", **solver))
@@ -40,7 +41,7 @@ class Ranks(Plate):
         self.compare(STEEL, 40.0, **{"Fixed dt": 1.0})
 
     def test_explicit_methods(self):
-        for method in ("Euler", "RKL"):
+        for method in self.explicit_methods:
             self.compare(SALTED, 4.0, Method=method)
 
     def test_eight_ranks(self):
@@ -58,6 +59,8 @@ class Ranks(Plate):
 
 
 class Restarts(RestartTest):
+    other_numbers = ((1, 2), (4, 1), (2, 3))
+
     def test_on_two_ranks(self):
         self.check_restart(SALTED, 2.0, ranks=2)
 
@@ -66,7 +69,7 @@ class Restarts(RestartTest):
         self.check_restart(STEEL, 4.0, ranks=2)
 
     def test_on_another_number_of_ranks(self):
-        for ranks, later_ranks in ((1, 2), (4, 1), (2, 3)):
+        for ranks, later_ranks in self.other_numbers:
             found, expected = self.restart(SALTED, 2.0, ranks, later_ranks)
             a, b = found.field("Damage", 8), expected.field("Damage", 8)
             np.testing.assert_array_equal(a == 1.0, b == 1.0, f"{ranks}, then {later_ranks} ranks")

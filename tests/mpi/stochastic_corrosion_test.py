@@ -15,6 +15,8 @@ from corrosion_scene import STEEL  # noqa: E402
 
 class Ranks(Stochastic, corrosion_test.Ranks):
     ranks = (4,)  # the solver's own dependence on them is tested without random numbers
+    explicit_methods = ("RKL",)
+    test_fixed_steps = test_polak_ribiere = None
 
     def test_another_seed_differs(self):
         one = self.solve(self.deck(STEEL, 40.0, 8, "one"))
@@ -24,7 +26,7 @@ class Ranks(Stochastic, corrosion_test.Ranks):
 
 
 class Restarts(Stochastic, corrosion_test.Restarts):
-    pass
+    other_numbers = ((2, 3),)
 
 
 if __name__ == "__main__":

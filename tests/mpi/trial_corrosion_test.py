@@ -17,11 +17,11 @@ class Ranks(Trial, corrosion_test.Ranks):
 
 
 class StochasticRanks(Trial, stochastic_corrosion_test.Ranks):
-    test_another_seed_differs = test_fixed_steps = test_explicit_methods = None
+    test_another_seed_differs = test_explicit_methods = test_eight_ranks = None
 
 
 class Restarts(Trial, corrosion_test.Restarts):
-    pass
+    other_numbers = ((2, 3),)
 
 
 if __name__ == "__main__":
