@@ -118,6 +118,16 @@ class FlowDecks(CheckedDeck):
         self.assert_refused(give_another, 'conditions "Lid" and "Second" give the flow different values at one Surface where '
                             "their node sets overlap")
 
+    def test_points_are_reflected_at_surfaces(self):
+        def reflect(deck):
+            deck["Materials"]["Water"]["Walls"] = "Reflected Points"
+        self.assertEqual(self.check(reflect).code, 0)
+
+        def take_away(deck):
+            reflect(deck)
+            deck["Boundary Conditions"]["Walls"].pop("Surface")
+        self.assert_refused(take_away, 'has no Surface, by which "Walls: Reflected Points" of Navier Stokes mirrors')
+
     def test_nothing_breaks_in_a_fluid(self):
         def break_it(deck):
             deck["Damage Models"] = {"Brittle": {"Damage Model": "Critical Stretch", "Critical Stretch": 0.01}}

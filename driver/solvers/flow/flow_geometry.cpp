@@ -281,8 +281,13 @@ std::array<double, 3> FlowGeometry::normalAt(int boundary, const std::array<doub
 
 std::array<double, 3> FlowGeometry::mirrored(int point, const End& end) const {
   const int outflow = end.outflow >= 0 ? end.outflow : boundaryOf_[index(end.point)];
-  const std::array<double, 3> place = placeOn(point, end, end.openFraction <= 1.0 ? end.openFraction : 1.0);
-  const std::array<double, 3> normal = normalAt(outflow, place);
+  return mirroredAt(outflow, end.openFraction <= 1.0 ? end.openFraction : 1.0, point, end);
+}
+
+/// By the plane that touches the boundary where the bond meets it.
+std::array<double, 3> FlowGeometry::mirroredAt(int boundary, double fraction, int point, const End& end) const {
+  const std::array<double, 3> place = placeOn(point, end, fraction);
+  const std::array<double, 3> normal = normalAt(boundary, place);
   double beyond = 0.0;  // how far the end is beyond the plane through `place`
   for (std::size_t a = 0; a < 3; ++a) beyond += normal[a] * (placeOf(point)[a] + end.xi[a] - place[a]);
   std::array<double, 3> result = end.xi;
