@@ -141,8 +141,9 @@ class Transport(SceneTest):
         # An outflow whose Surface goes through the other channel, too, takes its way out.
         conditions["Out1"]["Surface"] = "1 - x"
         result = self.run_deck(deck)
-        self.assertEqual(result.code, 3, result.text)
-        self.assertIn("are not balanced", result.text)
+        self.assertEqual(result.code, 2, result.text)
+        self.assertIn('condition "Out1": its Surface also cuts bonds of fluid around which no point of its node set lies',
+                      result.text)
 
     def pulse_error(self, n, **material):
         """L2 of a bell that has travelled half of the channel."""

@@ -54,6 +54,7 @@ FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std
   collectively(simulation.model.comm(), [&] { checkSides(); });
   requireForcesOnFluid(*this, simulation);
   findNearBoundary();
+  collectively(simulation.model.comm(), [&] { checkClaims(); });
 }
 
 void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {

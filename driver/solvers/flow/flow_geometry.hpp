@@ -111,6 +111,12 @@ class FlowGeometry {
   void findKinds(const std::vector<int>& flowBlocks);
   void checkSides() const;
   void findNearBoundary();
+  // flow_claims.cpp
+  void checkClaims() const;
+  std::vector<int> boundariesBefore(int neighbor) const;
+  int wallAcrossAxis(int point, int neighbor, const std::vector<int>& candidates) const;
+  bool cutsAnotherChannel(int outflow, int point, int neighbor, const std::vector<int>& candidates) const;
+  bool claimOnePlace(int one, int other, int point, int neighbor) const;
   void meetBoundaries(int point, const std::vector<int>& candidates, End& end) const;
   void meetCells(int point, const std::vector<int>& candidates, End& end) const;
   double crossing(const FlowBoundary& boundary, const double* from, const End& end) const;
