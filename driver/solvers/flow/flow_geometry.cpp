@@ -170,17 +170,18 @@ double FlowGeometry::compactWeight(int point, const End& end) const {
 }
 
 void FlowGeometry::meetBoundaries(int point, const std::vector<int>& candidates, End& end) const {
+  constexpr double rounding = 1e-9;  // a bond into a corner ends at the boundary that the deck names first
   end.fraction = 2.0;
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {
     if (!boundaries_[b]->hasSurface()) continue;
     const double fraction = crossing(*boundaries_[b], placeOf(point), end);
     double& nearest = boundaries_[b]->isOutflow() ? end.openFraction : end.fraction;
-    if (fraction >= nearest) continue;
+    if (fraction >= nearest - rounding) continue;
     nearest = fraction;
     (boundaries_[b]->isOutflow() ? end.outflow : end.boundary) = static_cast<int>(b);
   }
   if (hasCells_) meetCells(point, candidates, end);
-  if (end.openFraction >= end.fraction) end.openFraction = 2.0;
+  if (end.openFraction >= end.fraction - rounding) end.openFraction = 2.0;
   if (end.fraction <= 1.0)
     end.kind = Kind::Wall;
   else

@@ -19,8 +19,9 @@ using FlowVector = std::array<double, 3>;
 using FlowEnd = FlowGeometry::End;
 using FlowKind = FlowGeometry::Kind;
 
-/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass.
-constexpr double jumpReach = 8.0;
+/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass. (On a lattice
+/// points are whole numbers of spacings apart: those at this very distance are within it, however they are rounded.)
+constexpr double jumpReach = 8.0 + 1e-6;
 /// Jumps above this part of the largest velocity count.
 constexpr double jumpShare = 0.05;
 
