@@ -44,12 +44,13 @@ def round_wire(t):
 
 def draw_transport():
     figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
-    for spacing, style in (("10.6", "C0:"), ("7.1", "C0--"), ("5", "C0-")):
+    for spacing, style in (("10.6", "C0--"), ("7.1", "C0-")):
         history = read_history(folder / f"transport_{spacing}.csv")
         axis.plot(history["time"], history["Relative_Volume_Loss"], style, label=f"points {spacing} µm apart")
         print(f"transport, {spacing} um: " + ", ".join(
-            f"{np.interp(t, history['time'], history['Relative_Volume_Loss']):.1f} % at {t} s" for t in (0.1, 0.2, 0.3, 0.5)))
-    t = np.linspace(0, history["time"][-1], 2001)
+            f"{np.interp(t, history['time'], history['Relative_Volume_Loss']):.1f} % at {t} s" for t in (0.02, 0.04, 0.06, 0.08)))
+    t = np.linspace(0, 0.3, 3001)
+    print("round wire: " + ", ".join(f"{np.interp(at, t, round_wire(t)):.1f} % at {at} s" for at in (0.04, 0.08, 0.2)))
     axis.plot(t, round_wire(t), "k--", linewidth=0.8, label="Churchill & Bernstein, round wire")
     axis.set(xlabel="time (s)", ylabel="volume loss (%)", title="surface always saturated")
     axis.legend(fontsize=8)

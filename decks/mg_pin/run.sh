@@ -54,7 +54,6 @@ saturated=(--set "Materials/Wire/Saturation Concentration=14302" --set "Material
 until=(--set "Solver/Final Time=0.3" --set "Solver/Staggered/Load Steps=30")
 of_pin transport_10.6 pin_10.6 10.625e-6 "${saturated[@]}" "${until[@]}"
 of_pin transport_7.1 pin_7.1 7.0833333e-6 "${saturated[@]}" "${until[@]}"
-of_pin transport_5 mg_pin 5e-6 "${saturated[@]}" "${until[@]}"
 # When the flow is found anew: after 5 % of the wire, in each load step, or when the drag should have changed.
 flow="Solver/Staggered/Solvers/Flow/When"
 for part in 0.1 0.02 0.005; do

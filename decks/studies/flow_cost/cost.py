@@ -37,11 +37,11 @@ SERIES = {
                ("c = 0.005", (24, 48), {"c": 0.005}),
                ("c = 0.5", (24, 48), {"c": 0.5}),
                ("reflected points", (24, 48, 96), {"walls": "Reflected Points"})],
-    "mg_pin": [("m = 3, c = 0.05, steps of 300 s", (8, 12, 17), {}),
-               ("m = 4", (8, 12), {"m": 4}),
-               ("c = 0.5", (8, 12), {"c": 0.5}),
+    "mg_pin": [("m = 3, c = 0.05, steps of 300 s", (8, 12), {}),
                ("steps of 900 s", (8, 12), {"step": 900.0}),
-               ("steps of 100 s", (8, 12), {"step": 100.0})]}
+               ("steps of 100 s", (8,), {"step": 100.0}),
+               ("m = 4", (8,), {"m": 4}),
+               ("c = 0.5", (8,), {"c": 0.5})]}
 
 
 def lattice(name, spacing, cells, origin, *more):
