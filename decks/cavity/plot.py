@@ -20,7 +20,7 @@ X = (.0625, .0703, .0781, .0938, .1563, .2266, .2344, .5, .8047, .8594, .9063, .
 V = (.09477, .10355, .11171, .12638, .16477, .17931, .17951, .05754, -.25350, -.23365, -.17705, -.10852, -.09338,
      -.07797, -.06219)
 POINTS = (24, 48, 96)
-folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")  # of draw_lines() and draw_flow()
 
 
 def save(figure, name):
@@ -28,9 +28,9 @@ def save(figure, name):
     print(folder / name)
 
 
-def grid(n, field, component=None):
+def grid(name, n, field, component=None):
     """[n, n] by x, y."""
-    results = Results(str(folder / f"cavity_{n}"))
+    results = Results(str(name))
     step = results.steps[-1]
     inside = results.field("Fluid", step) == 1
     values = results.field(field, step)[inside]
@@ -52,14 +52,26 @@ def extreme(values, sign):
     return sign * np.max(sign * np.polyval(fit, np.linspace(-1, 1, 401)))
 
 
+def middle_lines(name, n):
+    """u on x = 1/2, v on y = 1/2."""
+    return middle(grid(name, n, "Velocity", 0)), middle(grid(name, n, "Velocity", 1).T)
+
+
+def extreme_errors(name, n):
+    """Of a run with n points across."""
+    u, v = middle_lines(name, n)
+    found = {"u_min": extreme(u, -1), "v_max": extreme(v, 1), "v_min": extreme(v, -1)}
+    return {key: value - EXTREMES[key] for key, value in found.items()}
+
+
 def draw_lines():
     figure, (left, right) = figures.plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True)
     errors = {key: [] for key in EXTREMES}
     for n in POINTS:
-        u, v = middle(grid(n, "Velocity", 0)), middle(grid(n, "Velocity", 1).T)
-        for key, value in (("u_min", extreme(u, -1)), ("v_max", extreme(v, 1)), ("v_min", extreme(v, -1))):
-            errors[key].append(abs(value - EXTREMES[key]))
+        for key, error in extreme_errors(folder / f"cavity_{n}", n).items():
+            errors[key].append(abs(error))
         if n == 48:
+            u, v = middle_lines(folder / f"cavity_{n}", n)
             s = (np.arange(n) + 0.5) / n
             left.plot(s, u, "-", label="u on x = 1/2")
             left.plot(s, v, "-", label="v on y = 1/2")
@@ -80,7 +92,8 @@ def draw_lines():
 
 
 def draw_flow(n=96):
-    u, v, p = grid(n, "Velocity", 0), grid(n, "Velocity", 1), grid(n, "Pressure")
+    name = folder / f"cavity_{n}"
+    u, v, p = grid(name, n, "Velocity", 0), grid(name, n, "Velocity", 1), grid(name, n, "Pressure")
     s = (np.arange(n) + 0.5) / n
     figure, (left, right) = figures.plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     speed = left.pcolormesh(s, s, np.hypot(u, v).T, cmap="viridis", vmax=1)
@@ -94,5 +107,6 @@ def draw_flow(n=96):
     save(figure, "flow.png")
 
 
-draw_lines()
-draw_flow()
+if __name__ == "__main__":
+    draw_lines()
+    draw_flow()

@@ -5,9 +5,9 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
 cd "$results"
 # 0.2 and 0.5 spacings off the wire's axis, so that 200 cells make up its area, within 0.5 %.
-tube() { # name, spacing, columns before the axis, all columns, rows
+tube() { # name, spacing, columns before the axis, all columns, rows, radius of the tube
   "$pdmesh" grid box --quiet --spacing "$2" --size "$(computed "$2*$4")" "$(computed "$2*$5")" --origin "$(computed "$2*(-0.3 - $3)")" 0 \
-    --block "2: abs(y) > 425e-6" -o "$here/$1.txt"
+    --block "2: abs(y) > ${6:-425e-6}" -o "$here/$1.txt"
 }
 tube mg_pin 5e-6 53 147 89
 "$pdmesh" grid box --quiet --spacing 5e-6 --size 310e-6 310e-6 --origin -156.5e-6 -155e-6 -o "$here/still.txt"
@@ -43,10 +43,34 @@ coarse=(--quiet --set "Discretization/Input Mesh File=grains_coarse.txt" --set "
 tube pin_10.6 10.625e-6 26 76 44
 tube pin_7.1 7.0833333e-6 38 112 64
 "$pdrun" --study "$here/what_matters.yaml"
+of_pin() { # name, mesh, spacing, more: a run of mg_pin.yaml on other points
+  "$pdrun" "$here/mg_pin.yaml" --quiet --set "Output/Output Filename=$1" --set "Discretization/Input Mesh File=$2.txt" \
+    --set "Blocks/Channel/Horizon=$(computed "3.015*$3")" --set "Blocks/Walls/Horizon=$(computed "3.015*$3")" \
+    --set "Materials/Fluid/Flux Horizon=$(computed "1.2*$3")" "${@:4}"
+}
 # Transport control: a surface that is always saturated.
-"$pdrun" "$here/mg_pin.yaml" --quiet --set "Discretization/Input Mesh File=pin_10.6.txt" \
-  --set "Blocks/Channel/Horizon=32.03e-6" --set "Blocks/Walls/Horizon=32.03e-6" \
-  --set "Materials/Fluid/Flux Horizon=12.75e-6" --set "Materials/Wire/Saturation Concentration=14302" \
-  --set "Materials/Wire/Current Density=1e7" --set "Boundary Conditions/Film/Value=0" --set "Solver/Final Time=1.5" \
-  --set "Solver/Staggered/Load Steps=15" --set "Solver/Staggered/Solvers/Dissolution/Corrosion={}" \
-  --set "Output/Output Filename=transport"
+saturated=(--set "Materials/Wire/Saturation Concentration=14302" --set "Materials/Wire/Current Density=1e7"
+  --set "Boundary Conditions/Film/Value=0" --set "Solver/Staggered/Solvers/Dissolution/Corrosion={}")
+until=(--set "Solver/Final Time=0.3" --set "Solver/Staggered/Load Steps=30")
+of_pin transport_10.6 pin_10.6 10.625e-6 "${saturated[@]}" "${until[@]}"
+of_pin transport_7.1 pin_7.1 7.0833333e-6 "${saturated[@]}" "${until[@]}"
+# When the flow is found anew: after 5 % of the wire, in each load step, or when the drag should have changed.
+flow="Solver/Staggered/Solvers/Flow/When"
+for part in 0.1 0.02 0.005; do
+  by_drag=(--set "$flow/Value=Drag" --set "$flow/Value Change=$part")
+  of_pin "drag_$part" pin_10.6 10.625e-6 "${by_drag[@]}"
+  of_pin "transport_drag_$part" pin_10.6 10.625e-6 "${saturated[@]}" "${until[@]}" "${by_drag[@]}"
+done
+of_pin volume pin_10.6 10.625e-6
+of_pin each pin_10.6 10.625e-6 --set "$flow/Has Changed By=1e-20"
+of_pin transport_each pin_10.6 10.625e-6 "${saturated[@]}" "${until[@]}" --set "$flow/Has Changed By=1e-20"
+# The same flow through a tube of 150 um radius.
+tube narrow 5e-6 53 147 34 150e-6
+of_pin narrow narrow 5e-6 --set "Boundary Conditions/Channel Node Set/Expression=abs(y) < 150e-6" \
+  --set "Boundary Conditions/Sides Node Set/Expression=abs(y) > 150e-6" \
+  --set "Boundary Conditions/Inlet Node Set/Expression=x < -250e-6 && abs(y) < 150e-6" \
+  --set "Boundary Conditions/Outlet Of Ions Node Set/Expression=x > 450e-6 && abs(y) < 150e-6" \
+  --set "Boundary Conditions/Sides/Surface=150e-6 - abs(y)" \
+  --set "Boundary Conditions/Inflow/Velocity=['0.45*(1 - (y/150e-6)^2)', 0.0]" \
+  --set "Compute Class Parameters/Drag/Outer Radius=140e-6"
+"$here/plot_study.py" "$results"

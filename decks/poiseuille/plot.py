@@ -13,6 +13,7 @@ from pdplot_lib.results import Results  # noqa: E402
 
 POINTS = (10, 20, 40)
 LATTICES = {"along": "along the channel", "off": "off it", "turned": "turned by 20°"}
+WALLS = {"": ("o-", ""), "_reflected": ("^--", ", reflected points"), "_staircase": ("s:", ", without Surface")}
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
 
@@ -37,11 +38,11 @@ def slope_error(name):
 def draw_errors():
     figure, (left, right) = figures.plt.subplots(1, 2, figsize=(10, 3.8), constrained_layout=True)
     for color, (lattice, title) in zip(("C0", "C1", "C2"), LATTICES.items()):
-        for suffix, style in (("", "o-"), ("_staircase", "s:")):
+        for suffix, (style, walls) in WALLS.items():
             names = [f"{lattice}{suffix}_{n}" for n in POINTS]
             errors = [report(name)["error_norms"]["along relative L2 error"] for name in names]
             slopes = [slope_error(name) for name in names]
-            label = title + (", without Surface" if suffix else "")
+            label = title + walls
             left.loglog(POINTS, errors, style, color=color, markersize=4, label=label)
             right.loglog(POINTS, np.abs(slopes), style, color=color, markersize=4)
             print(f"{label}: L2 " + " ".join(f"{e:.2e}" for e in errors) + "  dp/dx "
@@ -51,7 +52,7 @@ def draw_errors():
         axis.set_ylabel(title)
         axis.set_xticks(POINTS, POINTS)
         axis.minorticks_off()
-    left.legend(fontsize=7, loc=(0.02, 0.4))
+    left.legend(fontsize=7, loc=(0.02, 0.33))
     save(figure, "errors.png")
 
 
@@ -74,7 +75,7 @@ def draw_profile():
 def print_pipes():
     for lattice in ("along", "off", "jittered"):
         for suffix in ("", "_staircase"):
-            errors = [report(f"pipe_{lattice}{suffix}_{n}")["error_norms"] for n in POINTS]
+            errors = [report(f"pipe_{lattice}{suffix}_{n}")["error_norms"] for n in POINTS[:2]]
             print(f"pipe, {lattice}{suffix}: L2 " + " ".join(f"{e['along relative L2 error']:.2e}" for e in errors)
                   + "  pressure " + " ".join(f"{e['pressure relative L2 error']:.2e}" for e in errors))
 

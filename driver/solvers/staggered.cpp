@@ -121,7 +121,7 @@ void Staggered::withEachPart(const Work& work) {
 }
 
 void Staggered::initialize(Simulation& simulation) {
-  withEachPart([&](StaggeredPart& part) { part.solver().initialize(simulation); });
+  withEachPart([&](StaggeredPart& part) { part.initialize(simulation); });
 }
 
 void Staggered::rehearse(Simulation& simulation, double t, double dt) {

@@ -69,11 +69,7 @@ void StaggeredPart::declareParameters(ParameterDeclarations& declare) {
       "The solver runs in load steps that find a field changed, and in the last one, over all the time since it "
       "last ran.");
   when.text("Field", "The field of points that is looked at.").required();
-  when.real("Has Changed By", "unit of the field",
-            "Change since the solver last ran, or since the start of the run, from which on it runs: the largest of a "
-            "value at any point; with \"Measure: Volume\" times m3.")
-      .positive()
-      .required();
+  EnoughChange::declareParameters(when);
   when.text("Measure",
             "What counts of the change: the largest at any point, or its size integrated over the body: of Damage of "
             "dissolving metal the volume that has dissolved.")
@@ -101,7 +97,7 @@ StaggeredPart::StaggeredPart(std::string name, const Teuchos::ParameterList& ent
   timeScale_ = entry.get<double>("Time Scale");
   if (!hasWhen) return;
   watchedField_ = entry.sublist("When").get<std::string>("Field");
-  enoughChange_ = entry.sublist("When").get<double>("Has Changed By");
+  enough_ = EnoughChange(entry.sublist("When"));
   runsAtStart_ = entry.sublist("When").get<bool>("At Start");
   isOfVolume_ = entry.sublist("When").get<std::string>("Measure") == "Volume";
 }
@@ -150,6 +146,11 @@ bool StaggeredPart::isLike(const StaggeredPart& other) const {
   return solverName_ == other.solverName_ && solver_->fields().ids() == other.solver_->fields().ids();
 }
 
+void StaggeredPart::initialize(Simulation& simulation) {
+  solver_->initialize(simulation);
+  enough_.initialize(simulation.model, name_);
+}
+
 void StaggeredPart::rehearse(Simulation& simulation, double t, double dt) {
   const TimeScale scale(simulation.conditions, timeScale_);
   t *= timeScale_;
@@ -179,7 +180,7 @@ double StaggeredPart::changeOf(Model& model) const {
 
 bool StaggeredPart::isDue(Model& model, long long number) const {
   return (every_ > 0 && number % every_ == 0) || (runsAtStart_ && number == 1) ||
-         (!watchedField_.empty() && changeOf(model) >= enoughChange_);
+         (!watchedField_.empty() && changeOf(model) >= enough_.amount());
 }
 
 int StaggeredPart::numberOfIncrements(Simulation& simulation, double t0, double t1) const {
@@ -194,6 +195,7 @@ int StaggeredPart::numberOfIncrements(Simulation& simulation, double t0, double 
 }
 
 bool StaggeredPart::advance(Simulation& simulation, long long number, bool isLast, double t, double dt) {
+  enough_.look(simulation, name_);
   if (!isLast && !isDue(simulation.model, number)) {
     if (!behindSince_) behindSince_ = t;
     return false;
@@ -203,6 +205,7 @@ bool StaggeredPart::advance(Simulation& simulation, long long number, bool isLas
     t = *behindSince_;
     behindSince_.reset();
   }
+  if (enough_.isControlled()) enough_.solverHasRun(changeOf(simulation.model));
   const TimeScale scale(simulation.conditions, timeScale_);
   t *= timeScale_;
   dt *= timeScale_;
@@ -219,6 +222,8 @@ bool StaggeredPart::advance(Simulation& simulation, long long number, bool isLas
 
 std::vector<std::string> StaggeredPart::summary(long long nLoadSteps) const {
   std::vector<std::string> lines = {fmt::format("{} ran in {} of {} load steps", solverName_, nRuns_, nLoadSteps)};
+  if (enough_.isControlled())
+    lines.push_back(fmt::format("a change of {:.3g} of {} was enough at the end", enough_.amount(), watchedField_));
   for (const std::string& line : solver_->summary()) lines.push_back(line);
   for (std::string& line : lines) line = name_ + ": " + line;
   return lines;
@@ -229,6 +234,7 @@ RestartState StaggeredPart::restartState() const {
                         {"is behind", behindSince_ ? 1.0 : 0.0},
                         {"is behind since", behindSince_.value_or(0.0)}};
   state.addPart(solverName_, solver_->restartState());
+  if (enough_.isControlled()) state.addPart("When", enough_.restartState());
   return state;
 }
 
@@ -236,6 +242,7 @@ void StaggeredPart::setRestartState(const RestartState& state) {
   nRuns_ = static_cast<long long>(state["runs"]);
   if (state["is behind"] != 0.0) behindSince_ = state["is behind since"];
   solver_->setRestartState(state.part(solverName_));
+  if (const RestartState when = state.part("When"); !when.entries().empty()) enough_.setRestartState(when);
 }
 
 }  // namespace pd

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "enough_change.hpp"
 #include "solver.hpp"
 
 namespace pd {
@@ -36,6 +37,8 @@ class StaggeredPart {
   /// Whether another does the same on the same fields, so that the two would share what they keep there.
   bool isLike(const StaggeredPart& other) const;
 
+  /// As Solver::initialize().
+  void initialize(Simulation& simulation);
   /// As Solver::rehearse(), for the first load step in which it runs.
   void rehearse(Simulation& simulation, double t, double dt);
   /// Once, before the first load step of the run.
@@ -59,7 +62,7 @@ class StaggeredPart {
   int every_ = 1;      ///< 0: only `When`
   double timeScale_ = 1.0;
   std::string watchedField_;  ///< of `When`; empty: none
-  double enoughChange_ = 0.0;
+  EnoughChange enough_;
   bool runsAtStart_ = false;
   bool isOfVolume_ = false;  ///< the change integrated over the body counts
 

@@ -13,6 +13,7 @@ struct FlowLaw {
   kernels::ViscousKernel viscousKernel;
   double gradientHorizon;  ///< of gradients, divergence and convection, m; at most half of the horizon
   double fluxHorizon;      ///< of bonds that move volume from point to point (Bond_Flow), m; at most the horizon
+  bool reflectsPoints;     ///< at walls, in place of bonds that end there
   BondFamily family;       ///< section, horizon of the viscous operator, share of volumes
 
   double horizonVolume() const { return kernels::horizonVolume(family.horizon, family.section); }

@@ -38,6 +38,13 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
         .defaultTo("Laplacian")
         .from("Transverse: Zhao, Larios & Bobaru, CMAME 2022, doi 10.1016/j.cma.2022.114815");
     declare
+        .text("Walls",
+              "How flows see them: bonds end at their Surface, with their velocity (Cut Bonds), or points beyond it "
+              "have twice that less the velocity of the mirrored place (Reflected Points), which is right for linear "
+              "velocities alone, for comparison.")
+        .oneOf({"Cut Bonds", "Reflected Points"})
+        .defaultTo("Cut Bonds");
+    declare
         .real("Gradient Horizon", "m",
               "Reach of gradients, divergence and convection, at most half of the horizon, which is the default. "
               "Viscosity has the horizon of the block.")
@@ -112,6 +119,7 @@ class NavierStokes : public PeridigmNS::Material, public FieldUser, public FlowM
                                                                      : kernels::ViscousKernel::Transverse,
             reach,
             flux,
+            params.get<std::string>("Walls") == "Reflected Points",
             family};
   }
 

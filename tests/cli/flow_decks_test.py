@@ -118,6 +118,33 @@ class FlowDecks(CheckedDeck):
         self.assert_refused(give_another, 'conditions "Lid" and "Second" give the flow different values at one Surface where '
                             "their node sets overlap")
 
+    def test_two_surfaces_at_one_place(self):
+        def split(deck, velocity):
+            conditions = deck["Boundary Conditions"]
+            conditions["Right Node Set"] = {"Expression": "y > 1 && x > 0.5"}
+            conditions["Lid Node Set"]["Expression"] = "y > 1 && x < 0.5"
+            conditions["Right"] = {**conditions["Lid"], "Node Set": "Right Node Set", "Velocity": [velocity, 0.0],
+                                   "Surface": "2*(1 - y)"}
+            return deck
+        self.assert_refused(lambda deck: split(deck, 2e-6), 'condition "Right"', "its Surface and that of",
+                            'condition "Lid" are one place there, to which they give different values')
+        self.assertEqual(self.check(lambda deck: split(deck, 1e-6)).code, 0)
+
+        def part(deck):
+            conditions = split(deck, 2e-6)["Boundary Conditions"]
+            conditions["Lid"]["Surface"], conditions["Right"]["Surface"] = "max(1 - y, x - 0.5)", "max(1 - y, 0.5 - x)"
+        self.assertEqual(self.check(part).code, 0)
+
+    def test_points_are_reflected_at_surfaces(self):
+        def reflect(deck):
+            deck["Materials"]["Water"]["Walls"] = "Reflected Points"
+        self.assertEqual(self.check(reflect).code, 0)
+
+        def take_away(deck):
+            reflect(deck)
+            deck["Boundary Conditions"]["Walls"].pop("Surface")
+        self.assert_refused(take_away, 'has no Surface, by which "Walls: Reflected Points" of Navier Stokes mirrors')
+
     def test_nothing_breaks_in_a_fluid(self):
         def break_it(deck):
             deck["Damage Models"] = {"Brittle": {"Damage Model": "Critical Stretch", "Critical Stretch": 0.01}}

@@ -72,6 +72,12 @@ class RevolutionDecks(CheckedDeck):
         self.assert_refused(lambda deck: deck["Materials"]["Water"].update({"Viscous Kernel": "Transverse"}),
                             '"Viscous Kernel: Transverse" is for flows without divergence in the plane')
 
+    def test_nothing_flows_across_the_axis(self):
+        def slant(across):
+            return lambda deck: deck["Boundary Conditions"]["In"].update({"Velocity": ["1e-6*(1 - y^2)", across]})
+        self.assert_refused(slant(1e-7), 'condition "In"', "its Velocity has a component across the Axis Of Revolution")
+        self.assertEqual(self.check(slant("1e-7*y")).code, 0)
+
     def test_points_beyond_the_axis(self):
         self.write_mesh(self.points - [0.0, 0.2, 0.0], 0.01)
         self.assert_refused(lambda deck: None, "Discretization/Axis Of Revolution: 36 of 252 points lie at y <= 0",

@@ -16,7 +16,8 @@ FlowBlocks findFlowBlocks(Model& model, const std::string& solver) {
       first = block.getName();
     } else if (law.density != found.law->density || law.viscosity != found.law->viscosity ||
                law.viscousKernel != found.law->viscousKernel || law.gradientHorizon != found.law->gradientHorizon ||
-               law.fluxHorizon != found.law->fluxHorizon || law.family.horizon != found.law->family.horizon) {
+               law.fluxHorizon != found.law->fluxHorizon || law.reflectsPoints != found.law->reflectsPoints ||
+               law.family.horizon != found.law->family.horizon) {
       throw RunError(solver + ": the fluids of the blocks \"" + first + "\" and \"" + block.getName() +
                      "\" differ; give both one material and one Horizon");
     }

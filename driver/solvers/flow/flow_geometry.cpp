@@ -54,6 +54,7 @@ FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std
   collectively(simulation.model.comm(), [&] { checkSides(); });
   requireForcesOnFluid(*this, simulation);
   findNearBoundary();
+  collectively(simulation.model.comm(), [&] { checkClaims(); });
 }
 
 void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {
@@ -169,17 +170,18 @@ double FlowGeometry::compactWeight(int point, const End& end) const {
 }
 
 void FlowGeometry::meetBoundaries(int point, const std::vector<int>& candidates, End& end) const {
+  constexpr double rounding = 1e-9;  // a bond into a corner ends at the boundary that the deck names first
   end.fraction = 2.0;
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {
     if (!boundaries_[b]->hasSurface()) continue;
     const double fraction = crossing(*boundaries_[b], placeOf(point), end);
     double& nearest = boundaries_[b]->isOutflow() ? end.openFraction : end.fraction;
-    if (fraction >= nearest) continue;
+    if (fraction >= nearest - rounding) continue;
     nearest = fraction;
     (boundaries_[b]->isOutflow() ? end.outflow : end.boundary) = static_cast<int>(b);
   }
   if (hasCells_) meetCells(point, candidates, end);
-  if (end.openFraction >= end.fraction) end.openFraction = 2.0;
+  if (end.openFraction >= end.fraction - rounding) end.openFraction = 2.0;
   if (end.fraction <= 1.0)
     end.kind = Kind::Wall;
   else
@@ -281,8 +283,13 @@ std::array<double, 3> FlowGeometry::normalAt(int boundary, const std::array<doub
 
 std::array<double, 3> FlowGeometry::mirrored(int point, const End& end) const {
   const int outflow = end.outflow >= 0 ? end.outflow : boundaryOf_[index(end.point)];
-  const std::array<double, 3> place = placeOn(point, end, end.openFraction <= 1.0 ? end.openFraction : 1.0);
-  const std::array<double, 3> normal = normalAt(outflow, place);
+  return mirroredAt(outflow, end.openFraction <= 1.0 ? end.openFraction : 1.0, point, end);
+}
+
+/// By the plane that touches the boundary where the bond meets it.
+std::array<double, 3> FlowGeometry::mirroredAt(int boundary, double fraction, int point, const End& end) const {
+  const std::array<double, 3> place = placeOn(point, end, fraction);
+  const std::array<double, 3> normal = normalAt(boundary, place);
   double beyond = 0.0;  // how far the end is beyond the plane through `place`
   for (std::size_t a = 0; a < 3; ++a) beyond += normal[a] * (placeOf(point)[a] + end.xi[a] - place[a]);
   std::array<double, 3> result = end.xi;

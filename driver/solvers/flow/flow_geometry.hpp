@@ -36,8 +36,8 @@ class FlowGeometry {
     int outflow = -1;
   };
 
-  /// Throws DeckError where points lie on the wrong side of a surface, nothing is fluid, or a force acts on nothing
-  /// that is. Collective.
+  /// Throws DeckError where points lie on the wrong side of a surface, boundaries claim one place, or a force acts on
+  /// nothing that is fluid. Collective.
   FlowGeometry(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks,
                std::vector<char> isSolid);
 
@@ -94,6 +94,10 @@ class FlowGeometry {
   std::array<double, 3> normalAt(int boundary, const std::array<double, 3>& place) const;
   /// From a fluid point to the mirror image, at the outflow, of the end of the bond.
   std::array<double, 3> mirrored(int point, const End& end) const;
+  /// The same at the wall that it meets, whose normalAt() that place is not zero.
+  std::array<double, 3> mirroredAtWall(int point, const End& end) const {
+    return mirroredAt(end.boundary, end.fraction, point, end);
+  }
 
  private:
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
@@ -107,9 +111,16 @@ class FlowGeometry {
   void findKinds(const std::vector<int>& flowBlocks);
   void checkSides() const;
   void findNearBoundary();
+  // flow_claims.cpp
+  void checkClaims() const;
+  std::vector<int> boundariesBefore(int neighbor) const;
+  int wallAcrossAxis(int point, int neighbor, const std::vector<int>& candidates) const;
+  bool cutsAnotherChannel(int outflow, int point, int neighbor, const std::vector<int>& candidates) const;
+  bool claimOnePlace(int one, int other, int point, int neighbor) const;
   void meetBoundaries(int point, const std::vector<int>& candidates, End& end) const;
   void meetCells(int point, const std::vector<int>& candidates, End& end) const;
   double crossing(const FlowBoundary& boundary, const double* from, const End& end) const;
+  std::array<double, 3> mirroredAt(int boundary, double fraction, int point, const End& end) const;
 
   Simulation& simulation_;
   const Discretization& mesh_;

@@ -19,8 +19,9 @@ using FlowVector = std::array<double, 3>;
 using FlowEnd = FlowGeometry::End;
 using FlowKind = FlowGeometry::Kind;
 
-/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass.
-constexpr double jumpReach = 8.0;
+/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass. (On a lattice
+/// points are whole numbers of spacings apart: those at this very distance are within it, however they are rounded.)
+constexpr double jumpReach = 8.0 + 1e-6;
 /// Jumps above this part of the largest velocity count.
 constexpr double jumpShare = 0.05;
 
@@ -157,12 +158,15 @@ class RowMaker {
                     x[0], x[1], x[2]));
   }
 
-  /// Bonds up to their ends: at a wall, or whole.
-  kernels::BondEnds bondsOf(const std::vector<FlowEnd>& ends) const {
+  bool reflectsPoints() const { return geometry_.law().reflectsPoints; }
+
+  /// Bonds up to their ends: at a wall, or whole, as all are where points `beyond` walls have a value.
+  kernels::BondEnds bondsOf(const std::vector<FlowEnd>& ends, bool beyond = false) const {
     kernels::BondEnds bonds;
     bonds.dimension = geometry_.dimension();
     for (const FlowEnd& end : ends) {
-      const FlowVector xi{end.fraction * end.xi[0], end.fraction * end.xi[1], end.fraction * end.xi[2]};
+      const double part = beyond ? 1.0 : end.fraction;
+      const FlowVector xi{part * end.xi[0], part * end.xi[1], part * end.xi[2]};
       bonds.add(xi.data(), end.volume);
     }
     return bonds;
@@ -170,6 +174,7 @@ class RowMaker {
 
   VelocityValue valueOf(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) {
     if (end.kind == FlowKind::Fluid) return {{{end.point, end.copy, 1.0}}};
+    if (end.kind == FlowKind::Wall && reflectsPoints()) return reflectedValue(point, ends, end);
     if (end.kind == FlowKind::Wall) return {{}, velocityAt(point, end), sourceOf(point, end, 1.0)};
     return mirroredValue(point, ends, geometry_.mirrored(point, end));
   }
@@ -203,12 +208,37 @@ class RowMaker {
     return value;
   }
 
+  /// Of the point beyond a wall: twice the wall's velocity less that of the mirrored place.
+  VelocityValue reflectedValue(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) {
+    requireNormal(point, end);
+    const FlowVector seen = geometry_.mirroredAtWall(point, end);
+    FlowVector foot;
+    for (std::size_t a = 0; a < 3; ++a) foot[a] = mesh().x[3 * localIndex(point) + a] + 0.5 * (end.xi[a] + seen[a]);
+    VelocityValue value = mirroredValue(point, ends, seen);
+    const FlowVector ofWall = geometry_.wallVelocity(end.boundary, foot, t_);
+    for (auto& part : value.parts) part.weight = -part.weight;
+    for (auto& [source, share] : value.sources) share = -share;
+    for (std::size_t a = 0; a < 3; ++a) value.constant[a] = 2.0 * ofWall[a] - value.constant[a];
+    for (const auto& source : sources_.at(end.boundary, foot, false, 2.0)) value.sources.push_back(source);
+    return value;
+  }
+
+  void requireNormal(int point, const FlowEnd& end) const {
+    if (geometry_.normalAt(end.boundary, geometry_.placeOn(point, end, end.fraction)) != FlowVector{}) return;
+    const double* x = &mesh().x[3 * localIndex(point)];
+    throw DeckError(fmt::format(
+        "the wall beside the fluid point at ({:g}, {:g}, {:g}) m has no Surface, by which \"Walls: Reflected "
+        "Points\" of Navier Stokes mirrors what is beyond it; give it one, or leave Walls out, as with "
+        "metal that dissolves",
+        x[0], x[1], x[2]));
+  }
+
   void velocityRows(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     std::vector<FlowEnd> compact;
     for (const FlowEnd& end : ends)
       if (isCompact(end)) compact.push_back(end);
-    const std::vector<double> weights = kernels::gradientWeights(bondsOf(compact));
+    const std::vector<double> weights = kernels::gradientWeights(bondsOf(compact, reflectsPoints()));
     if (weights.empty()) tooFewNeighbors(point);
     std::array<double, 9> own{}, constant{};
     for (std::size_t k = 0; k < compact.size(); ++k) {
@@ -251,7 +281,7 @@ class RowMaker {
   void viscousRow(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     const FlowLaw& law = geometry_.law();
-    const kernels::BondEnds bonds = bondsOf(ends);
+    const kernels::BondEnds bonds = bondsOf(ends, reflectsPoints());
     const std::vector<double> weights = kernels::viscousWeights(bonds, law.horizonVolume(), law.viscousKernel);
     if (weights.empty()) tooFewNeighbors(point);
     std::array<double, 9> own{}, constant{};
