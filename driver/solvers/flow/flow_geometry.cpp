@@ -227,6 +227,7 @@ const Nearness* overtakes(const std::vector<Nearness>& points, const Nearness& n
 /// for places so short that none of twelve equal steps finds them.
 void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End& end) const {
   constexpr double nSteps = 12.0, rounding = 1e-9;
+  if (std::none_of(candidates.begin(), candidates.end(), [&](int other) { return isCell_[index(other)] != 0; })) return;
   std::vector<Nearness> nearer;
   bool isAny = false;
   for (const int other : candidates) {
