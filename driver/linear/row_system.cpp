@@ -56,7 +56,7 @@ void SparseRows::addRow(std::vector<std::pair<long long, double>>& entries) {
 struct RowSystem::Implementation {
   const Communicator& comm;
   Teuchos::RCP<tpetra::Matrix> matrix;
-  Teuchos::RCP<FactorOperator> factor;
+  Teuchos::RCP<const tpetra::Operator> factor;  ///< or preconditioner
 
   double residual(const tpetra::MultiVector& b, const tpetra::MultiVector& x) const {
     tpetra::MultiVector difference(b, Teuchos::Copy);
@@ -98,8 +98,19 @@ std::string RowSystem::factor() {
   return "";
 }
 
+void RowSystem::precondition(const std::string& name) {
+  Implementation& self = *implementation_;
+  self.factor = Teuchos::null;
+  const auto constants = Teuchos::rcp(new tpetra::MultiVector(self.matrix->getRowMap(), 1));
+  constants->putScalar(1.0);
+  self.factor = makePreconditioner(name, self.matrix, 1, constants);
+}
+
 bool RowSystem::hasFactor() const { return !implementation_->factor.is_null(); }
-double RowSystem::factorEntries() const { return hasFactor() ? implementation_->factor->factor().entries() : 0.0; }
+double RowSystem::factorEntries() const {
+  const auto* factor = dynamic_cast<const FactorOperator*>(implementation_->factor.get());
+  return factor != nullptr ? factor->factor().entries() : 0.0;
+}
 
 RowSolveReport RowSystem::solve(const std::vector<double>& b, std::vector<double>& x, double relativeTolerance,
                                 int maximumIterations) const {

@@ -28,7 +28,8 @@ struct RowSolveReport {
   bool hasConverged = false;
 };
 
-/// A x = b by GMRES with the LU factor (MUMPS) of a matrix that A once was: one iteration where it still is.
+/// A x = b by GMRES with the LU factor (MUMPS) of a matrix that A once was: one iteration where it still is. Or with
+/// what takes less memory in its place, where factors grow fast, as those of points in space do.
 class RowSystem {
  public:
   explicit RowSystem(const Communicator& comm);
@@ -38,10 +39,13 @@ class RowSystem {
   void setMatrix(const SparseRows& rows);
   /// Factors the present matrix. Returns what stands in the way; empty where nothing does. Collective.
   std::string factor();
-  bool hasFactor() const;
+  /// In place of a factor a preconditioner of the present matrix (krylov.hpp), which has one unknown a point.
+  /// Collective. Throws what the packages throw.
+  void precondition(const std::string& name);
+  bool hasFactor() const;        ///< or a preconditioner
   double factorEntries() const;  ///< of all ranks
 
-  /// `x` holds the first guess. Needs a factor. Collective.
+  /// `x` holds the first guess. Needs a factor, or a preconditioner. Collective.
   RowSolveReport solve(const std::vector<double>& b, std::vector<double>& x, double relativeTolerance,
                        int maximumIterations) const;
 

@@ -7,6 +7,16 @@
 
 namespace pd {
 
+namespace {
+
+/// Where a factor would take too much memory.
+bool isInSpace(const Discretization& mesh) {
+  constexpr int mostFactored = 2000;
+  return mesh.dimension == 3 && mesh.nGlobal > mostFactored;
+}
+
+}  // namespace
+
 /// Entries of the Jacobian by unknown; those of other ranks' rows are kept apart.
 class AssembledStage::Collector : public PeridigmNS::SerialMatrix {
  public:
@@ -42,7 +52,7 @@ class AssembledStage::Collector : public PeridigmNS::SerialMatrix {
 
  private:
   /// Images count as what they mirror.
-  int localOf(int globalId) const { return stage_.localId_.at(globalId % mesh_.nGlobal); }
+  int localOf(int globalId) const { return stage_.localId_[static_cast<std::size_t>(globalId % mesh_.nGlobal)]; }
   void add(double row, double column, double value) {
     rows_[static_cast<std::size_t>(row - static_cast<double>(stage_.first_))].emplace_back(
         static_cast<long long>(column), value);
@@ -57,10 +67,11 @@ class AssembledStage::Collector : public PeridigmNS::SerialMatrix {
 void AssembledStage::number(StageEquation& equation) {
   Model& model = equation.model();
   const Discretization& mesh = model.discretization();
-  if (localId_.empty())
-    for (int i = 0; i < mesh.nPoints; ++i)
-      if (mesh.globalIds[static_cast<std::size_t>(i)] < mesh.nGlobal)
-        localId_[mesh.globalIds[static_cast<std::size_t>(i)]] = i;
+  if (localId_.empty()) {
+    localId_.assign(static_cast<std::size_t>(mesh.nGlobal), -1);
+    for (int i = 0; i < mesh.firstImage(); ++i)
+      localId_[static_cast<std::size_t>(mesh.globalIds[static_cast<std::size_t>(i)])] = i;
+  }
   const auto own = static_cast<long long>(mesh.nOwned);
   MPI_Exscan(&own, &first_, 1, MPI_LONG_LONG, MPI_SUM, model.comm().mpi());
   if (model.comm().isRoot()) first_ = 0;
@@ -106,9 +117,20 @@ SparseRows AssembledStage::assemble(StageEquation& equation, const std::vector<d
   return result;
 }
 
+bool AssembledStage::factor(const Discretization& mesh) {
+  if (isInSpace(mesh))
+    system_->precondition("ILU");
+  else
+    trouble_ = system_->factor();
+  if (trouble_.empty()) ++nFactors_;
+  return trouble_.empty();
+}
+
 bool AssembledStage::solve(StageEquation& equation, const std::vector<double>& slope, double tolerance,
                            std::vector<double>& step) {
-  constexpr int keptIterations = 12, newIterations = 50;
+  const Discretization& mesh = equation.model().discretization();
+  // What is incomplete takes some iterations from the start.
+  const int keptIterations = isInSpace(mesh) ? 50 : 12, newIterations = isInSpace(mesh) ? 200 : 50;
   constexpr double enough = 0.1;  // what is left is for the next of Newton's steps
   if (!system_) system_ = std::make_unique<RowSystem>(equation.model().comm());
   system_->setMatrix(assemble(equation, slope));
@@ -123,9 +145,7 @@ bool AssembledStage::solve(StageEquation& equation, const std::vector<double>& s
     nIterations_ += report.iterations;
   }
   if (!report.hasConverged) {
-    trouble_ = system_->factor();
-    if (!trouble_.empty()) return false;
-    ++nFactors_;
+    if (!factor(mesh)) return false;
     solution.assign(right.size(), 0.0);
     report = system_->solve(right, solution, tolerance, newIterations);
     nIterations_ += report.iterations;

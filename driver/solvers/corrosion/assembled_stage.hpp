@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "../../linear/row_system.hpp"
@@ -13,8 +12,9 @@
 namespace pd {
 
 /// Where a flow carries ions: 1 - h L - h s' + h k at free points, from the materials' Jacobians, L diffusion and
-/// advection; by GMRES with an LU factor of an earlier stage's matrix, as long as that takes few iterations. Other
-/// points are unknowns, too, which are zero: so a factor fits when metal has dissolved.
+/// advection; by GMRES with an LU factor of an earlier stage's matrix, as long as that takes few iterations, or in
+/// space, where factors grow fast, an incomplete one. Other points are unknowns, too, which are zero: so a factor fits
+/// when metal has dissolved.
 class AssembledStage {
  public:
   /// step = matrix^-1 residual at free points, 0 at others, to a relative residual of `tolerance`. `slope`: s' by point
@@ -33,11 +33,12 @@ class AssembledStage {
   class Collector;
   void number(StageEquation& equation);
   SparseRows assemble(StageEquation& equation, const std::vector<double>& slope);
+  bool factor(const Discretization& mesh);
 
   std::unique_ptr<RowSystem> system_;
-  std::unordered_map<int, int> localId_;  ///< by global id, of owned points and ghosts
-  std::vector<double> column_, isFree_;   ///< [points] of the unknown; 1 at free points
-  long long first_ = 0;                   ///< unknown of this rank
+  std::vector<int> localId_;             ///< by global id, of owned points and ghosts
+  std::vector<double> column_, isFree_;  ///< [points] of the unknown; 1 at free points
+  long long first_ = 0;                  ///< unknown of this rank
   double largestDiagonal_ = 1.0;
   long long nIterations_ = 0, nFactors_ = 0;
   std::string trouble_;

@@ -82,7 +82,10 @@ void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {
   }
   for (std::size_t i = 0; i < nPoints; ++i)
     if (isSolid_[i] != 0) kind_[i] = Kind::Wall;
-  for (int point = 0; point < mesh_.nPoints; ++point) hasCells_ = hasCells_ || isCell(point);
+  for (int point = 0; point < mesh_.nPoints; ++point) {
+    isCell_.push_back(isCell(point) ? 1 : 0);
+    hasCells_ = hasCells_ || isCell_.back() != 0;
+  }
 }
 
 /// The first point of each kind of trouble on this rank.
@@ -188,43 +191,76 @@ void FlowGeometry::meetBoundaries(int point, const std::vector<int>& candidates,
     end.fraction = 1.0;
 }
 
-/// The first place of the bond to which a point of a wall without a surface is nearer than the point and all fluid.
+namespace {
+
+/// The square of the distance from a place of a bond xi, at the fraction f of it, to a point at d from its beginning is
+/// square - f along, but for (f |xi|)^2, which all points have in common.
+struct Nearness {
+  double square, along;  ///< |d|^2, 2 xi.d
+  int point;
+  bool isCell;
+};
+
+/// Of the points that are nearer than the beginning of the bond somewhere on it, the one that is the nearest after
+/// `now`, from where on `nearest` is overtaken; null: none. Of two that are equally near one that is no cell.
+const Nearness* overtakes(const std::vector<Nearness>& points, const Nearness& now, double& from) {
+  constexpr double rounding = 1e-9;
+  const Nearness* next = nullptr;
+  double first = 1.0;
+  for (const Nearness& other : points) {
+    const double steeper = other.along - now.along;
+    if (!(steeper > rounding * other.along)) continue;
+    const double meeting = (other.square - now.square) / steeper;
+    if (meeting > first + rounding) continue;
+    const bool isBetter = next == nullptr || meeting < first - rounding ||
+                          other.along > next->along * (1.0 + rounding) ||
+                          (other.along > next->along * (1.0 - rounding) && !other.isCell);
+    if (!isBetter) continue;
+    first = std::min(meeting, 1.0);
+    next = &other;
+  }
+  from = std::max(from, first);
+  return next;
+}
+
+}  // namespace
+
+/// The first place of the bond to which a point of a wall without a surface is nearer than the point and all fluid, but
+/// for places so short that none of twelve equal steps finds them.
 void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End& end) const {
-  const auto nearestCell = [&](double fraction) {
-    const std::array<double, 3> place = placeOn(point, end, fraction);
-    const auto square = [&](int other) {
-      const double* x = placeOf(other);
-      return (x[0] - place[0]) * (x[0] - place[0]) + (x[1] - place[1]) * (x[1] - place[1]) +
-             (x[2] - place[2]) * (x[2] - place[2]);
-    };
-    int nearest = point;
-    double least = square(point);
-    for (const int other : candidates) {
-      const double distance = square(other);
-      if (distance >= least * (isCell(other) ? 1.0 - 1e-9 : 1.0)) continue;
-      nearest = other;
-      least = distance;
+  constexpr double nSteps = 12.0, rounding = 1e-9;
+  if (std::none_of(candidates.begin(), candidates.end(), [&](int other) { return isCell_[index(other)] != 0; })) return;
+  std::vector<Nearness> nearer;
+  bool isAny = false;
+  for (const int other : candidates) {
+    const double *x = placeOf(other), *from = placeOf(point);
+    const std::array<double, 3> d{x[0] - from[0], x[1] - from[1], x[2] - from[2]};
+    const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double along = 2.0 * (end.xi[0] * d[0] + end.xi[1] * d[1] + end.xi[2] * d[2]);
+    if (!(square < along)) continue;
+    nearer.push_back({square, along, other, isCell_[index(other)] != 0});
+    isAny = isAny || nearer.back().isCell;
+  }
+  if (!isAny) return;
+  const Nearness own{0.0, 0.0, point, false};
+  double from = 0.0, since = 0.0;
+  const Nearness* cell = nullptr;
+  for (const Nearness* nearest = overtakes(nearer, own, from); nearest != nullptr && from < end.fraction;) {
+    if (!nearest->isCell)
+      cell = nullptr;
+    else if (cell == nullptr) {
+      cell = nearest;
+      since = from;
     }
-    return isCell(nearest) ? nearest : -1;
-  };
-  constexpr int nTrials = 12;
-  double low = 0.0, high = 2.0;
-  int cell = -1;
-  for (int trial = 1; trial <= nTrials && cell < 0; ++trial) {
-    const double fraction = static_cast<double>(trial) / nTrials;
-    cell = nearestCell(fraction);
-    (cell < 0 ? low : high) = fraction;
+    const Nearness* next = overtakes(nearer, *nearest, from);
+    const double until = next == nullptr ? 1.0 : from;
+    if (cell != nullptr && std::floor(until * nSteps + rounding) > std::floor(since * nSteps - rounding)) {
+      end.fraction = since;
+      end.boundary = boundaryOf_[index(mesh_.sourceOf(cell->point))];
+      return;
+    }
+    nearest = next;
   }
-  if (cell < 0 || low >= end.fraction) return;
-  for (int halving = 0; halving < 40; ++halving) {
-    const double middle = 0.5 * (low + high);
-    const int there = nearestCell(middle);
-    if (there >= 0) cell = there;
-    (there < 0 ? low : high) = middle;
-  }
-  if (high >= end.fraction) return;
-  end.fraction = high;
-  end.boundary = boundaryOf_[index(mesh_.sourceOf(cell))];
 }
 
 /// The first fraction of the bond at which the surface's function turns negative; 2 where it does not.

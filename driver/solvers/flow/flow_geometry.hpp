@@ -131,7 +131,7 @@ class FlowGeometry {
   std::vector<int> boundaryOf_;           ///< [points] the last one that has the point; -1: none
   std::vector<Kind> kind_;                ///< [points]
   std::vector<double> isNear_;            ///< [points] 1 where a neighbour is not fluid
-  std::vector<char> isSolid_;             ///< [points]
+  std::vector<char> isSolid_, isCell_;    ///< [points]
   std::vector<int> fluid_, possibleOf_;   ///< possibleOf_: [fluid_] their numbers among possible points
   int nPossible_ = 0;
   bool hasCells_ = false;  ///< walls without a surface

@@ -13,7 +13,7 @@ FlowPockets findFlowPockets(Model& model, const FlowGeometry& geometry, const Fl
   const Discretization& mesh = model.discretization();
   const auto gradientOf = [&](std::size_t row, const auto& connect) {
     const auto stored = rows.pressureGradient.row(row);
-    std::for_each(stored.points, stored.points + stored.count, connect);
+    for (std::size_t k = 0; k < stored.count; ++k) connect(stored.pointOf(k));
   };
   const FlowParts parts = findFlowParts(model, geometry.fluid(), gradientOf);
 

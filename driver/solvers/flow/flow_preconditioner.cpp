@@ -25,9 +25,26 @@ FlowPreconditioner::FlowPreconditioner(Model& model, const FlowEquations& equati
       hasConvection_(hasConvection),
       n_(static_cast<std::size_t>(geometry_.dimension())) {
   numberRows();
-  const std::size_t nMatrices = model_.discretization().symmetry.empty() ? 1 : n_;
-  for (std::size_t component = 0; component < nMatrices; ++component) makeVelocity(component);
-  if (hasConvection && convectsPressure) makePressure();
+  makeMatrices(hasConvection && convectsPressure);
+}
+
+/// In one pass over the points, whose bonds take longer to find than to use.
+void FlowPreconditioner::makeMatrices(bool wantsPressure) {
+  const std::size_t nRows = geometry_.fluid().size();
+  std::vector<SparseRows> velocity(model_.discretization().symmetry.empty() ? 1 : n_);
+  SparseRows pressure;
+  shortWaves_.resize(velocity.size() * nRows);
+  for (std::size_t row = 0; row < nRows; ++row) {
+    const std::vector<Bond> bonds = bondsOf(geometry_.fluid()[row]);
+    for (std::size_t component = 0; component < velocity.size(); ++component)
+      shortWaves_[component * nRows + row] = addVelocityRow(row, component, bonds, velocity[component]);
+    if (wantsPressure) addPressureRow(row, bonds, pressure);
+  }
+  for (SparseRows& rows : velocity) {
+    velocity_.push_back(std::make_unique<Multigrid>(model_.comm(), rows));
+    rows = {};
+  }
+  if (wantsPressure) pressure_ = std::make_unique<Multigrid>(model_.comm(), pressure);
 }
 
 void FlowPreconditioner::numberRows() {
@@ -62,60 +79,51 @@ std::vector<FlowPreconditioner::Bond> FlowPreconditioner::bondsOf(int point) con
   return bonds;
 }
 
-void FlowPreconditioner::makeVelocity(std::size_t component) {
-  const double* velocity = model_.field("Velocity");
+/// Returns the part of the identity that the inverse has besides.
+double FlowPreconditioner::addVelocityRow(std::size_t row, std::size_t component, const std::vector<Bond>& bonds,
+                                          SparseRows& rows) const {
+  const int point = geometry_.fluid()[row];
+  const double* v = model_.field("Velocity") + 3 * point;
   const double unit = equations_.unit(), ratio = equations_.density() / equations_.viscosity();
-  SparseRows rows;
   std::vector<std::pair<long long, double>> entries;
-  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
-    const int point = geometry_.fluid()[row];
-    const double* v = velocity + 3 * point;
-    double diagonal = 0.0, viscous = 0.0;
-    entries.clear();
-    for (const Bond& bond : bondsOf(point)) {
-      if (bond.isOpen) continue;  // the velocity goes on as it is
-      const double weight = unit * unit * bond.weight / (bond.isFluid ? 1.0 : bond.fraction);
-      viscous += weight;
-      // Half of the Laplacian's weight times the bond is that of a gradient.
-      const double along =
-          hasConvection_ ? 0.5 * ratio * (v[0] * bond.xi[0] + v[1] * bond.xi[1] + v[2] * bond.xi[2]) : 0.0;
-      const double passed = weight * std::max(0.0, 1.0 - (bond.isFluid ? 1.0 : bond.fraction) * along);
-      diagonal += passed;
-      if (bond.isFluid)
-        entries.emplace_back(static_cast<long long>(columnOf_[static_cast<std::size_t>(bond.point)]),
-                             -passed * bond.sign[component]);
-    }
-    entries.emplace_back(firstRow_ + static_cast<long long>(row), diagonal);
-    rows.addRow(entries);
-    double own = 0.0;
-    equations_.rows().viscous.forEach(row, [&](const auto& term) {
-      if (term.point == point) own = -unit * unit * term.weights[4 * component];
-    });
-    const double convective = hasConvection_ ? ratio * unit * std::hypot(v[0], v[1], v[2]) : 0.0;
-    shortWaves_.push_back(std::max(0.0, 1.0 / (own + convective) - 1.0 / (viscous + convective)));
+  double diagonal = 0.0, viscous = 0.0;
+  for (const Bond& bond : bonds) {
+    if (bond.isOpen) continue;  // the velocity goes on as it is
+    const double weight = unit * unit * bond.weight / (bond.isFluid ? 1.0 : bond.fraction);
+    viscous += weight;
+    // Half of the Laplacian's weight times the bond is that of a gradient.
+    const double along =
+        hasConvection_ ? 0.5 * ratio * (v[0] * bond.xi[0] + v[1] * bond.xi[1] + v[2] * bond.xi[2]) : 0.0;
+    const double passed = weight * std::max(0.0, 1.0 - (bond.isFluid ? 1.0 : bond.fraction) * along);
+    diagonal += passed;
+    if (bond.isFluid)
+      entries.emplace_back(static_cast<long long>(columnOf_[static_cast<std::size_t>(bond.point)]),
+                           -passed * bond.sign[component]);
   }
-  velocity_.push_back(std::make_unique<Multigrid>(model_.comm(), rows));
+  entries.emplace_back(firstRow_ + static_cast<long long>(row), diagonal);
+  rows.addRow(entries);
+  double own = 0.0;
+  equations_.rows().viscous.forEach(row, [&](const auto& term) {
+    if (term.point == point) own = -unit * unit * term.weights[4 * component];
+  });
+  const double convective = hasConvection_ ? ratio * unit * std::hypot(v[0], v[1], v[2]) : 0.0;
+  return std::max(0.0, 1.0 / (own + convective) - 1.0 / (viscous + convective));
 }
 
 /// -lap, with a pressure of zero at outflows and no flux through walls.
-void FlowPreconditioner::makePressure() {
+void FlowPreconditioner::addPressureRow(std::size_t row, const std::vector<Bond>& bonds, SparseRows& rows) const {
   const double unit = equations_.unit();
-  SparseRows rows;
   std::vector<std::pair<long long, double>> entries;
-  for (const int point : geometry_.fluid()) {
-    double diagonal = pressureTie;
-    entries.clear();
-    for (const Bond& bond : bondsOf(point)) {
-      if (!bond.isOpen && !bond.isFluid) continue;
-      const double weight = unit * unit * bond.weight;
-      diagonal += bond.isOpen ? 2.0 * weight : weight;  // beyond an outflow it is that of the mirrored place, negative
-      if (!bond.isOpen)
-        entries.emplace_back(static_cast<long long>(columnOf_[static_cast<std::size_t>(bond.point)]), -weight);
-    }
-    entries.emplace_back(static_cast<long long>(columnOf_[static_cast<std::size_t>(point)]), diagonal);
-    rows.addRow(entries);
+  double diagonal = pressureTie;
+  for (const Bond& bond : bonds) {
+    if (!bond.isOpen && !bond.isFluid) continue;
+    const double weight = unit * unit * bond.weight;
+    diagonal += bond.isOpen ? 2.0 * weight : weight;  // beyond an outflow it is that of the mirrored place, negative
+    if (!bond.isOpen)
+      entries.emplace_back(static_cast<long long>(columnOf_[static_cast<std::size_t>(bond.point)]), -weight);
   }
-  pressure_ = std::make_unique<Multigrid>(model_.comm(), rows);
+  entries.emplace_back(firstRow_ + static_cast<long long>(row), diagonal);
+  rows.addRow(entries);
 }
 
 void FlowPreconditioner::apply(const double* r, double* z) const {

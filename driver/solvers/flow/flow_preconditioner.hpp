@@ -41,8 +41,9 @@ class FlowPreconditioner {
   };
   std::vector<Bond> bondsOf(int point) const;
   void numberRows();
-  void makeVelocity(std::size_t component);
-  void makePressure();
+  void makeMatrices(bool wantsPressure);
+  double addVelocityRow(std::size_t row, std::size_t component, const std::vector<Bond>& bonds, SparseRows& rows) const;
+  void addPressureRow(std::size_t row, const std::vector<Bond>& bonds, SparseRows& rows) const;
   void applyToPressure(const double* r, double* z) const;
   void applyToVelocity(const double* r, double* z) const;
   std::vector<double> gradientOf(const std::vector<double>& scalar) const;

@@ -10,6 +10,7 @@
 #include "../../model/collective.hpp"
 #include "exact_weights.hpp"
 #include "flow_pressure_fits.hpp"
+#include "flow_surroundings.hpp"
 
 namespace pd {
 
@@ -46,7 +47,8 @@ class RowMaker {
         t_(t),
         n_(static_cast<std::size_t>(geometry.dimension())),
         sources_(geometry, t),
-        fits_(geometry, sources_, t) {}
+        fits_(geometry, sources_, t),
+        surroundings_(geometry) {}
 
   FlowRows make() {
     std::vector<double> jumpOf;
@@ -57,6 +59,7 @@ class RowMaker {
     });
     rows_.nAtJumps = comm_.sum(rows_.nAtJumps);
     rows_.sources = sources_.take();
+    rows_.finish();
     return std::move(rows_);
   }
 
@@ -68,10 +71,13 @@ class RowMaker {
   void makeRow(std::size_t row, const std::vector<double>& jumps) {
     constexpr std::size_t sample = 200;
     const int point = geometry_.fluid()[row];
+    const bool isAtJump = isNearJump(point, jumps);
+    if (const long long like = isAtJump ? -1 : surroundings_.like(point, row); like >= 0)
+      return rows_.repeat(static_cast<std::size_t>(like), point);
     const std::vector<FlowEnd> ends = geometry_.endsOf(point);
     velocityRows(row, ends);
     pressureRow(row);
-    if (isNearJump(point, jumps))
+    if (isAtJump)
       massBalanceRow(row);
     else
       divergenceRow(row);
@@ -262,7 +268,7 @@ class RowMaker {
       }
     }
     rows_.gradient.add(point, own);
-    rows_.gradient.close(constant);
+    rows_.gradient.close(point, constant);
     viscousRow(row, ends);
   }
 
@@ -308,7 +314,7 @@ class RowMaker {
     }
     if (rings().areUsed()) addRingViscosity(row, own, constant);
     rows_.viscous.add(point, own);
-    rows_.viscous.close(constant);
+    rows_.viscous.close(point, constant);
   }
 
   /// What lap v of a body of revolution has besides: dv/dr /r, and along the radius -v_r/r^2.
@@ -341,7 +347,7 @@ class RowMaker {
     const PressureFit& fit = fits_.at(point, {});
     for (const auto& term : fit.terms) rows_.pressureGradient.add(term.point, term.weight);
     for (const auto& [source, weight] : fit.sources) rows_.pressureGradient.addShare(source, weight);
-    rows_.pressureGradient.close(fit.constant);
+    rows_.pressureGradient.close(point, fit.constant);
   }
 
   /// The trace of the gradient, and in bodies of revolution v_r/r.
@@ -362,7 +368,7 @@ class RowMaker {
       rows_.divergence.addShare(share->source, {share->weights[0], share->weights[4], share->weights[8]});
     double constant = 0.0;
     for (std::size_t a = 0; a < n_; ++a) constant += gradient.constants[row][4 * a];
-    rows_.divergence.close({constant, 0.0, 0.0});
+    rows_.divergence.close(geometry_.fluid()[row], {constant, 0.0, 0.0});
   }
 
   /// What is said of a boundary by the bonds that meet it around a point.
@@ -408,7 +414,7 @@ class RowMaker {
       for (const auto& [source, weight] : facet.sources)
         rows_.divergence.addShare(source, {weight * outward[0], weight * outward[1], weight * outward[2]});
     }
-    rows_.divergence.close(constantFlux);
+    rows_.divergence.close(point, constantFlux);
     ++rows_.nAtJumps;
   }
 
@@ -469,7 +475,7 @@ class RowMaker {
           rows_.smoothing.addShare(source, {-0.5 * weight * along(share)});
       }
     }
-    rows_.smoothing.close({constant});
+    rows_.smoothing.close(point, {constant});
   }
 
   /// The local id, that of an image where it is one.
@@ -487,6 +493,7 @@ class RowMaker {
   FlowRows rows_;
   FlowSources sources_;
   PressureFits fits_;
+  FlowSurroundings surroundings_;
 };
 
 }  // namespace

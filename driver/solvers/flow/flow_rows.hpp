@@ -27,6 +27,20 @@ struct FlowRows {
     pressureGradient.expect(nRows);
     smoothing.expect(nRows);
   }
+  void repeat(std::size_t row, int point) {
+    viscous.repeat(row, point);
+    gradient.repeat(row, point);
+    divergence.repeat(row, point);
+    pressureGradient.repeat(row, point);
+    smoothing.repeat(row, point);
+  }
+  void finish() {
+    viscous.finish();
+    gradient.finish();
+    divergence.finish();
+    pressureGradient.finish();
+    smoothing.finish();
+  }
 };
 
 /// In the solver's time t. Throws DeckError where a point has too few neighbours, with its place. Collective.
