@@ -37,6 +37,11 @@ NearDiscontinuities nearBox(const NearDiscontinuities& candidates, const Box& bo
 
 /// Share of the cell's volume that is outside of all voids, within 1e-3 of what they take.
 double solidShare(const Cell& cell, const std::vector<const Void*>& voids);
+/// The same by a rule: by one that leaves cells all or nothing, nothing where the cell's point is in a void.
+double solidShare(const Cell& cell, const std::vector<const Void*>& voids, const DecompositionRule& rule);
+/// Cells that have no more material are left out: slivers, whose middles are far from it. Around a hole they are 1e-3
+/// of the cells that it cuts.
+constexpr double leastSolid = 0.05;
 
 /// A cell and a number of its own.
 struct NamedCell {
