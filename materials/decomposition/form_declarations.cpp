@@ -87,8 +87,8 @@ void declareRule(ParameterDeclarations& declare) {
       .text(
           "Rule",
           "Adaptive: the share of connections between two cells that meet no crack and no void, in a plane by "
-          "lines through both, as many as it takes to know it to about Tolerance; in space by 64 lines of one as seen "
-          "from 512 places of the other. "
+          "lines through both, in space by lines of one as seen from places of the other, as many as it takes to know "
+          "it to about Tolerance. "
           "Uniform: the same by all pairs of Partitions^D middles of equal parts of each cell. For comparison, cells "
           "and bonds keep all or nothing: Intersection cuts bonds where the line between their points meets a crack or "
           "void; Both and Either do so too, but cut bonds that cross the line of a crack in a plane where both of "
@@ -96,7 +96,7 @@ void declareRule(ParameterDeclarations& declare) {
       .oneOf({"Adaptive", "Uniform", "Intersection", "Both", "Either"})
       .defaultTo("Adaptive")
       .from("Liu & Bao, Aerospace 9 (2022) 641, sections 2.3.1 and 3.1");
-  declare.real("Tolerance", "1", "Of the share of a bond that is left, by the rule Adaptive in a plane.")
+  declare.real("Tolerance", "1", "Of the share of a bond that is left, by the rule Adaptive.")
       .between(1e-6, 0.1)
       .defaultTo(1e-3);
   declare
