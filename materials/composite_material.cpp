@@ -29,6 +29,11 @@ bool CompositeMaterial::Part::adds(int field) const {
 
 bool CompositeMaterial::Part::hasForce() const { return adds(forceField()); }
 
+bool CompositeMaterial::Part::bringsShares() const {
+  const FieldUse* use = table.find(fields::interactionShare().id());
+  return use != nullptr && use->access == FieldAccess::Writes;
+}
+
 void CompositeMaterial::declareParameters(ParameterDeclarations& declare) {
   declare.text("Material Model", "Name of this model.").defaultTo("Combined");
   declare.texts(partsKey, "Names of the parts; each has a list of its parameters under its name.").required();
@@ -55,6 +60,9 @@ CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Mate
     const auto material = MaterialRegistry::self().create(model, list);
     parts_.push_back({name, material, fieldsIn(*material)});
   }
+  // What others ask for as they are initialized comes first.
+  std::stable_partition(parts_.begin(), parts_.end(), [](const Part& part) { return part.bringsShares(); });
+  if (!parts_.empty() && parts_.front().bringsShares()) requireSharesKnown();
   std::vector<NamedTable> tables;
   for (const Part& part : parts_) {
     fields_.include(part.table);
@@ -169,12 +177,10 @@ std::vector<std::string> CompositeMaterial::runNotes() const {
   return notes;
 }
 
-void CompositeMaterial::requireWholeBonds(DataManager& dataManager) const {
-  const int share = fields::interactionShare().id();
-  if (!dataManager.hasData(share, PeridigmNS::PeridigmField::STEP_NONE)) return;
+void CompositeMaterial::requireSharesKnown() const {
   std::vector<std::string> messages;
   for (const Part& part : parts_)
-    if (part.table.find(share) == nullptr)
+    if (part.table.find(fields::interactionShare().id()) == nullptr)
       messages.push_back("\"" + part.name +
                          "\" does not know that Cracks and Voids of the deck take a part of bonds (" +
                          fields::interactionShare().label + "); leave one of them out");
@@ -183,7 +189,7 @@ void CompositeMaterial::requireWholeBonds(DataManager& dataManager) const {
 
 void CompositeMaterial::initialize(const double dt, const int numOwnedPoints, const int* ownedIDs,
                                    const int* neighborhoodList, DataManager& dataManager) {
-  requireWholeBonds(dataManager);
+  if (dataManager.hasData(fields::interactionShare().id(), PeridigmNS::PeridigmField::STEP_NONE)) requireSharesKnown();
   const auto n = static_cast<std::size_t>(numOwnedPoints);
   std::vector<std::vector<double>> sums(sharedDiffusivities_.size(), std::vector<double>(n, 0.0));
   for (const Part& part : parts_) {

@@ -86,6 +86,7 @@ class CompositeMaterial : public PeridigmNS::Material,
     FieldTable table;
     bool adds(int field) const;
     bool hasForce() const;
+    bool bringsShares() const;
   };
   struct Fields : FieldTable {
     void bringBondDamage() { reads(pd::fields::bondDamage()); }
@@ -94,8 +95,8 @@ class CompositeMaterial : public PeridigmNS::Material,
   /// Null where several parts have forces, or the one has no springs.
   const LinearBonds* springPart() const;
   void checkDensities() const;
-  /// Refuses parts that do not know shares of bonds, where a deck has such.
-  void requireWholeBonds(PeridigmNS::DataManager& dataManager) const;
+  /// Refuses parts that do not know shares of bonds.
+  void requireSharesKnown() const;
   /// Bond_Damage where a part dissolves what another one loads.
   void bringBonds();
   void findSharedSums();

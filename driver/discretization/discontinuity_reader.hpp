@@ -3,19 +3,18 @@
 #define PD_DISCONTINUITY_READER_HPP
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "../deck/deck.hpp"
-#include "discontinuities.hpp"
+#include "discontinuity_forms.hpp"
 
 namespace pd {
 
-struct DiscontinuityForm {
-  std::vector<std::unique_ptr<decomposition::Screen>> screens;
-  std::vector<std::unique_ptr<decomposition::Void>> voids;
-  std::string place = {};  ///< "pores.txt:7" of one that a file lists
+struct DiscontinuityForm : decomposition::DiscontinuityForm {
+  DiscontinuityForm(decomposition::DiscontinuityForm form, std::string itsPlace = "")
+      : decomposition::DiscontinuityForm(std::move(form)), place(std::move(itsPlace)) {}
+  std::string place;  ///< "pores.txt:7" of one that a file lists
 };
 
 struct GeometryFile {

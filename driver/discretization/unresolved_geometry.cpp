@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "../deck/sections.hpp"
 #include "mesh_geometry.hpp"
 #include "text_file.hpp"
 
@@ -20,34 +21,6 @@ using decomposition::InteractionShares;
 using decomposition::NearDiscontinuities;
 
 namespace {
-
-/// Cells that have less material are left out: slivers, whose middles are far from it. Around a hole they are 1e-3 of
-/// the cells that it cuts.
-constexpr double leastSolid = 0.05;
-
-decomposition::DecompositionRule ruleOf(const DeckNode& section) {
-  using Kind = decomposition::DecompositionRule::Kind;
-  const std::map<std::string, Kind> kinds{{"Adaptive", Kind::Adaptive},
-                                          {"Uniform", Kind::Uniform},
-                                          {"Intersection", Kind::Intersection},
-                                          {"Both", Kind::Both},
-                                          {"Either", Kind::Either}};
-  decomposition::DecompositionRule rule;
-  rule.kind = kinds.at(section.text("Rule", "Adaptive"));
-  rule.tolerance = section.real("Tolerance", rule.tolerance);
-  rule.partitions = section.integer("Partitions", rule.partitions);
-  return rule;
-}
-
-/// Whether bonds and cells keep a part, or all or nothing.
-bool isShared(const decomposition::DecompositionRule& rule) {
-  using Kind = decomposition::DecompositionRule::Kind;
-  return rule.kind == Kind::Adaptive || rule.kind == Kind::Uniform;
-}
-
-bool containsAny(const std::vector<const decomposition::Void*>& voids, const decomposition::Place& place) {
-  return std::any_of(voids.begin(), voids.end(), [&](const auto* v) { return v->contains(place); });
-}
 
 /// Keeps the entries of `values`, `width` each, whose points are kept.
 template <class Value>
@@ -97,7 +70,7 @@ UnresolvedGeometry::UnresolvedGeometry(const Deck& deck, const Communicator& com
   read(section["Cracks"], true, comm);
   read(section["Voids"], false, comm);
   const DeckNode rule = section["Bond Decomposition"];
-  rule_ = ruleOf(rule);
+  if (rule) rule_ = decomposition::ruleFrom(rule.parameters(bondDecompositionDeclarations()));
   const decomposition::DecompositionRule defaults;  // which decks with all defaults written out have
   for (const auto& [key, of, usual] : {std::tuple("Tolerance", "Adaptive", defaults.tolerance),
                                        std::tuple("Partitions", "Uniform", static_cast<double>(defaults.partitions))})
@@ -227,8 +200,8 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
   for (int i = 0; i < points.size(); ++i) {
     const Cell cell = cellOf(points.at(i), spacing[i]);
     const NearDiscontinuities within = nearBox(near(points.at(i)), boxAround(cell, cell));
-    solid_[i] = isShared(rule_) ? solidShare(cell, within.voids) : containsAny(within.voids, cell.center) ? 0.0 : 1.0;
-    isKept[i] = solid_[i] > leastSolid ? 1 : 0;
+    solid_[i] = solidShare(cell, within.voids, rule_);
+    isKept[i] = solid_[i] > decomposition::leastSolid ? 1 : 0;
     if (solid_[i] == 1.0) continue;
     for (Entry& entry : entries_)
       for (const auto& v : entry.voids)

@@ -109,6 +109,29 @@ Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, i
   return Teuchos::rcp(new NeighborhoodData(std::move(owned), std::move(list)));
 }
 
+/// Refuses Cracks and Voids of materials in some of the blocks only, and those beside Cracks and Voids of the mesh.
+void checkBringersOfShares(const Deck& deck, std::vector<Block>& blocks, bool isDecomposed) {
+  const auto bringsShares = [](Block& block) {
+    const FieldTable* table = fieldTableOf(*block.getMaterialModel());
+    const FieldUse* use = table == nullptr ? nullptr : table->find(fields::interactionShare().id());
+    return use != nullptr && use->access == FieldAccess::Writes;
+  };
+  const auto nBringers = std::count_if(blocks.begin(), blocks.end(), bringsShares);
+  if (nBringers == 0) return;
+  Mistakes mistakes;
+  for (Block& block : blocks) {
+    const std::string place = blockEntry(deck, block.getName())["Material"].place();
+    if (bringsShares(block) && isDecomposed)
+      mistakes.add(place, "a material of " + block.getName() +
+                              " has Cracks and Voids, and Discretization has some; give all of them in one place");
+    if (!bringsShares(block))
+      mistakes.add(place, "materials of other blocks have Cracks and Voids, those of " + block.getName() +
+                              " have not, so that bonds between them would differ from end to end; give all blocks "
+                              "the same");
+  }
+  mistakes.report();
+}
+
 }  // namespace
 
 Model::Model(const Deck& deck, const Communicator& comm, Discretization discretization,
@@ -123,6 +146,7 @@ Model::Model(const Deck& deck, const Communicator& comm, Discretization discreti
   allocatePluginFields();
   allocateFields(extraFields);
   if (!discretization_.symmetry.empty()) prepareImages(deck);
+  collectively(comm_, [&] { checkBringersOfShares(deck, *blocks_, discretization_.isDecomposed); });
   if (discretization_.isDecomposed) collectively(comm_, [&] { decomposeBonds(deck); });
   if (comm_.any(!discretization_.bondIsCut.empty())) collectively(comm_, [&] { cutBonds(deck); });
 }

@@ -10,7 +10,11 @@ namespace pd::decomposition {
 namespace {
 
 constexpr double negligible = 1e-6;  ///< what is less counts as nothing
-constexpr int linesInSpace = 8;      ///< of the adaptive rule, along each edge
+
+// Of the adaptive rule in space.
+constexpr int nOffsets = sampleOffsetsASide * sampleOffsetsASide;  ///< of lines, one after the other
+constexpr int placesAnOffset = 8;                                  ///< in a round through all of them
+constexpr int mostRounds = 64;
 
 double rounded(double share) { return share < negligible ? 0.0 : share > 1.0 - negligible ? 1.0 : share; }
 
@@ -82,24 +86,24 @@ double InteractionShares::of(const NamedCell& a, const NamedCell& b, const NearD
   ++nNear_;
   if (rule_.kind == Kind::Both) return byTipRule(a, b, near, TipRule::Both);
   if (rule_.kind == Kind::Either) return byTipRule(a, b, near, TipRule::Either);
-  if (rule_.kind == Kind::Intersection) return std::max(0.0, byLines(a, b, near, 1, true));
+  if (rule_.kind == Kind::Intersection) return std::max(0.0, byMiddles(a, b, near, 1));
   const Screen& first = *screens.front();
   if (screens.size() == 1 && between_.voids.empty() && first.divides(a.cell, b.cell))
     return first.isAbove(a.cell.center) == first.isAbove(b.cell.center) ? 1.0 : 0.0;
   for (const Screen* screen : screens)
     if (hidesAll(*screen, a.cell, b.cell)) return 0.0;
-  if (rule_.kind == Kind::Uniform) return std::max(0.0, byLines(a, b, near, rule_.partitions, true));
+  if (rule_.kind == Kind::Uniform) return std::max(0.0, byMiddles(a, b, near, rule_.partitions));
   return adaptively(a, b, near);
 }
 
-double InteractionShares::byLines(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n,
-                                  bool countsMiddles) {
-  const LineMeasure measure{countsMiddles ? n : 0};
+double InteractionShares::byMiddles(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n) {
+  const LineMeasure measure{n};
   const Place way = minus(b.cell.center, a.cell.center);
   const std::size_t along = axisAlong(a.cell, way), across = axisAcross(b.cell, way);
   const Taken& ofA = cells_.taken(a.id, a.cell, along, n, measure, near);
   findParts(LineGrid(a.cell, along, n), ofA, measure, parts_);
-  sight_.turnTo(b.cell, across, n, measure, cells_.taken(b.id, b.cell, across, n, measure, near), between_.screens);
+  sight_.turnTo(b.cell, LineGrid(b.cell, across, n), measure, cells_.taken(b.id, b.cell, across, n, measure, near),
+                between_.screens);
   const int nParts = static_cast<int>(parts_[0].size()) - kernels::lanes;
   const double all = nParts * sight_.counted();
   double seen = 0.0;
@@ -112,8 +116,47 @@ double InteractionShares::byLines(const NamedCell& a, const NamedCell& b, const 
   return rounded(seen / all);
 }
 
+double InteractionShares::bySamples(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near) {
+  constexpr int perRound = nOffsets * placesAnOffset;
+  const std::size_t across = axisAcross(b.cell, minus(b.cell.center, a.cell.center));
+  double seen = 0.0, all = 0.0;
+  for (int round = 0; round < mostRounds;) {
+    const int end = std::max(1, 2 * round);
+    const std::vector<char>& isCounted = cells_.countedSamples(a.id, a.cell, end * perRound, near);
+    const double seenBefore = seen, allBefore = all;
+    for (int offset = 0; offset < nOffsets; ++offset) {
+      sight_.turnTo(b.cell, LineGrid(b.cell, across, sampleLines, sampleOffset(offset)), LineMeasure{0},
+                    cells_.takenOfSample(b.id, b.cell, across, offset, near), between_.screens);
+      Places places{};
+      int n = 0;
+      const auto look = [&] {
+        if (n > 0) seen += sight_.seen(places, n);
+        all += n * sight_.counted();
+        nLines_ += n * sight_.nLines();
+        n = 0;
+      };
+      for (int r = round; r < end; ++r)
+        for (int k = r * perRound + offset * placesAnOffset, last = k + placesAnOffset; k < last; ++k) {
+          if (isCounted[static_cast<std::size_t>(k)] == 0) continue;
+          const Place place = samplePlace(a.cell, k);
+          for (std::size_t d = 0; d < 3; ++d) {
+            if (n == 0) places[d] = place[d];  // in all lanes
+            places[d][static_cast<std::size_t>(n)] = place[d];
+          }
+          if (++n == kernels::lanes) look();
+        }
+      look();
+    }
+    const bool hasHalves = round > 3 && allBefore > 0.0 && all > allBefore;
+    const double apart = hasHalves ? std::abs(seenBefore / allBefore - (seen - seenBefore) / (all - allBefore)) : 1.0;
+    if (apart < 0.5 * rule_.tolerance) break;  // halves may agree by chance
+    round = end;
+  }
+  return all > 0.0 ? rounded(seen / all) : 0.0;
+}
+
 double InteractionShares::adaptively(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near) {
-  if (a.cell.dimension == 3) return std::max(0.0, byLines(a, b, near, linesInSpace, false));
+  if (a.cell.dimension == 3) return bySamples(a, b, near);
   const WithinCell &withinA = cells_.within(a.id, a.cell, near), &withinB = cells_.within(b.id, b.cell, near);
   return rounded(throughBoth_.share({&a.cell, &withinA}, {&b.cell, &withinB}, between_.screens, rule_.tolerance));
 }
@@ -129,7 +172,7 @@ double InteractionShares::byTipRule(const NamedCell& a, const NamedCell& b, cons
   auto& screens = between_.screens;
   screens.erase(std::remove_if(screens.begin(), screens.end(), hasRule), screens.end());
   if (isCut) return 0.0;
-  return screens.empty() ? 1.0 : std::max(0.0, byLines(a, b, near, 1, true));
+  return screens.empty() ? 1.0 : std::max(0.0, byMiddles(a, b, near, 1));
 }
 
 double interactionShare(const Cell& a, const Cell& b, const NearDiscontinuities& near, const DecompositionRule& rule,

@@ -14,8 +14,8 @@ namespace pd::decomposition {
 /// How the connections of two cells are counted.
 struct DecompositionRule {
   enum class Kind {
-    Adaptive,      ///< in a plane lines through both cells, more and more until the share is known to about
-                   ///< `tolerance` of a bond; in space 8^2 lines of one cell as seen from 8^3 places of the other
+    Adaptive,      ///< in a plane lines through both cells, in space lines of one cell as seen from places of the
+                   ///< other: more and more until the share is known to about `tolerance` of a bond
     Uniform,       ///< all pairs of n^D middles of equal parts of both cells: eqs. 13 and 14 there
     Intersection,  ///< the bond between the two points alone
     Both,          ///< the same, but at cracks in the plane by TipRule::Both
@@ -37,6 +37,11 @@ NearDiscontinuities nearBox(const NearDiscontinuities& candidates, const Box& bo
 
 /// Share of the cell's volume that is outside of all voids, within 1e-3 of what they take.
 double solidShare(const Cell& cell, const std::vector<const Void*>& voids);
+/// The same by a rule: by one that leaves cells all or nothing, nothing where the cell's point is in a void.
+double solidShare(const Cell& cell, const std::vector<const Void*>& voids, const DecompositionRule& rule);
+/// Cells that have no more material are left out: slivers, whose middles are far from it. Around a hole they are 1e-3
+/// of the cells that it cuts.
+constexpr double leastSolid = 0.05;
 
 /// A cell and a number of its own.
 struct NamedCell {
@@ -62,8 +67,11 @@ class InteractionShares {
   long long nLines() const { return nLines_ + throughBoth_.nLines(); }
 
  private:
-  /// By n^D places of `a` that look at n^(D-1) lines of `b`; negative where no place of `a`, or of `b`, counts.
-  double byLines(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n, bool countsMiddles);
+  /// By the middles of n^D parts of `a` that look at those of `b`; negative where none of `a`, or of `b`, counts.
+  double byMiddles(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n);
+  /// By sample places of `a` (samplePlace), a few of which at a time look at other lines of `b`, until the halves of
+  /// the sample agree. 0 where none of `a`, or of `b`, counts.
+  double bySamples(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
   double adaptively(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near);
   /// 0 where a crack cuts the bond by the rule for tips, or another screen its line.
   double byTipRule(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, TipRule rule);

@@ -101,8 +101,7 @@ std::vector<SolidPart> solidParts(const LineGrid& grid, std::vector<Piece>& piec
   return result;
 }
 
-Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const WithinCell& within) {
-  const LineGrid grid(cell, axis, n);
+Taken takenByAll(const LineGrid& grid, const LineMeasure& measure, const WithinCell& within) {
   const Lines lines = linesOf(grid);
   std::vector<std::vector<Range>> ofLine(lines.size());
   const auto add = [&](std::size_t line, const Range& range) {
@@ -134,7 +133,42 @@ Taken takenByAll(const Cell& cell, std::size_t axis, int n, const LineMeasure& m
   return taken.ranges.empty() ? Taken() : taken;
 }
 
+/// Whether a place of a cell is material, and on the side of a crack that counts.
+bool isCounted(const Cell& cell, const Place& place, const WithinCell& within) {
+  if (isInAny(within.of.voids, place)) return false;
+  if (!within.seenFrom) return true;
+  const Lines line{{std::vector{place[0]}, std::vector{place[1]}, std::vector{place[2]}}, cell.edges[0]};
+  return std::none_of(within.of.screens.begin(), within.of.screens.end(), [&](const Screen* screen) {
+    double from = 1.0, to = 0.0;
+    screen->hide(*within.seenFrom, line, &from, &to);
+    return from <= 0.0 && to > 0.0;
+  });
+}
+
 }  // namespace
+
+Place samplePlace(const Cell& cell, int k) {
+  constexpr double g = 1.2207440846057596;
+  Place place = cell.center;
+  double power = 1.0;
+  for (const Place& edge : cell.edges) {
+    power /= g;
+    const double s = 0.5 + k * power;
+    place = plus(place, edge, s - std::floor(s) - 0.5);
+  }
+  return place;
+}
+
+Offset sampleOffset(int k) {
+  // Bits of k in turn, the first the most: all so far are evenly spread.
+  Offset offset{0.0, 0.0};
+  double part = 0.5;
+  for (; k > 0; k >>= 2, part *= 0.5) {
+    offset[0] += part * ((k ^ (k >> 1)) & 1);
+    offset[1] += part * ((k >> 1) & 1);
+  }
+  return {offset[0] + 0.5 / sampleOffsetsASide, offset[1] + 0.5 / sampleOffsetsASide};
+}
 
 std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Void*>& voids) {
   if (!isInAny(voids, cell.center)) return cell.center;
@@ -158,14 +192,14 @@ std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Voi
   return nearest;
 }
 
-LineGrid::LineGrid(const Cell& cell, std::size_t axis, int nParts)
+LineGrid::LineGrid(const Cell& cell, std::size_t axis, int nParts, const Offset& offset)
     : step(cell.edges[axis]), strides{}, n(nParts), nOther(cell.dimension == 3 ? nParts : 1) {
   const auto dimension = static_cast<std::size_t>(cell.dimension);
   first = plus(cell.center, step, -0.5);
   for (std::size_t k = 0; k + 1 < dimension; ++k) {
     const Place& edge = cell.edges[(axis + 1 + k) % dimension];
     strides[k] = plus({}, edge, 1.0 / n);
-    first = plus(first, edge, 0.5 / n - 0.5);
+    first = plus(first, edge, offset[k] / n - 0.5);
   }
 }
 
@@ -210,15 +244,35 @@ bool Taken::covers(int line, double s) const {
 
 const Taken& LinedCells::taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
                                const NearDiscontinuities& near) {
+  return takenBy(id, cell, {static_cast<int>(axis), n, measure.nParts, -1}, inTheMiddle, near);
+}
+
+const Taken& LinedCells::takenOfSample(int id, const Cell& cell, std::size_t axis, int k,
+                                       const NearDiscontinuities& near) {
+  return takenBy(id, cell, {static_cast<int>(axis), sampleLines, 0, k}, sampleOffset(k), near);
+}
+
+const Taken& LinedCells::takenBy(int id, const Cell& cell, const std::array<int, 4>& key, const Offset& offset,
+                                 const NearDiscontinuities& near) {
   static const Taken nothing;
   Found& found = this->found(id, cell, near);
   if (found.within.of.empty()) return nothing;
-  const auto [entry, isNew] = found.taken.try_emplace({static_cast<int>(axis), n, measure.nParts});
+  const auto [entry, isNew] = found.taken.try_emplace(key);
   if (isNew) {
-    entry->second = takenByAll(cell, axis, n, measure, found.within);
-    nLines_ += static_cast<std::size_t>(LineGrid(cell, axis, n).size());
+    const LineGrid grid(cell, static_cast<std::size_t>(key[0]), key[1], offset);
+    entry->second = takenByAll(grid, LineMeasure{key[2]}, found.within);
+    nLines_ += static_cast<std::size_t>(grid.size());
   }
   return entry->second;
+}
+
+const std::vector<char>& LinedCells::countedSamples(int id, const Cell& cell, int n, const NearDiscontinuities& near) {
+  Found& found = this->found(id, cell, near);
+  auto& counted = found.countedSamples;
+  nLines_ += static_cast<std::size_t>(std::max(0, n - static_cast<int>(counted.size()))) / 32;
+  for (int k = static_cast<int>(counted.size()); k < n; ++k)
+    counted.push_back(found.within.of.empty() || isCounted(cell, samplePlace(cell, k), found.within) ? 1 : 0);
+  return counted;
 }
 
 void LinedCells::forgetMany() {

@@ -29,11 +29,15 @@ struct LineMeasure {
   double upTo(double s) const { return counts() ? std::ceil(nParts * s - 0.5) : s; }
 };
 
-/// n^(D-1) lines along an edge of a cell, through the middles of n equal parts of the others: line m nOther + l begins
-/// at first + m strides[0] + l strides[1].
+/// Where in the squares, or on the pieces, of other edges the lines of a grid are: from 0 to 1.
+using Offset = std::array<double, 2>;
+constexpr Offset inTheMiddle{0.5, 0.5};
+
+/// n^(D-1) lines along an edge of a cell, through the middles (or other places) of n equal parts of the others: line
+/// m nOther + l begins at first + m strides[0] + l strides[1].
 struct LineGrid {
   LineGrid() = default;
-  LineGrid(const Cell& cell, std::size_t axis, int n);
+  LineGrid(const Cell& cell, std::size_t axis, int n, const Offset& offset = inTheMiddle);
   int size() const { return n * nOther; }
   Place start(int line) const { return plus(plus(first, strides[0], line / nOther), strides[1], line % nOther); }
 
@@ -76,6 +80,14 @@ struct WithinCell {
   std::optional<Place> seenFrom;
 };
 
+/// Of a sample of a cell in space: place k = 0, 1 ... of a sequence that fills it evenly, however long (Kronecker's,
+/// with the powers of the root of g^4 = g + 1).
+Place samplePlace(const Cell& cell, int k);
+constexpr int sampleLines = 4;         ///< lines along each edge, at one offset
+constexpr int sampleOffsetsASide = 4;  ///< of the grid that all offsets make
+/// Of the lines of a sample, k = 0 ... 15: the first few are spread evenly, all together make a grid of 16 x 16 lines.
+Offset sampleOffset(int k);
+
 /// What discontinuities take of cells, and remembers it.
 class LinedCells {
  public:
@@ -83,6 +95,10 @@ class LinedCells {
   /// forgetMany().
   const Taken& taken(int id, const Cell& cell, std::size_t axis, int n, const LineMeasure& measure,
                      const NearDiscontinuities& near);
+  /// Of lines sampleLines a side at sampleOffset(k), by their length.
+  const Taken& takenOfSample(int id, const Cell& cell, std::size_t axis, int k, const NearDiscontinuities& near);
+  /// Which of the first `n` places of the cell (samplePlace) count.
+  const std::vector<char>& countedSamples(int id, const Cell& cell, int n, const NearDiscontinuities& near);
   const WithinCell& within(int id, const Cell& cell, const NearDiscontinuities& near) {
     return found(id, cell, near).within;
   }
@@ -92,8 +108,11 @@ class LinedCells {
  private:
   struct Found {
     WithinCell within;
-    std::map<std::array<int, 3>, Taken> taken;  ///< by axis, n, and whether middles are counted
+    std::map<std::array<int, 4>, Taken> taken;  ///< by axis, n, whether middles are counted, and the sample
+    std::vector<char> countedSamples;
   };
+  const Taken& takenBy(int id, const Cell& cell, const std::array<int, 4>& key, const Offset& offset,
+                       const NearDiscontinuities& near);
   Found& found(int id, const Cell& cell, const NearDiscontinuities& near);
 
   std::unordered_map<int, Found> cells_;

@@ -72,10 +72,10 @@ PD_EACH_BOND void narrow(const Vector& start, const Vector& step, const Vector& 
 
 }  // namespace
 
-void Sight::turnTo(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const Taken& taken,
+void Sight::turnTo(const Cell& cell, const LineGrid& grid, const LineMeasure& measure, const Taken& taken,
                    const std::vector<const Screen*>& screens) {
   cell_ = &cell;
-  grid_ = LineGrid(cell, axis, n);
+  grid_ = grid;
   measure_ = measure;
   taken_ = &taken;
   screens_ = &screens;

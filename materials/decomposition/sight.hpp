@@ -9,8 +9,8 @@ namespace pd::decomposition {
 /// The lines of a cell, as seen from elsewhere. Screens whose shadows are half-spaces cost about a ns a line and place.
 class Sight {
  public:
-  /// Turns to the lines of a cell behind these screens. What is given stays there until it turns elsewhere.
-  void turnTo(const Cell& cell, std::size_t axis, int n, const LineMeasure& measure, const Taken& taken,
+  /// Turns to lines of a cell behind these screens. What is given stays there until it turns elsewhere.
+  void turnTo(const Cell& cell, const LineGrid& grid, const LineMeasure& measure, const Taken& taken,
               const std::vector<const Screen*>& screens);
 
   int nLines() const { return grid_.size(); }

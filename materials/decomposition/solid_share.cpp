@@ -83,4 +83,10 @@ double solidShare(const Cell& cell, const std::vector<const Void*>& voids) {
   return std::max(0.0, 1.0 - taken);
 }
 
+double solidShare(const Cell& cell, const std::vector<const Void*>& voids, const DecompositionRule& rule) {
+  using Kind = DecompositionRule::Kind;
+  if (rule.kind == Kind::Adaptive || rule.kind == Kind::Uniform) return solidShare(cell, voids);
+  return std::any_of(voids.begin(), voids.end(), [&](const Void* v) { return v->contains(cell.center); }) ? 0.0 : 1.0;
+}
+
 }  // namespace pd::decomposition

@@ -293,6 +293,66 @@ class Fatigue(InPeridigm):
         self.assertGreaterEqual(self.tire(damage, 12), 4)
 
 
+class CracksAndVoids(InPeridigm):
+    """Cracks and voids between points, as a part of a material there, and of the mesh in pdrun."""
+
+    def both(self, points, volume, steel, gaps, velocity, thickness=None):
+        """A body that flies apart at this velocity, on what pdrun leaves of the mesh."""
+        def write(points, volume):
+            self.write_mesh(points, volume)
+            self.node_set("all.txt", points[:, 0] < 1.0)
+
+        write(points, volume)
+        fields = ["Displacement", "Damage"]
+        deck = {
+            "Discretization": {"Type": "Text File", "Input Mesh File": "mesh.txt", **gaps},
+            "Materials": {"Steel": steel},
+            "Damage Models": {"Breakage": {"Damage Model": "Hydrogen Critical Stretch", "Critical Stretch": 0.01,
+                                           "Concentration Field": "Temperature", "Saturation Concentration": 1.0}},
+            "Blocks": {"Body": {"Block Names": "block_1", "Material": "Steel", "Damage Model": "Breakage",
+                                "Horizon": HORIZON}},
+            "Boundary Conditions": {"All Node Set": "all.txt", "Fly": {
+                "Type": "Initial Velocity", "Node Set": "All Node Set", "Coordinate": velocity.split("(")[1][0],
+                "Value": velocity}},
+            "Solver": {"Final Time": 1.005e-5, "Verlet": {"Fixed dt": 1e-7}},
+            "Output": {"Output File Type": "ExodusII", "Output Filename": "result", "Output Frequency": 100,
+                       "Output Variables": dict.fromkeys([*fields, "Model_Coordinates", "Volume"], True)}}
+        in_mesh = Result(self.folder, "result", self.run_program(pdrun_path(), yaml({"Peridigm": deck}) + "\n", 1))
+        kept = {label: in_mesh.field(label) for label in fields}
+        self.assertLess(len(kept["Damage"]), len(points))
+        self.assertGreater(np.max(kept["Damage"]), 0.4)
+        write(in_mesh.field("Model_Coordinates"), in_mesh.field("Volume"))
+        for key in gaps:
+            del deck["Discretization"][key]
+        part = {"Material Model": "Bond Decomposition", "Cell Volume": volume, **gaps}
+        if thickness:
+            part["Thickness"] = thickness
+        deck["Materials"] = {"Porous": {"Material Model": "Combined", "Materials": ["Steel", "Gaps"], "Steel": steel,
+                                        "Gaps": part}}
+        deck["Blocks"]["Body"]["Material"] = "Porous"
+        found = self.compare(yaml({"Peridigm": deck}) + "\n", 1e-8, fields)
+        for label in fields:
+            error = np.max(np.abs(found[label] - kept[label])) / np.max(np.abs(kept[label]))
+            print(f"{label} by the part of the material and by the mesh: {error:.1e}", flush=True)
+            self.assertLess(error, 1e-10, label)
+
+    def test_in_a_plate(self):
+        points = lattice([20e-3, 20e-3], SPACING)
+        points[:, :2] += np.random.default_rng(4).uniform(-0.2, 0.2, (len(points), 2)) * SPACING
+        gaps = {"Cracks": {"Edge": {"Type": "Polyline", "Points": [-1e-3, 9.3e-3, 4e-3, 9.6e-3, 7.3e-3, 10.4e-3]}},
+                "Voids": {"Hole": {"Type": "Circle", "Center": [13.2e-3, 12.1e-3], "Radius": 2.2e-3}}}
+        steel = {**STEEL, "Plane Stress": True, "Thickness": 2e-3, "Surface Correction": "Energy Method"}
+        self.both(points, SPACING ** 2 * 2e-3, steel, gaps, "40.0*(y/0.02 - 0.5)", thickness=2e-3)
+
+    def test_in_a_block(self):
+        points = lattice([9e-3, 8e-3, 10e-3], SPACING)
+        points += np.random.default_rng(4).uniform(-0.2, 0.2, points.shape) * SPACING
+        gaps = {"Cracks": {"Penny": {"Type": "Disk", "Center": [3e-3, 4e-3, 4.8e-3], "Normal": [0.1, 0.2, 1.0], "Radius": 2.3e-3}},
+                "Voids": {"Pore": {"Type": "Ellipsoid", "Center": [6.4e-3, 4.3e-3, 6.2e-3], "Half Axes": [1.4e-3, 1.1e-3, 0.9e-3]}}}
+        self.both(points, SPACING ** 3, {**STEEL, "Material Model": "Elastic", "Volume Correction": "None"}, gaps,
+                  "25.0*(z/0.01 - 0.5)")
+
+
 STEADY = {"Solve For Displacement": False, "Solve For Temperature": True,
           "ImplicitDiffusion": {"Number of Load Steps": 2, "Relative Tolerance": 1e-13,
                                 "Belos Linear Solver": "BlockGMRES", "Belos Relative Tolerance": 1e-12},

@@ -65,6 +65,31 @@ Teuchos::ParameterList combined(const char* partsKey, const char* modelKey, cons
   return with(list, partsKey, names);
 }
 
+Teuchos::Array<double> reals(const std::vector<double>& values) { return Teuchos::Array<double>(values); }
+
+Teuchos::ParameterList gapsInAPlate() {
+  Teuchos::ParameterList list;
+  list.set("Thickness", thickness);
+  list.sublist("Cracks").sublist("Slanting") =
+      withText(with(Teuchos::ParameterList(), "Points", reals({0.9, 1.3, 2.2, 1.6})), "Type", "Polyline");
+  list.sublist("Voids").sublist("Hole") =
+      withText(with(with(Teuchos::ParameterList(), "Center", reals({2.6, 0.9})), "Radius", 0.2), "Type", "Circle");
+  return list;
+}
+
+Teuchos::ParameterList gapsInASolid() {
+  Teuchos::ParameterList list;
+  list.set<std::string>("Rule", "Uniform");
+  list.set("Partitions", 4);
+  list.sublist("Cracks").sublist("Penny") = withText(
+      with(with(with(Teuchos::ParameterList(), "Center", reals({1.2, 1.1, 1.3})), "Normal", reals({0.2, 0.1, 1.0})),
+           "Radius", 0.8),
+      "Type", "Disk");
+  list.sublist("Voids").sublist("Pore") =
+      withText(with(with(Teuchos::ParameterList(), "Center", reals({2.1, 0.6, 0.9})), "Radius", 0.2), "Type", "Sphere");
+  return list;
+}
+
 }  // namespace
 
 bool addMaterialSample(const Sample& sample) {
@@ -147,6 +172,12 @@ std::vector<Sample> materialSamples() {
                      material({{"Stiff", "PDHE", plate(elastic(0.1), "Plane Strain")},
                                {"Soft", "PDHE", plate(both, "Plane Strain")},
                                {"Fast", "PDHE", plate(diffusive("Inverse"), "Plane Strain")}})});
+  samples.push_back({"PlateWithACrackAndAHole", "Combined", 2,
+                     material({{"Steel", "PDHE",
+                                withText(plate(elastic(0.2), "Plane Strain"), "Surface Correction", "Energy Method")},
+                               {"Gaps", "Bond Decomposition", gapsInAPlate()}})});
+  samples.push_back({"SolidWithACrackAndAPore", "Combined", 3,
+                     material({{"Steel", "Elastic", elastic(0.35)}, {"Gaps", "Bond Decomposition", gapsInASolid()}})});
   for (Sample& sample : samples) {
     sample.isUniform = sample.title == "RescaledPlate" || sample.title == "LatticeSolid";
     if (sample.title == "LinearTangentialForce") sample.isObjective = sample.conservesAngularMomentum = false;

@@ -90,7 +90,7 @@ class CentreCrack(SceneTest):
         self.assertAlmostEqual(k / self.tada(a), 1.0, delta=0.03)
 
 
-class Pores(SceneTest):
+class PorousPlate(SceneTest):
     SPACING = 1.0e-3
 
     def mesh(self, jitter):
@@ -112,6 +112,8 @@ class Pores(SceneTest):
             "From The Polygon": {"Type": "Polyline", "Points": [9e-3, 23e-3, 14.2e-3, 26.1e-3, 18.3e-3, 24.0e-3]}}
         return deck
 
+
+class Pores(PorousPlate):
     def test_forces_are_balanced_and_a_rigid_motion_makes_none(self):
         points = self.mesh(0.3)
         for form in ("Objective", "Linear"):
@@ -220,6 +222,88 @@ class Pores(SceneTest):
         rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
         for label in ("Damage", "Displacement"):
             np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
+class AsAPartOfAMaterial(PorousPlate):
+    """What hosts without a place in the deck for cracks and voids do: they are a part of the material."""
+
+    def pull(self, **output):
+        conditions = {"Top Node Set": {"Expression": "y > 26.8e-3"}, "Bottom Node Set": {"Expression": "y < 3.2e-3"},
+                      "Up": prescribed("Top Node Set", "y", "20.0*t"), "Down": prescribed("Bottom Node Set", "y", "-20.0*t")}
+        deck = self.deck(["Model_Coordinates", "Displacement", "Damage", "Volume"], conditions=conditions,
+                         damage={"Damage Model": "Critical Stretch", "Critical Stretch": 0.01},
+                         solver={"Final Time": 2e-5, "Verlet": {"Fixed dt": 1e-7}})
+        deck["Output"].update({"Output Frequency": 200, **output})
+        # Neighbours do not depend on the volumes of the mesh.
+        deck["Discretization"]["Include Partial Neighbors"] = False
+        deck["Materials"]["Steel"].update({"Surface Correction": "Energy Method", "Volume Correction": "Ramp To Horizon"})
+        return deck
+
+    @staticmethod
+    def as_a_part(deck, **more):
+        section = deck["Discretization"]
+        deck["Materials"]["Gaps"] = {"Material Model": "Bond Decomposition", "Thickness": THICKNESS,
+                                     "Cracks": section.pop("Cracks"), "Voids": section.pop("Voids"), **more}
+        deck["Blocks"]["Body"]["Material"] = ["Steel", "Gaps"]
+        return deck
+
+    def test_it_is_as_in_the_mesh(self):
+        self.mesh(0.3)
+        expected = self.solve(self.pull())
+        volume = expected.field("Volume")
+        self.write_mesh(expected.field("Model_Coordinates"), volume)
+        found = self.solve(self.as_a_part(self.pull(**{"Output Filename": "parts"}),
+                                          **{"Cell Volume": self.SPACING**2 * THICKNESS}), ranks=2)
+        self.assertGreater(np.max(expected.field("Damage")), 0.4)
+        for label, tolerance in (("Displacement", 1e-11), ("Damage", 1e-12)):
+            there = expected.field(label)
+            self.assertLess(np.max(np.abs(found.field(label) - there)), tolerance * np.max(np.abs(there)), label)
+
+    def test_meshes_of_whole_cells_have_the_same_equilibrium(self):
+        points = self.mesh(0.3)
+        solutions = {}
+        for kind in ("mesh", "part"):
+            deck = self.pull(**{"Output Filename": kind})
+            deck["Solver"] = {"Final Time": 1e-6, **SMALL_STRAIN}
+            # Mirrors of each other, but for the free side: nothing slides away.
+            deck["Boundary Conditions"].update({"Top X": prescribed("Top Node Set", "x", 0.0),
+                                                "Bottom X": prescribed("Bottom Node Set", "x", 0.0)})
+            del deck["Materials"]["Steel"]["Surface Correction"]  # sums of volumes of material
+            if kind == "part":
+                kept = {tuple(np.round(x, 12)) for x in solutions["mesh"].field("Model_Coordinates")}
+                self.write_mesh(np.array([x for x in points if tuple(np.round(x, 12)) in kept]), self.SPACING**2 * THICKNESS)
+                self.as_a_part(deck)
+            solutions[kind] = self.solve(deck)
+        u, v = (solutions[kind].field("Displacement") for kind in ("mesh", "part"))
+        self.assertLess(np.max(np.abs(u - v)), 1e-6 * np.max(np.abs(u)))
+
+    def test_what_is_wrong_is_said(self):
+        self.mesh(0.0)
+        edge = {"Edge": {"Type": "Polyline", "Points": [0.0, 0.0151, 0.0102, 0.0151]}}
+        disk = {"Type": "Disk", "Center": [0.01, 0.01, 0.0], "Normal": [0.0, 0.0, 1.0], "Radius": 1e-3}
+        for gaps, message in (({"Cracks": {"One": {"Type": "Polyline", "Points": [0.01, 0.01]}}}, "2 numbers for each of 2 places"),
+                              ({"Cracks": {**edge, "Disk": disk}}, "a body has one dimension"),
+                              ({"Cracks": {"Edge": {"Type": "Polyline"}}}, "Points"),
+                              ({}, "at least one of"),
+                              ({"Voids": {"Pore": {**circle(0.0101, 0.01, 1e-3), "Angle": 1.0}}}, "Angle")):
+            deck = self.pull()
+            del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]
+            deck["Materials"]["Gaps"] = {"Material Model": "Bond Decomposition", **gaps}
+            deck["Blocks"]["Body"]["Material"] = ["Gaps", "Steel"]
+            result = self.run_deck(deck, arguments=["--check"])
+            self.assertEqual(result.code, 2, message + "\n" + result.text)
+            self.assertIn(message, result.text)
+        for gaps, message in (({"Voids": {"Pore": circle(0.0105, 0.0105, 2e-3)}}, "next to no material"),
+                              ({"Cracks": edge, "Cell Volume": 1.0}, "see the unit"),
+                              ({"Cracks": edge, "also": edge}, "give all of them in one place")):
+            deck = self.pull()
+            del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]
+            deck["Discretization"]["Cracks"] = gaps.pop("also", {})
+            deck["Materials"]["Gaps"] = {"Material Model": "Bond Decomposition", "Thickness": THICKNESS, **gaps}
+            deck["Blocks"]["Body"]["Material"] = ["Steel", "Gaps"]
+            result = self.run_deck(deck)
+            self.assertNotEqual(result.code, 0, message)
+            self.assertIn(message, result.text)
 
 
 class RoundCrack(SceneTest):
