@@ -15,8 +15,9 @@
 #include <limits>
 #include <optional>
 #include <sstream>
-#include <unordered_map>
+#include <vector>
 
+#include "families.hpp"
 #include "plugins.hpp"
 #include "rectangle_cover.hpp"
 #include "run_notes.hpp"
@@ -69,18 +70,19 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
   struct Inside {
     double share, slope;  ///< q; 1/m, its derivative along d
   };
-  using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
-  /// The points of a block, and those of them that count.
+  using Slopes = std::vector<Vector3>;  ///< [points of a block] u_,d; no number where it is not known
+  /// The points of a block, and owned ones of them that count.
   struct Sides {
-    std::vector<Inside> inside;  ///< [points]
-    std::vector<char> isBeside;  ///< [points] owned, with a bond whose ends are not equally far inside
-    std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
+    std::vector<Inside> inside;   ///< [points]
+    std::vector<Family> beside;   ///< with a bond whose ends are not equally far inside
+    std::vector<Family> between;  ///< the same, and where q falls along d
   };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
-  Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
-  Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
+  Sides sidesIn(PeridigmNS::Block& block, const Families& families, const TipPlace::Tip& tip) const;
+  std::vector<Slopes> slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides,
+                                   const TipPlace::Tip& tip) const;
   /// Notes where the body does not fill the rectangle, the first time. Collective.
   void watchCover(const Blocks& blocks, const TipPlace::Tip& tip) const;
   double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
@@ -91,6 +93,7 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
   TipPlace place_;
   double ahead_, behind_, above_, below_;       ///< m
   double longestBond_ = 0.0;                    ///< m
+  std::vector<Families> families_;              ///< [blocks]
   mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
   mutable std::optional<Vector3> watched_;      ///< the tip for which the cover was looked at last
   mutable std::string gap_;                     ///< what there is to note
@@ -139,6 +142,7 @@ void NonlocalJIntegral::initialize(Blocks blocks) {
   }
   longest = longestBond_ = maxOverRanks(*epetraComm, longest);
   springs_.clear();
+  families_ = Families::of(*blocks);
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
         std::string(nonlocalJName) +
@@ -164,37 +168,37 @@ bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) c
   return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
 }
 
-NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const {
+NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const Families& families,
+                                                    const TipPlace::Tip& tip) const {
   const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
   Sides sides;
   const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
   for (std::size_t i = 0; i < nPoints; ++i) sides.inside.push_back(insideOf(x + 3 * i, volume[i], tip));
-  sides.isBeside.assign(nPoints, 0);
-  sides.hasPart = sides.isBeside;
-  const int* list = block.getNeighborhoodData()->NeighborhoodList();
-  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
-    const auto i = static_cast<std::size_t>(block.getNeighborhoodData()->OwnedIDs()[p]);
-    const Inside& own = sides.inside[i];
+  for (std::size_t p = 0; p < families.size(); ++p) {
+    const int i = families.id(p);
+    const Inside& own = sides.inside[static_cast<std::size_t>(i)];
+    const bool isNear = isNearASide(x + 3 * i, tip);
+    if (!isNear && own.slope == 0.0) continue;
+    const Family family = families[p];
     const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
-    const bool isBeside = isNearASide(x + 3 * i, tip) && std::any_of(list + 1, list + 1 + *list, differs);
-    sides.isBeside[i] = isBeside ? 1 : 0;
-    sides.hasPart[i] = isBeside || own.slope != 0.0 ? 1 : 0;
+    const bool isBeside = isNear && std::any_of(family.neighbors, family.neighbors + family.n, differs);
+    if (isBeside) sides.beside.push_back(family);
+    if (isBeside || own.slope != 0.0) sides.between.push_back(family);
   }
   return sides;
 }
 
 /// Of points of all ranks that are beside the sides.
-NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides,
-                                                          const TipPlace::Tip& tip) const {
+std::vector<NonlocalJIntegral::Slopes> NonlocalJIntegral::slopesBeside(const Blocks& blocks,
+                                                                       const std::vector<Sides>& sides,
+                                                                       const TipPlace::Tip& tip) const {
   std::vector<double> found;  // id, slope
   for (std::size_t b = 0; b < sides.size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
-    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, sides[b].isBeside);
+    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, sides[b].beside);
     const auto map = block.getOverlapScalarPointMap();
     for (std::size_t p = 0; p < gradients.size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-      if (sides[b].isBeside[static_cast<std::size_t>(i)] == 0) continue;
-      found.push_back(map->GID(i));
+      found.push_back(map->GID(sides[b].beside[p].id));
       for (std::size_t k = 0; k < 3; ++k) {
         double slope = 0.0;
         for (std::size_t d = 0; d < 3; ++d)
@@ -203,31 +207,34 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, 
       }
     }
   }
-  Slopes slopes;
   const std::vector<double> all = gatherFromRanks(*epetraComm, found);
-  for (std::size_t at = 0; at < all.size(); at += 4)
-    slopes[static_cast<int>(all[at])] = {all[at + 1], all[at + 2], all[at + 3]};
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Slopes> slopes;
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    const auto map = (*blocks)[b].getOverlapScalarPointMap();
+    slopes.emplace_back(sides[b].inside.size(), Vector3{none, none, none});
+    for (std::size_t at = 0; at < all.size(); at += 4)
+      if (const int i = map->LID(static_cast<int>(all[at])); i >= 0)
+        slopes[b][static_cast<std::size_t>(i)] = {all[at + 1], all[at + 2], all[at + 3]};
+  }
   return slopes;
 }
 
 /// J h of this rank's points of a block.
 double NonlocalJIntegral::sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
                                   const Slopes& slopes) const {
-  const auto map = block.getOverlapScalarPointMap();
-  const SpringState state(block, fields_.springs, springs, sides.hasPart);
-  const int* list = block.getNeighborhoodData()->NeighborhoodList();
+  const SpringState state(block, fields_.springs, springs, sides.between);
   double sum = 0.0;
   std::size_t point = 0, bond = 0;
-  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
-    const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-    if (sides.hasPart[static_cast<std::size_t>(i)] == 0) continue;
-    const Inside& inside = sides.inside[static_cast<std::size_t>(i)];
+  for (const Family& family : sides.between) {
+    const auto i = static_cast<std::size_t>(family.id);
+    const Inside& inside = sides.inside[i];
     sum -= state.energy[point++] * inside.slope;
-    const bool isBeside = sides.isBeside[static_cast<std::size_t>(i)] != 0;
-    for (int k = 1; k <= *list; ++k, ++bond) {
-      const double difference = inside.share - sides.inside[static_cast<std::size_t>(list[k])].share;
-      if (!isBeside || difference == 0.0) continue;
-      const Vector3 &own = slopes.at(map->GID(i)), &other = slopes.at(map->GID(list[k]));
+    for (int k = 0; k < family.n; ++k, ++bond) {
+      const auto j = static_cast<std::size_t>(family.neighbors[k]);
+      const double difference = inside.share - sides.inside[j].share;
+      if (difference == 0.0) continue;
+      const Vector3 &own = slopes[i], &other = slopes[j];
       const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
       sum -= 0.5 * difference * dot(both, state.force[bond].data());
     }
@@ -271,11 +278,11 @@ int NonlocalJIntegral::compute(Blocks blocks) const {
   std::vector<Sides> sides;
   for (PeridigmNS::Block& block : *blocks) {
     if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));
-    sides.push_back(sidesIn(block, tip));
+    sides.push_back(sidesIn(block, families_[sides.size()], tip));
   }
-  const Slopes slopes = slopesBeside(blocks, sides, tip);
+  const std::vector<Slopes> slopes = slopesBeside(blocks, sides, tip);
   double sum = 0.0;
-  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver((*blocks)[b], springs_[b], sides[b], slopes);
+  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver((*blocks)[b], springs_[b], sides[b], slopes[b]);
   setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / place_.thickness());
   return 0;
 }

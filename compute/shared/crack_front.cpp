@@ -75,6 +75,7 @@ CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputePa
 void CrackFront::initialize(const Blocks& blocks) {
   points_.initialize(blocks);
   fields_.damage.initialize(blocks);
+  families_ = Families::of(*blocks);
 }
 
 /// In a copy of the body. The next point ahead is the nearest neighbour within 45 degrees of the direction.
@@ -127,19 +128,17 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, 
   std::vector<Candidate> result;
   for (std::size_t b = 0; b < blocks->size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
-    const auto neighborhood = block.getNeighborhoodData();
     const auto map = block.getOverlapScalarPointMap();
     const auto globalId = [&](int id) { return map->GID(id); };
     const double* x = view(block, fields_.modelCoordinates);
     const double* damage = fields_.damage.values(block);
-    const int* list = neighborhood->NeighborhoodList();
-    for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
-      const int id = neighborhood->OwnedIDs()[i];
-      const int n = *list++;
-      if (damage[id] >= threshold_ && points_.includes(b, i))
-        for (int copy = 0; copy < whole_->nCopies(); ++copy)
-          result.push_back(candidate({globalId, x, damage, id, list, n, nGlobal}, copy, direction));
-      list += n;
+    const Families& families = families_[b];
+    for (std::size_t p = 0; p < families.size(); ++p) {
+      if (!(damage[families.id(p)] >= threshold_) || !points_.includes(b, static_cast<int>(p))) continue;
+      const Family family = families[p];
+      for (int copy = 0; copy < whole_->nCopies(); ++copy)
+        result.push_back(
+            candidate({globalId, x, damage, family.id, family.neighbors, family.n, nGlobal}, copy, direction));
     }
   }
   return result;

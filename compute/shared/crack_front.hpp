@@ -2,6 +2,7 @@
 #ifndef PD_CRACK_FRONT_HPP
 #define PD_CRACK_FRONT_HPP
 
+#include "families.hpp"
 #include "field_variable.hpp"
 #include "point_selection.hpp"
 #include "whole_body.hpp"
@@ -57,6 +58,7 @@ class CrackFront {
 
   PointSelection points_;
   Fields fields_;
+  std::vector<Families> families_;  ///< [blocks]
   double threshold_;
   Vector3 direction_, start_;
   std::array<bool, 3> isStartGiven_{};

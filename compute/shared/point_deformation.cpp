@@ -34,36 +34,29 @@ Tensor pseudoInverse(const Tensor& symmetric) {
 }
 
 std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact,
-                                             const std::vector<char>& isWanted) const {
+                                             const std::vector<Family>& families) const {
   const double* volume = view(block, fields_.volume);
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
   const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
   const double* share = fields_.interactionShare.ifIn(*block.getDataManager());
-  const auto neighborhood = block.getNeighborhoodData();
-  const int* list = neighborhood->NeighborhoodList();
-
-  std::vector<Tensor> result(static_cast<std::size_t>(neighborhood->NumOwnedPoints()));
-  std::size_t bond = 0;
+  std::vector<Tensor> result(families.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const int id = neighborhood->OwnedIDs()[i];
+    const auto& [place, id, list, n, firstBond] = families[i];
     for (std::size_t k = 0; k < 9; k += 4) result[i][k] = 1.0;
-    if (!isWanted.empty() && isWanted[static_cast<std::size_t>(id)] == 0) {
-      bond += static_cast<std::size_t>(*list);
-      list += *list + 1;
-      continue;
-    }
     Tensor shape{}, deformed{};
     double intact = 0.0, all = 0.0;
-    for (int n = *list++; n > 0; --n, ++list, ++bond) {
-      const double whole = volume[*list] * (share == nullptr ? 1.0 : share[bond]);
+    for (int neighbor = 0; neighbor < n; ++neighbor) {
+      const int j = list[neighbor];
+      const std::size_t bond = firstBond + static_cast<std::size_t>(neighbor);
+      const double whole = volume[j] * (share == nullptr ? 1.0 : share[bond]);
       const double weight = whole * (bondDamage == nullptr ? 1.0 : 1.0 - bondDamage[bond]);
       intact += weight;
       all += whole;
       double xi[3], eta[3];
       for (int k = 0; k < 3; ++k) {
-        xi[k] = x[3 * *list + k] - x[3 * id + k];
-        eta[k] = y[3 * *list + k] - y[3 * id + k] - xi[k];
+        xi[k] = x[3 * j + k] - x[3 * id + k];
+        eta[k] = y[3 * j + k] - y[3 * id + k] - xi[k];
       }
       addOuterProduct(shape, weight, xi, xi);
       addOuterProduct(deformed, weight, eta, xi);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compute_support.hpp"
+#include "families.hpp"
 
 namespace pd {
 
@@ -26,10 +27,13 @@ class DeformationGradients {
     FieldHandle interactionShare = readsIfThere(pd::fields::interactionShare());
   };
 
-  /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of
-  /// their neighbours, by volume, and at those that `isWanted` [points], where it is given, leaves out.
-  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0,
-                         const std::vector<char>& isWanted = {}) const;
+  /// One a family of the block; the identity at points that keep less than `leastIntact` of their neighbours, by
+  /// volume.
+  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact, const std::vector<Family>& families) const;
+  /// One a point, in the order of the block's OwnedIDs.
+  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0) const {
+    return of(block, leastIntact, Families(block).all());
+  }
 
  private:
   Fields fields_;

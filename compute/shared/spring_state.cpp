@@ -55,26 +55,19 @@ LinearSprings SpringState::springsOf(PeridigmNS::Block& block) {
 }
 
 SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
-                         const std::vector<char>& isWanted) {
+                         const std::vector<Family>& families) {
   PeridigmNS::DataManager& data = *block.getDataManager();
-  const auto list = block.getNeighborhoodData();
   const double *x = fields.modelCoordinates.of(data), *y = fields.coordinates.of(data);
   const double* damage = fields.bondDamage.ifIn(data);
-  const int* neighbor = list->NeighborhoodList();
-  std::size_t bond = 0;
   std::vector<Spring> family;
-  for (int p = 0; p < list->NumOwnedPoints(); ++p) {
-    const int i = list->OwnedIDs()[p];
-    if (isWanted[static_cast<std::size_t>(i)] == 0) {
-      bond += static_cast<std::size_t>(*neighbor);
-      neighbor += *neighbor + 1;
-      continue;
-    }
+  for (const auto& [place, i, neighbors, n, firstBond] : families) {
     family.clear();
-    for (int n = *neighbor++; n > 0; --n, ++neighbor, ++bond) {
+    for (int neighbor = 0; neighbor < n; ++neighbor) {
+      const std::size_t bond = firstBond + static_cast<std::size_t>(neighbor);
       Spring spring{};
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto from = static_cast<std::size_t>(3 * i) + k, to = static_cast<std::size_t>(3 * *neighbor) + k;
+        const auto from = static_cast<std::size_t>(3 * i) + k,
+                   to = static_cast<std::size_t>(3 * neighbors[neighbor]) + k;
         spring.xi[k] = x[to] - x[from];
         spring.eta[k] = y[to] - y[from] - spring.xi[k];
       }
@@ -88,8 +81,8 @@ SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const L
     double pressure = 0.0, sum = 0.0;
     if (springs.family == LinearSprings::Family::Dilatation) {
       for (const Spring& spring : family) pressure += spring.along * dot(spring.xi, spring.eta.data());
-      sum = 0.5 * springs.dilatational[static_cast<std::size_t>(p)] * pressure * pressure;
-      pressure *= springs.dilatational[static_cast<std::size_t>(p)];
+      sum = 0.5 * springs.dilatational[place] * pressure * pressure;
+      pressure *= springs.dilatational[place];
     }
     for (const Spring& spring : family) {
       const Vector3 turned = cross(rotation, spring.xi);

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "compute_support.hpp"
+#include "families.hpp"
 #include "linear_bonds.hpp"
 
 namespace pd {
 
-/// Of points of one block. What a bond carries is the force of its one end less that of its other.
+/// Of families of one block. What a bond carries is the force of its one end less that of its other.
 struct SpringState {
   struct Fields : FieldTable {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -20,12 +21,11 @@ struct SpringState {
   static void require(PeridigmNS::Block& block, const std::string& compute);
   /// Those of the block's material, of all its bonds. They do not change while the block is what it is.
   static LinearSprings springsOf(PeridigmNS::Block& block);
-  /// `isWanted` [points]: the owned points that are looked at.
   SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
-              const std::vector<char>& isWanted);
+              const std::vector<Family>& families);
 
-  std::vector<double> energy;  ///< [wanted points] J
-  std::vector<Vector3> force;  ///< [bonds of wanted points] N, of the energy of the owned point, towards the other end
+  std::vector<double> energy;  ///< [families] J
+  std::vector<Vector3> force;  ///< [bonds of all families] N, of the energy of the owned point, towards the other end
 };
 
 }  // namespace pd

@@ -118,7 +118,9 @@ void Newton::assemble(Simulation& simulation, double dt) {
 /// A point that hangs on too few bonds (one, or some in a line) can move along some direction without force. Its own
 /// stiffness is spread to those directions, and forces along them are left out of the balance.
 void Newton::stiffenLoosePoints(Model& model) {
-  constexpr double negligible = 1e-6, added = 1e-4;  // of the point's largest stiffness
+  // Of the point's largest stiffness. A line of bonds that buckles under a strain e turns by (2 e)^0.5, and resists by
+  // twice e across it.
+  constexpr double negligible = 1e-4, added = 1e-4;
   const std::vector<double> blocks = system_->diagonalBlocks();
   nStiffenedPoints = 0;
   slack_.clear();

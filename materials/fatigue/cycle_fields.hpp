@@ -26,6 +26,14 @@ inline FieldDescription overdrawnLife() {
   return pointScalar("Overdrawn_Life", "1",
                      "Largest part of a life by which cycles of the step came after a bond of the point had failed.");
 }
+inline FieldDescription lifeLeft() {
+  return pointScalar("Life_Left", "1",
+                     "Of bonds of the point that cycles of the step broke: the sum of what was left of their lives.");
+}
+inline FieldDescription rateOfFailed() {
+  return pointScalar("Rate_Of_Failed", "1",
+                     "Of the same bonds: the sum of the parts of their lives that a cycle takes.");
+}
 
 }  // namespace pd::fields
 

@@ -38,6 +38,8 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
                                  Ghosts::AfterPrecompute);
     FieldHandle lossRate = writes(pd::fields::lifeLossRate());
     FieldHandle overdrawn = writes(pd::fields::overdrawnLife());
+    FieldHandle lifeLeft = writes(pd::fields::lifeLeft());
+    FieldHandle rateOfFailed = writes(pd::fields::rateOfFailed());
   };
 
   std::string Name() const override { return name_; }
@@ -95,7 +97,9 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   const double* noFailure = fields_.noFailure.ifIn(data);
   double *lost = fields_.lostLife.of(data), *bondDamage = fields_.bondDamage.of(data);
   double *worstRate = fields_.lossRate.of(data), *overdrawn = fields_.overdrawn.of(data);
-  for (int p = 0; p < call.nOwned; ++p) worstRate[call.ownedIds[p]] = overdrawn[call.ownedIds[p]] = 0.0;
+  double *lifeLeft = fields_.lifeLeft.of(data), *rateOfFailed = fields_.rateOfFailed.of(data);
+  for (double* sums : {worstRate, overdrawn, lifeLeft, rateOfFailed})
+    for (int p = 0; p < call.nOwned; ++p) sums[call.ownedIds[p]] = 0.0;
   TiringPoints& points = pointsOf(call, data);
   points.startFrom(lostBefore, lost);
   const TiringPoints::Limits limits{std::abs(cycles.range), restingRange_, cycles.peak, criticalStretch_};
@@ -118,6 +122,10 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
       return false;
     }
     overdrawn[i] = std::max(overdrawn[i], lost[bond] - 1.0);
+    if (lost[bond] >= 1.0 - lifeTolerance_) {
+      lifeLeft[i] += 1.0 - lost[bond];
+      rateOfFailed[i] += rate;
+    }
     lost[bond] = bondDamage[bond] = 1.0;
     return true;
   };

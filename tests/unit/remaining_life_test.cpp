@@ -157,19 +157,30 @@ class PlainLives {
   void pass(const std::vector<pdtest::Point>& y, double cycles, double range, double peak) {
     std::vector<char> isNear(x_.size(), 0);
     std::vector<double> all(x_.size(), 0.0), broken = all;
+    left_ = rate_ = all;
     for (std::size_t i = 0; i < x_.size(); ++i) isNear[i] = damage_[i] >= growthDamage ? 1 : 0;
     for (const auto& [bond, lost] : lost_)
       if (damage_[bond.second] >= growthDamage) isNear[bond.first] = 1;
     for (auto& [bond, lost] : lost_) {
       const auto [i, j] = bond;
       const double stretch = distance(y[i], y[j]) / distance(x_[i], x_[j]) - 1.0, strain = range * stretch;
-      if (lost < 1.0 && stretch > 0.0) {
+      const bool wasBroken = lost == 1.0;
+      double rate = 0.0;
+      if (stretch > 0.0) {
         if (isNear[i] != 0 || isNear[j] != 0)
-          lost += cycles * growth * std::pow(strain, growthExponent);
+          rate = growth * std::pow(strain, growthExponent);
         else if (strain > limit)
-          lost += cycles * initiation * std::pow(strain - limit, initiationExponent);
+          rate = initiation * std::pow(strain - limit, initiationExponent);
       }
-      if (lost >= 1.0 - tolerance || peak * stretch >= criticalStretch) lost = 1.0;
+      if (!wasBroken) lost += cycles * rate;
+      const bool isWorn = lost >= 1.0 - tolerance;
+      if (isWorn || peak * stretch >= criticalStretch) {
+        if (!wasBroken && isWorn) {
+          left_[i] += 1.0 - lost;
+          rate_[i] += rate;
+        }
+        lost = 1.0;
+      }
       all[i] += 1.0;
       broken[i] += lost == 1.0 ? 1.0 : 0.0;
     }
@@ -177,6 +188,8 @@ class PlainLives {
   }
   double lost(std::size_t i, std::size_t j) const { return lost_.at({i, j}); }
   double damage(std::size_t i) const { return damage_[i]; }
+  double lifeLeft(std::size_t i) const { return left_[i]; }
+  double rateOfFailed(std::size_t i) const { return rate_[i]; }
 
  private:
   static double distance(const pdtest::Point& a, const pdtest::Point& b) {
@@ -184,7 +197,7 @@ class PlainLives {
   }
   std::vector<pdtest::Point> x_;
   std::map<std::pair<std::size_t, std::size_t>, double> lost_;
-  std::vector<double> damage_;
+  std::vector<double> damage_, left_, rate_;
 };
 
 /// Strain that is largest in the middle of the lower edge, and moves the plate away at times.
@@ -233,10 +246,13 @@ TEST(RemainingLife, BondsThatAreNotLookedAtWouldNotHaveChanged) {
       for (const pdtest::Point& x : points) places.push_back(pulled(x, step));
       plain.pass(places, cycles, range, peak);
       const double *lost = body.field("Lost_Life"), *damage = body.field("Damage");
+      const double *left = body.field("Life_Left"), *rate = body.field("Rate_Of_Failed");
       const int* entry = owned->NeighborhoodList();
       for (int p = 0; p < n; ++p) {
         const auto i = static_cast<std::size_t>(owned->OwnedIDs()[p]);
         EXPECT_DOUBLE_EQ(damage[i], plain.damage(i)) << step;
+        EXPECT_NEAR(left[i], plain.lifeLeft(i), 1e-11) << step;
+        EXPECT_NEAR(rate[i], plain.rateOfFailed(i), 1e-14) << step;
         for (int count = *entry++; count > 0; --count, ++entry, ++lost)
           EXPECT_NEAR(*lost, plain.lost(i, static_cast<std::size_t>(*entry)), 1e-11) << step;
       }

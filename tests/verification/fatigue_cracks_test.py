@@ -60,8 +60,11 @@ class FatigueCracks(SceneTest):
             with self.subTest(name):
                 history, damage = self.grown(self.deck(points=points))
                 self.assert_mirrored(points, damage)
-                finite, _ = self.grown(self.deck({"Relative Tolerance": tolerance}, points=points, isFinite=True))
-                self.assertAlmostEqual(finite["time"][-1] / history["time"][-1], 1.0, delta=0.01)
+                # The fibre buckles by as much as its points move, which differs with each bond that breaks elsewhere.
+                for lives in (1e-3, 1e-9):
+                    finite, _ = self.grown(self.deck({"Relative Tolerance": tolerance}, points=points, isFinite=True,
+                                                     damage={"Life Tolerance": lives}))
+                    self.assertAlmostEqual(finite["time"][-1] / history["time"][-1], 1.0, delta=0.01)
 
     def test_lattices_give_a_crack_the_same_life_and_path(self):
         lives = {}

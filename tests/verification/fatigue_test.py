@@ -10,9 +10,34 @@ import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
 from cracked_plate import CRACK, SPACING, THICKNESS, cracked_plate  # noqa: E402
-from scene import Result, SceneTest, pdrun_path  # noqa: E402
+from scene import Result, SceneTest, pdrun_path, plate_deck  # noqa: E402
 
 DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
+
+
+class TwoPairs(SceneTest):
+    """Two bonds on their own, one stretched by a twentieth more than the other."""
+
+    def times(self, tolerance):
+        """At which bonds have broken when the body has come apart, in lives of the shorter-lived one."""
+        self.write_mesh(np.array([[0.0, 0.0, 0.0], [1e-3, 0.0, 0.0], [0.0, 5e-3, 0.0], [1e-3, 5e-3, 0.0]]), 1e-9)
+        hold = {"Type": "Prescribed Displacement", "Value": 0.0}
+        result = self.solve(plate_deck(
+            1.2e-3, 1e-3, {"Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3},
+            damage={"Damage Model": "Remaining Life", "Initiation Coefficient": 100.0, "Initiation Exponent": 2.0,
+                    "Life Tolerance": tolerance},
+            conditions={"All Node Set": {"Expression": "x < 1"}, "Left Node Set": {"Expression": "x < 5e-4"},
+                        "Right Node Set": {"Expression": "x > 5e-4"},
+                        "Left": {**hold, "Node Set": "Left Node Set", "Coordinate": "x"},
+                        "Right": {**hold, "Node Set": "Right Node Set", "Coordinate": "x", "Value": "1e-6*(1 + 10*y)"},
+                        "Along Y": {**hold, "Node Set": "All Node Set", "Coordinate": "y"}},
+            solver={"Final Time": 1e6, "Fatigue": {}}, output={"Output Variables": ["Cycles_To_First_Break"]}))
+        return result.field("Cycles_To_First_Break") * 100.0 * 1.05e-3**2
+
+    def test_fail_together_when_one_has_overdrawn_what_the_other_has_left(self):
+        slower = 1.05**-2  # rate of the one over that of the other: 0.093 of its life is left when the other fails
+        np.testing.assert_allclose(self.times(0.09), [0.0, 0.0, 1.0, 1.0], rtol=1e-6)
+        np.testing.assert_allclose(self.times(0.1), 2 / (1 + slower), rtol=1e-6)
 
 
 class SmoothBar(SceneTest):

@@ -205,6 +205,25 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
   }
 }
 
+/// Bonds that fail nearly together break together, when what some have left of their lives is what others have
+/// overdrawn. Returns the cycles passed, at most `most`.
+double Fatigue::passToFailure(Simulation& simulation, double cycles, double most, bool& hasBroken) {
+  Model& model = simulation.model;
+  hasBroken = passCycles(simulation, cycles);
+  if (!hasBroken) return cycles;
+  const double *left = model.field(fields_.lifeLeft), *rate = model.field(fields_.rateOfFailed);
+  std::array<double, 2> mine{}, all{};
+  for (int i = 0; i < model.nOwned(); ++i) {
+    mine[0] += left[i];
+    mine[1] += rate[i];
+  }
+  model.comm().SumAll(mine.data(), all.data(), 2);
+  const double more = std::min(all[1] > 0.0 ? all[0] / all[1] : 0.0, most - cycles);
+  if (more <= 1e-9 * cycles) return cycles;
+  passCycles(simulation, cycles + more);
+  return cycles + more;
+}
+
 /// A step without failures wore bonds at the rate of its first cycle. Had the load not changed, the worst of them would
 /// lose rateBefore (1 - rateBefore cycles)^-1 of its remaining life in a cycle after it; half the difference is what
 /// the step is wrong by.
@@ -241,7 +260,7 @@ double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   } else {
     // A step must not be shorter than rounding of t.
     if (rateBefore > 0.0 && 1.0 / rateBefore < cycles * (1.0 - 1e-12)) cycles = 1.0 / rateBefore;
-    hasBroken = passCycles(simulation, cycles);
+    cycles = passToFailure(simulation, cycles, stop - t, hasBroken);
   }
   const double reached = cycles < stop - t ? t + cycles : stop;
   if (hasBroken) noteBreakage(simulation, reached);

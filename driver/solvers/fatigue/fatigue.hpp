@@ -29,6 +29,8 @@ class Fatigue : public EventSolver {
     FieldHandle peak = writes(pd::fields::peakLoad());
     FieldHandle lossRate = reads(pd::fields::lifeLossRate());
     FieldHandle overdrawn = reads(pd::fields::overdrawnLife());
+    FieldHandle lifeLeft = reads(pd::fields::lifeLeft());
+    FieldHandle rateOfFailed = reads(pd::fields::rateOfFailed());
     FieldHandle firstBreak =
         writes(pd::fields::pointScalar("Cycles_To_First_Break", "1",
                                        "Cycles until the first bond of the point broke; 0 where none has.")
@@ -59,6 +61,7 @@ class Fatigue : public EventSolver {
   bool passCycles(Simulation& simulation, double cycles);
   Worst worst(Model& model) const;
   double passBlock(Simulation& simulation, double cycles, bool& hasBroken);
+  double passToFailure(Simulation& simulation, double cycles, double most, bool& hasBroken);
   void start(Simulation& simulation, double t);
   /// Equilibrium at the load of time t; bonds break and it is found again until none breaks.
   void settle(Simulation& simulation, double t, bool fromRest);
