@@ -17,6 +17,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "partial_reader.hpp"
 #include "plugins.hpp"
 #include "rectangle_cover.hpp"
 #include "run_notes.hpp"
@@ -47,7 +48,7 @@ double softStep(double t, double& slope) {
 
 }  // namespace
 
-class NonlocalJIntegral : public TabledCompute, public RunNotes {
+class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialReader {
  public:
   struct Fields : TipFields {
     SpringState::Fields springs;
@@ -64,6 +65,7 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
   std::vector<std::string> runNotes() const override;
+  void markRead(const Blocks& blocks, std::vector<char>& isRead) const override;
 
  private:
   struct Inside {
@@ -77,6 +79,8 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
     std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
   };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
+  /// m, from the sides of the rectangle: less than 0 inside.
+  double beyondSides(const double* x, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
   Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
@@ -157,11 +161,25 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
   return {front * back * high, (atFront * back - front * atBack) * high / spacing};
 }
 
-bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
+double NonlocalJIntegral::beyondSides(const double* x, const TipPlace::Tip& tip) const {
   const auto [a, b] = fromTip(x, tip);
-  // Less than 0 inside, more outside.
-  const double distance = std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
-  return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
+  return std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
+}
+
+bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
+  return std::abs(beyondSides(x, tip)) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
+}
+
+/// The points beside the sides, and their neighbours.
+void NonlocalJIntegral::markRead(const Blocks& blocks, std::vector<char>& isRead) const {
+  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  for (PeridigmNS::Block& block : *blocks) {
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    for (std::size_t i = 0; i < isRead.size(); ++i) {
+      const double spacing = std::sqrt(volume[i] / place_.thickness());
+      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing) isRead[i] = 1;
+    }
+  }
 }
 
 NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const {
