@@ -17,6 +17,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "list_starts.hpp"
 #include "partial_reader.hpp"
 #include "plugins.hpp"
 #include "rectangle_cover.hpp"
@@ -74,30 +75,31 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialR
   using Slopes = std::unordered_map<int, Vector3>;  ///< u_,d by global id
   /// The points of a block, and those of them that count.
   struct Sides {
-    std::vector<Inside> inside;  ///< [points]
-    std::vector<char> isBeside;  ///< [points] owned, with a bond whose ends are not equally far inside
-    std::vector<char> hasPart;   ///< [points] the same, and owned points where q falls along d
+    std::vector<Inside> inside;        ///< [points]
+    std::vector<std::size_t> beside;   ///< of OwnedIDs: with a bond whose ends are not equally far inside
+    std::vector<std::size_t> hasPart;  ///< the same, and where q falls along d
+    std::vector<char> isBeside;        ///< [hasPart]
   };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
   /// m, from the sides of the rectangle: less than 0 inside.
   double beyondSides(const double* x, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
-  Sides sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const;
+  Sides sidesIn(const Blocks& blocks, std::size_t b, const TipPlace::Tip& tip) const;
   Slopes slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides, const TipPlace::Tip& tip) const;
   /// Notes where the body does not fill the rectangle, the first time. Collective.
   void watchCover(const Blocks& blocks, const TipPlace::Tip& tip) const;
-  double sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
-                 const Slopes& slopes) const;
+  double sumOver(const Blocks& blocks, std::size_t b, const Sides& sides, const Slopes& slopes) const;
 
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
-  double ahead_, behind_, above_, below_;       ///< m
-  double longestBond_ = 0.0;                    ///< m
-  mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
-  mutable std::optional<Vector3> watched_;      ///< the tip for which the cover was looked at last
-  mutable std::string gap_;                     ///< what there is to note
+  double ahead_, behind_, above_, below_;         ///< m
+  double longestBond_ = 0.0;                      ///< m
+  std::vector<std::vector<std::size_t>> starts_;  ///< [blocks] listStarts()
+  mutable std::vector<LinearSprings> springs_;    ///< [blocks] once they have been asked for
+  mutable std::optional<Vector3> watched_;        ///< the tip for which the cover was looked at last
+  mutable std::string gap_;                       ///< what there is to note
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -143,6 +145,8 @@ void NonlocalJIntegral::initialize(Blocks blocks) {
   }
   longest = longestBond_ = maxOverRanks(*epetraComm, longest);
   springs_.clear();
+  starts_.clear();
+  for (PeridigmNS::Block& block : *blocks) starts_.push_back(listStarts(*block.getNeighborhoodData()));
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
         std::string(nonlocalJName) +
@@ -182,21 +186,27 @@ void NonlocalJIntegral::markRead(const Blocks& blocks, std::vector<char>& isRead
   }
 }
 
-NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const TipPlace::Tip& tip) const {
+NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(const Blocks& blocks, std::size_t b,
+                                                    const TipPlace::Tip& tip) const {
+  PeridigmNS::Block& block = (*blocks)[b];
   const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
   Sides sides;
   const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
-  for (std::size_t i = 0; i < nPoints; ++i) sides.inside.push_back(insideOf(x + 3 * i, volume[i], tip));
-  sides.isBeside.assign(nPoints, 0);
-  sides.hasPart = sides.isBeside;
-  const int* list = block.getNeighborhoodData()->NeighborhoodList();
-  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
-    const auto i = static_cast<std::size_t>(block.getNeighborhoodData()->OwnedIDs()[p]);
+  for (std::size_t i = 0; i < nPoints; ++i)
+    sides.inside.push_back(isNearASide(x + 3 * i, tip) ? insideOf(x + 3 * i, volume[i], tip)
+                                                       : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0});
+  const auto points = block.getNeighborhoodData();
+  for (std::size_t p = 0; p < starts_[b].size(); ++p) {
+    const auto i = static_cast<std::size_t>(points->OwnedIDs()[p]);
+    if (!isNearASide(x + 3 * i, tip)) continue;
     const Inside& own = sides.inside[i];
+    const int* list = points->NeighborhoodList() + starts_[b][p];
     const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
-    const bool isBeside = isNearASide(x + 3 * i, tip) && std::any_of(list + 1, list + 1 + *list, differs);
-    sides.isBeside[i] = isBeside ? 1 : 0;
-    sides.hasPart[i] = isBeside || own.slope != 0.0 ? 1 : 0;
+    const bool isBeside = std::any_of(list + 1, list + 1 + *list, differs);
+    if (isBeside) sides.beside.push_back(p);
+    if (!isBeside && own.slope == 0.0) continue;
+    sides.hasPart.push_back(p);
+    sides.isBeside.push_back(isBeside ? 1 : 0);
   }
   return sides;
 }
@@ -207,12 +217,11 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, 
   std::vector<double> found;  // id, slope
   for (std::size_t b = 0; b < sides.size(); ++b) {
     PeridigmNS::Block& block = (*blocks)[b];
-    const std::vector<Tensor> gradients = gradients_.of(block, TipPlace::leastIntact, sides[b].isBeside);
+    const std::vector<std::size_t>& beside = sides[b].beside;
+    const std::vector<Tensor> gradients = gradients_.at(block, TipPlace::leastIntact, beside, starts_[b]);
     const auto map = block.getOverlapScalarPointMap();
     for (std::size_t p = 0; p < gradients.size(); ++p) {
-      const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-      if (sides[b].isBeside[static_cast<std::size_t>(i)] == 0) continue;
-      found.push_back(map->GID(i));
+      found.push_back(map->GID(block.getNeighborhoodData()->OwnedIDs()[beside[p]]));
       for (std::size_t k = 0; k < 3; ++k) {
         double slope = 0.0;
         for (std::size_t d = 0; d < 3; ++d)
@@ -229,22 +238,21 @@ NonlocalJIntegral::Slopes NonlocalJIntegral::slopesBeside(const Blocks& blocks, 
 }
 
 /// J h of this rank's points of a block.
-double NonlocalJIntegral::sumOver(PeridigmNS::Block& block, const LinearSprings& springs, const Sides& sides,
-                                  const Slopes& slopes) const {
+double NonlocalJIntegral::sumOver(const Blocks& blocks, std::size_t b, const Sides& sides, const Slopes& slopes) const {
+  PeridigmNS::Block& block = (*blocks)[b];
   const auto map = block.getOverlapScalarPointMap();
-  const SpringState state(block, fields_.springs, springs, sides.hasPart);
-  const int* list = block.getNeighborhoodData()->NeighborhoodList();
+  const auto points = block.getNeighborhoodData();
+  const SpringState state(block, fields_.springs, springs_[b], sides.hasPart, starts_[b]);
   double sum = 0.0;
-  std::size_t point = 0, bond = 0;
-  for (int p = 0; p < block.getNeighborhoodData()->NumOwnedPoints(); ++p, list += *list + 1) {
-    const int i = block.getNeighborhoodData()->OwnedIDs()[p];
-    if (sides.hasPart[static_cast<std::size_t>(i)] == 0) continue;
+  std::size_t bond = 0;
+  for (std::size_t at = 0; at < sides.hasPart.size(); ++at) {
+    const int i = points->OwnedIDs()[sides.hasPart[at]];
+    const int* list = points->NeighborhoodList() + starts_[b][sides.hasPart[at]];
     const Inside& inside = sides.inside[static_cast<std::size_t>(i)];
-    sum -= state.energy[point++] * inside.slope;
-    const bool isBeside = sides.isBeside[static_cast<std::size_t>(i)] != 0;
+    sum -= state.energy[at] * inside.slope;
     for (int k = 1; k <= *list; ++k, ++bond) {
       const double difference = inside.share - sides.inside[static_cast<std::size_t>(list[k])].share;
-      if (!isBeside || difference == 0.0) continue;
+      if (sides.isBeside[at] == 0 || difference == 0.0) continue;
       const Vector3 &own = slopes.at(map->GID(i)), &other = slopes.at(map->GID(list[k]));
       const Vector3 both{own[0] + other[0], own[1] + other[1], own[2] + other[2]};
       sum -= 0.5 * difference * dot(both, state.force[bond].data());
@@ -287,13 +295,13 @@ int NonlocalJIntegral::compute(Blocks blocks) const {
   const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
   watchCover(blocks, tip);
   std::vector<Sides> sides;
-  for (PeridigmNS::Block& block : *blocks) {
-    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));
-    sides.push_back(sidesIn(block, tip));
+  for (std::size_t b = 0; b < blocks->size(); ++b) {
+    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf((*blocks)[b]));
+    sides.push_back(sidesIn(blocks, b, tip));
   }
   const Slopes slopes = slopesBeside(blocks, sides, tip);
   double sum = 0.0;
-  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver((*blocks)[b], springs_[b], sides[b], slopes);
+  for (std::size_t b = 0; b < sides.size(); ++b) sum += sumOver(blocks, b, sides[b], slopes);
   setGlobal(blocks, fields_.energyReleaseRate, sumOverRanks(*epetraComm, sum) / place_.thickness());
   return 0;
 }

@@ -8,6 +8,7 @@
 
 #include "connected_points.hpp"
 #include "crack_path.hpp"
+#include "list_starts.hpp"
 
 namespace pd {
 
@@ -75,6 +76,8 @@ CrackFront::CrackFront(const Teuchos::ParameterList& parameters, const ComputePa
 void CrackFront::initialize(const Blocks& blocks) {
   points_.initialize(blocks);
   fields_.damage.initialize(blocks);
+  starts_.clear();
+  for (PeridigmNS::Block& block : *blocks) starts_.push_back(listStarts(*block.getNeighborhoodData()));
 }
 
 /// In a copy of the body. The next point ahead is the nearest neighbour within 45 degrees of the direction.
@@ -135,11 +138,10 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, 
     const int* list = neighborhood->NeighborhoodList();
     for (int i = 0; i < neighborhood->NumOwnedPoints(); ++i) {
       const int id = neighborhood->OwnedIDs()[i];
-      const int n = *list++;
-      if (damage[id] >= threshold_ && points_.includes(b, i))
-        for (int copy = 0; copy < whole_->nCopies(); ++copy)
-          result.push_back(candidate({globalId, x, damage, id, list, n, nGlobal}, copy, direction));
-      list += n;
+      if (damage[id] < threshold_ || !points_.includes(b, i)) continue;
+      const int* own = list + starts_[b][static_cast<std::size_t>(i)];
+      for (int copy = 0; copy < whole_->nCopies(); ++copy)
+        result.push_back(candidate({globalId, x, damage, id, own + 1, *own, nGlobal}, copy, direction));
     }
   }
   return result;

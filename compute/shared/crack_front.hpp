@@ -57,6 +57,7 @@ class CrackFront {
 
   PointSelection points_;
   Fields fields_;
+  std::vector<std::vector<std::size_t>> starts_;  ///< [blocks] listStarts()
   double threshold_;
   Vector3 direction_, start_;
   std::array<bool, 3> isStartGiven_{};

@@ -1,6 +1,9 @@
 #include "point_deformation.hpp"
 
 #include <Teuchos_LAPACK.hpp>
+#include <numeric>
+
+#include "list_starts.hpp"
 
 namespace pd {
 
@@ -33,26 +36,29 @@ Tensor pseudoInverse(const Tensor& symmetric) {
   return result;
 }
 
-std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact,
-                                             const std::vector<char>& isWanted) const {
+std::vector<Tensor> DeformationGradients::of(PeridigmNS::Block& block, double leastIntact) const {
+  const std::vector<std::size_t> starts = listStarts(*block.getNeighborhoodData());
+  std::vector<std::size_t> all(starts.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return at(block, leastIntact, all, starts);
+}
+
+std::vector<Tensor> DeformationGradients::at(PeridigmNS::Block& block, double leastIntact,
+                                             const std::vector<std::size_t>& places,
+                                             const std::vector<std::size_t>& starts) const {
   const double* volume = view(block, fields_.volume);
   const double* x = view(block, fields_.modelCoordinates);
   const double* y = view(block, fields_.coordinates);
   const double* bondDamage = fields_.bondDamage.ifIn(*block.getDataManager());
   const double* share = fields_.interactionShare.ifIn(*block.getDataManager());
   const auto neighborhood = block.getNeighborhoodData();
-  const int* list = neighborhood->NeighborhoodList();
 
-  std::vector<Tensor> result(static_cast<std::size_t>(neighborhood->NumOwnedPoints()));
-  std::size_t bond = 0;
+  std::vector<Tensor> result(places.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const int id = neighborhood->OwnedIDs()[i];
+    const int id = neighborhood->OwnedIDs()[places[i]];
+    const int* list = neighborhood->NeighborhoodList() + starts[places[i]];
+    std::size_t bond = starts[places[i]] - places[i];
     for (std::size_t k = 0; k < 9; k += 4) result[i][k] = 1.0;
-    if (!isWanted.empty() && isWanted[static_cast<std::size_t>(id)] == 0) {
-      bond += static_cast<std::size_t>(*list);
-      list += *list + 1;
-      continue;
-    }
     Tensor shape{}, deformed{};
     double intact = 0.0, all = 0.0;
     for (int n = *list++; n > 0; --n, ++list, ++bond) {

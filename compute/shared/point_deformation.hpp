@@ -27,9 +27,11 @@ class DeformationGradients {
   };
 
   /// One a point, in the order of the block's OwnedIDs; the identity at points that keep less than `leastIntact` of
-  /// their neighbours, by volume, and at those that `isWanted` [points], where it is given, leaves out.
-  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0,
-                         const std::vector<char>& isWanted = {}) const;
+  /// their neighbours, by volume.
+  std::vector<Tensor> of(PeridigmNS::Block& block, double leastIntact = 0.0) const;
+  /// The same for the points at `places` of the block's OwnedIDs alone; `starts`: its listStarts().
+  std::vector<Tensor> at(PeridigmNS::Block& block, double leastIntact, const std::vector<std::size_t>& places,
+                         const std::vector<std::size_t>& starts) const;
 
  private:
   Fields fields_;

@@ -55,21 +55,16 @@ LinearSprings SpringState::springsOf(PeridigmNS::Block& block) {
 }
 
 SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
-                         const std::vector<char>& isWanted) {
+                         const std::vector<std::size_t>& places, const std::vector<std::size_t>& starts) {
   PeridigmNS::DataManager& data = *block.getDataManager();
   const auto list = block.getNeighborhoodData();
   const double *x = fields.modelCoordinates.of(data), *y = fields.coordinates.of(data);
   const double* damage = fields.bondDamage.ifIn(data);
-  const int* neighbor = list->NeighborhoodList();
-  std::size_t bond = 0;
   std::vector<Spring> family;
-  for (int p = 0; p < list->NumOwnedPoints(); ++p) {
+  for (const std::size_t p : places) {
     const int i = list->OwnedIDs()[p];
-    if (isWanted[static_cast<std::size_t>(i)] == 0) {
-      bond += static_cast<std::size_t>(*neighbor);
-      neighbor += *neighbor + 1;
-      continue;
-    }
+    const int* neighbor = list->NeighborhoodList() + starts[p];
+    std::size_t bond = starts[p] - p;
     family.clear();
     for (int n = *neighbor++; n > 0; --n, ++neighbor, ++bond) {
       Spring spring{};
@@ -88,8 +83,8 @@ SpringState::SpringState(PeridigmNS::Block& block, const Fields& fields, const L
     double pressure = 0.0, sum = 0.0;
     if (springs.family == LinearSprings::Family::Dilatation) {
       for (const Spring& spring : family) pressure += spring.along * dot(spring.xi, spring.eta.data());
-      sum = 0.5 * springs.dilatational[static_cast<std::size_t>(p)] * pressure * pressure;
-      pressure *= springs.dilatational[static_cast<std::size_t>(p)];
+      sum = 0.5 * springs.dilatational[p] * pressure * pressure;
+      pressure *= springs.dilatational[p];
     }
     for (const Spring& spring : family) {
       const Vector3 turned = cross(rotation, spring.xi);

@@ -20,12 +20,12 @@ struct SpringState {
   static void require(PeridigmNS::Block& block, const std::string& compute);
   /// Those of the block's material, of all its bonds. They do not change while the block is what it is.
   static LinearSprings springsOf(PeridigmNS::Block& block);
-  /// `isWanted` [points]: the owned points that are looked at.
+  /// Of the points at `places` of the block's OwnedIDs, rising; `starts`: its listStarts().
   SpringState(PeridigmNS::Block& block, const Fields& fields, const LinearSprings& springs,
-              const std::vector<char>& isWanted);
+              const std::vector<std::size_t>& places, const std::vector<std::size_t>& starts);
 
-  std::vector<double> energy;  ///< [wanted points] J
-  std::vector<Vector3> force;  ///< [bonds of wanted points] N, of the energy of the owned point, towards the other end
+  std::vector<double> energy;  ///< [places] J
+  std::vector<Vector3> force;  ///< [bonds of them] N, of the energy of the owned point, towards the other end
 };
 
 }  // namespace pd

@@ -126,8 +126,8 @@ class Run {
         ++firstStep_;
       }
       const bool isLast = isOver_ || (stageNumber + 1 == stages_.size() && increment == nSteps);
-      const bool endsStage = isOver_ || increment == nSteps;
-      if (events != nullptr && (endsStage || simulation_.output.needsDisplacements(model, step, isLast)))
+      if (events != nullptr && !events->fieldsAreComplete() &&
+          (isOver_ || increment == nSteps || simulation_.output.needsDisplacements(model, step, isLast)))
         orAbortUnlessShared([&] { events->completeFields(simulation_, end); });
       fillHostFields(model, simulation_.conditions, end);
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);

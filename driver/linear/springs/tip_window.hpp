@@ -28,7 +28,7 @@ class TipWindow {
   bool contains(int point) const { return placeOf_[static_cast<std::size_t>(point)] >= 0; }
   /// Whether the point is in it with all its neighbours: so that its bonds are as in the whole body.
   bool isInside(int point) const { return isInside_[static_cast<std::size_t>(point)] != 0; }
-  const std::vector<int>& points() const { return points_; }
+  const SpringOperator& stiffness() const { return stiffness_; }
 
   /// Takes up what has changed of the stiffness: the springs of the points `changed`, held degrees of freedom, and
   /// additions. `displacement` [3 nOwned]: where points are held that were not. False where it cannot be taken up: not

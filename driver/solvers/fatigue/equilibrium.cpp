@@ -125,7 +125,7 @@ void Equilibrium::find(Simulation& simulation, double t) {
   newton_.dropTangent();
   if (window_) {
     externalForce(simulation, t, externalForce_);
-    if (window_->find(simulation, *newton_.springs(), externalForce_, t)) {
+    if (window_->find(simulation, *newton_.springs(), externalForce_)) {
       isComplete_ = false;
       isOfTheseBonds_ = true;
       simulation.model.updateCoordinates();
@@ -187,12 +187,14 @@ double Equilibrium::carriedForce(Simulation& simulation) const {
 }
 
 RestartState Equilibrium::restartState() const {
-  return {{"largest force", largestScale_}, {"misjudged life outside", window_ ? window_->misjudgedLife() : 0.0}};
+  RestartState state{{"largest force", largestScale_}};
+  state.addPart("window", window_ ? window_->restartState() : EventWindow().restartState());
+  return state;
 }
 
 void Equilibrium::setRestartState(const RestartState& state) {
   largestScale_ = state["largest force"];
-  if (window_) window_->setMisjudgedLife(state["misjudged life outside"]);
+  if (window_) window_->setRestartState(state.part("window"));
 }
 
 std::vector<std::string> Equilibrium::summary() const {

@@ -44,6 +44,7 @@ class Equilibrium {
   void findFromRest(Simulation& simulation, double t);
   /// From the present displacements; with a window perhaps around the tip alone. Throws RunError where there is none.
   void find(Simulation& simulation, double t);
+  bool isComplete() const { return isComplete_; }
   /// Finds the displacements of all points, where find() has not. Returns whether they have changed.
   bool complete(Simulation& simulation, double t);
   /// The same where computes of whole bodies look at points that find() has left out.

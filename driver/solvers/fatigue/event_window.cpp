@@ -17,11 +17,11 @@ namespace {
 constexpr double tiringShare = 0.1;
 // Points of a window: its inverse takes 8 bytes for the square of twice as many.
 constexpr std::size_t usualPoints = 1700, mostPoints = 3600;
-// How many times farther it reaches ahead of the tip than to its sides.
-constexpr double aheadOfSides = 8.0;
+// How many times farther it reaches ahead of the tip, and behind it, than to its sides.
+constexpr double aheadOfSides = 8.0, behindOfSides = 2.0;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
-constexpr double mostStale = 1e-4;
+constexpr double mostStale = 3e-4;
 // A window that serves fewer events costs more than it saves; after so many of them no more are made.
 constexpr int worthwhile = 60, mostShort = 3;
 
@@ -39,8 +39,19 @@ void EventWindow::require(Simulation&, SpringTangent& springs) {
 void EventWindow::forget() {
   window_.reset();
   interval_ = firstInterval;
-  isToJudge_ = hasGivenUp_ = false;
-  nOfWindow_ = nWindows_ = nShort_ = 0;
+  isToJudge_ = false;
+  nOfWindow_ = 0;
+  whole_.clear();
+}
+
+RestartState EventWindow::restartState() const {
+  return {{"misjudged life", misjudgedLife_}, {"given up", hasGivenUp_ ? 1.0 : 0.0}, {"short windows", 1.0 * nShort_}};
+}
+
+void EventWindow::setRestartState(const RestartState& state) {
+  misjudgedLife_ = state["misjudged life"];
+  hasGivenUp_ = state["given up"] != 0.0;
+  nShort_ = static_cast<int>(state["short windows"]);
 }
 
 EventWindow::Wanted EventWindow::wantedOf(Simulation& simulation) const {
@@ -77,28 +88,46 @@ bool EventWindow::loadsAreTheSame(Simulation& simulation, const std::vector<doub
   return true;
 }
 
-bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce,
-                       double t) {
+bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce) {
   const std::vector<int> changed = (springs.stiffness(), springs.takeChangedPoints());
+  nChanges_ += static_cast<double>(changed.size());
   if (!window_) return false;
-  judge(simulation, t);
+  judge(simulation);
+  if (!loadsAreTheSame(simulation, externalForce)) {
+    window_.reset();
+    giveUp(simulation, "loads or prescribed displacements change");
+    return false;
+  }
   double* displacement = simulation.model.field("Displacement");
   const Timers::Scope timer(simulation.model.timers(), "window");
-  if (!loadsAreTheSame(simulation, externalForce) || !holds(wantedOf(simulation)) ||
-      !window_->takeUp(changed, displacement) || !window_->solve(displacement)) {
+  if (!holds(wantedOf(simulation)) || !window_->takeUp(changed, displacement) || !window_->solve(displacement)) {
     window_.reset();
     nShort_ += nOfWindow_ < worthwhile ? 1 : 0;
     return false;
   }
+  extrapolate(simulation.model);
   ++nOfWindow_;
   ++nFound_;
   ++nSinceWhole_;
   return true;
 }
 
+void EventWindow::extrapolate(Model& model) {
+  if (slope_.empty()) return;
+  double* displacement = model.field("Displacement");
+  const SpringOperator& stiffness = window_->stiffness();
+  for (int i = 0; i < model.nOwned(); ++i) {
+    if (window_->contains(i)) continue;
+    for (int c = 0; c < 2; ++c) {
+      const auto d = static_cast<std::size_t>(3 * i + c);
+      if (!stiffness.isHeld(i, c)) displacement[d] = whole_[d] + nChanges_ * slope_[d];
+    }
+  }
+}
+
 /// Rates of lives outside before and after the whole body was found: half their difference, times the cycles between,
 /// is what they were wrong by.
-void EventWindow::judge(Simulation& simulation, double) {
+void EventWindow::judge(Simulation& simulation) {
   if (!isToJudge_) return;
   isToJudge_ = false;
   const double* rate = lossRatesOf(simulation.model);
@@ -113,12 +142,18 @@ void EventWindow::judge(Simulation& simulation, double) {
 
 void EventWindow::wholeIsFound(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce,
                                double t) {
-  if (window_ && nSinceWhole_ > 0) {
-    const double* rate = lossRatesOf(simulation.model);
-    staleRates_.assign(rate, rate + simulation.model.nOwned());
+  Model& model = simulation.model;
+  const double *rate = lossRatesOf(model), *displacement = model.field("Displacement");
+  const auto n = static_cast<std::size_t>(model.nOwned());
+  isToJudge_ = window_ && nSinceWhole_ > 0;
+  if (isToJudge_) {
+    staleRates_.assign(rate, rate + n);
     staleCycles_ = t - timeOfWhole_;
-    isToJudge_ = true;
   }
+  slope_.assign(whole_.empty() || nChanges_ == 0.0 ? 0 : 3 * n, 0.0);
+  for (std::size_t d = 0; d < slope_.size(); ++d) slope_[d] = (displacement[d] - whole_[d]) / nChanges_;
+  whole_.assign(displacement, displacement + 3 * n);
+  nChanges_ = 0.0;
   timeOfWhole_ = t;
   nSinceWhole_ = 0;
   if (!window_ && !hasGivenUp_) place(simulation, springs, externalForce);
@@ -126,8 +161,7 @@ void EventWindow::wholeIsFound(Simulation& simulation, SpringTangent& springs, c
 
 void EventWindow::giveUp(Simulation& simulation, const std::string& why) {
   hasGivenUp_ = true;
-  simulation.output.log("Fatigue: no Tip Window from here to the next checkpoint: " + why +
-                        "; events are solved in the whole body");
+  simulation.output.log("Fatigue: no Tip Window from here on: " + why + "; events are solved in the whole body");
 }
 
 /// Those that are wanted, with as much around them as may be: the tip is taken to grow from the damaged to the intact
@@ -173,7 +207,8 @@ std::vector<int> EventWindow::pointsAround(Model& model, const Wanted& wanted) {
   for (std::size_t i = 0; i < n; ++i) {
     const auto place = placeOf(i);
     const double ahead = (place[0] - high[0]) / (isDirected ? aheadOfSides : 1.0);
-    const double distance = std::max({0.0, ahead, low[0] - place[0], low[1] - place[1], place[1] - high[1]});
+    const double behind = (low[0] - place[0]) / (isDirected ? behindOfSides : 1.0);
+    const double distance = std::max({0.0, ahead, behind, low[1] - place[1], place[1] - high[1]});
     byDistance.emplace_back(distance, static_cast<int>(i));
   }
   std::sort(byDistance.begin(), byDistance.end());
