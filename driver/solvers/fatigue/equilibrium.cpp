@@ -62,7 +62,7 @@ void Equilibrium::forgetHistory() {
 void Equilibrium::requireWindow(Simulation& simulation) {
   if (!window_) return;
   newton_.startIncrement(simulation.model);
-  EventWindow::require(simulation, *newton_.springs());
+  EventWindow::require(*newton_.springs());
 }
 
 void Equilibrium::findSupports(Simulation& simulation) {
@@ -149,11 +149,19 @@ bool Equilibrium::complete(Simulation& simulation, double t) {
   return true;
 }
 
-bool Equilibrium::completeForComputes(Simulation& simulation, double t) {
+bool Equilibrium::completeForComputes(Simulation& simulation, double t, bool areEvaluated) {
   if (isComplete_) return false;
-  std::vector<char> isRead(static_cast<std::size_t>(simulation.model.nPoints()), 0);
-  return (!simulation.output.markRead(simulation.model, isRead).empty() || !window_->has(isRead)) &&
-         complete(simulation, t);
+  Model& model = simulation.model;
+  std::vector<char> isRead(static_cast<std::size_t>(model.nPoints()), 0);
+  const auto someLookEverywhere = [&] { return !simulation.output.markRead(model, isRead).empty(); };
+  if (someLookEverywhere()) return areEvaluated && complete(simulation, t);  // else where they are written
+  if (std::find(isRead.begin(), isRead.end(), 1) == isRead.end()) return false;
+  if (!areEvaluated) {
+    // Where they look may depend on a tip that another of them finds.
+    simulation.output.evaluateGlobals(model);
+    someLookEverywhere();
+  }
+  return !window_->has(isRead) && complete(simulation, t);
 }
 
 void Equilibrium::solve(Simulation& simulation, double t) {

@@ -31,7 +31,7 @@ double* lossRatesOf(Model& model) { return model.field(fields::lifeLossRate().la
 
 EventWindow::EventWindow() : interval_(firstInterval) {}
 
-void EventWindow::require(Simulation&, SpringTangent& springs) {
+void EventWindow::require(SpringTangent& springs) {
   if (const std::string obstacle = TipWindow::obstacle(springs.stiffness()); !obstacle.empty())
     throw RunError("Fatigue: \"Tip Window\" is of no use here: " + obstacle + "; leave it out");
 }
@@ -89,7 +89,8 @@ bool EventWindow::loadsAreTheSame(Simulation& simulation, const std::vector<doub
 }
 
 bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce) {
-  const std::vector<int> changed = (springs.stiffness(), springs.takeChangedPoints());
+  springs.stiffness();  // with the bonds that there are
+  const std::vector<int> changed = springs.takeChangedPoints();
   nChanges_ += static_cast<double>(changed.size());
   if (!window_) return false;
   judge(simulation);
@@ -250,9 +251,8 @@ void EventWindow::place(Simulation& simulation, SpringTangent& springs, const st
 
 std::string EventWindow::summary(const std::string& solver) const {
   return fmt::format(
-      "{}: {} more equilibria in {} window(s) around the tip; lives outside, where strains were up to {} events old, "
-      "are "
-      "wrong by no more than {:.2g} of themselves",
+      "{}: {} more equilibria in {} window(s) around the tip; lives outside, where strains were estimated for up to {} "
+      "events, may be off by {:.2g} of a life",
       solver, nFound_, nPlaced_, longestInterval, misjudgedLife_);
 }
 

@@ -18,8 +18,9 @@ namespace pd {
 /// next one, which comes the sooner the more it is.
 class EventWindow {
  public:
+  EventWindow();
   /// Throws RunError where the bonds of the run are none that it is for.
-  static void require(Simulation& simulation, SpringTangent& springs);
+  static void require(SpringTangent& springs);
 
   /// Tries to find the equilibrium of `externalForce` [3 nOwned] in the window, and writes the displacements. False
   /// where it takes the whole body.
@@ -64,9 +65,6 @@ class EventWindow {
   bool hasGivenUp_ = false;
   int nOfWindow_ = 0, nShort_ = 0;      ///< equilibria of this window; windows that were not worth it
   long long nFound_ = 0, nPlaced_ = 0;  ///< over the run
-
- public:
-  EventWindow();
 };
 
 }  // namespace pd

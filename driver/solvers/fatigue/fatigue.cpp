@@ -186,7 +186,7 @@ void Fatigue::start(Simulation& simulation, double t) {
 void Fatigue::setLoad(Simulation& simulation, double t) {
   const LoadBlocks::Load load = loads_.at(t);
   CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
-  if (equilibrium_.completeForComputes(simulation, t)) {
+  if (equilibrium_.completeForComputes(simulation, t, control_.looks())) {
     ratesAreKnown_ = false;
     outcome = control_.look(simulation, t, load.peak, load.ratio);
   }
