@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "families.hpp"
+#include "partial_reader.hpp"
 #include "plugins.hpp"
 #include "rectangle_cover.hpp"
 #include "run_notes.hpp"
@@ -48,7 +49,7 @@ double softStep(double t, double& slope) {
 
 }  // namespace
 
-class NonlocalJIntegral : public TabledCompute, public RunNotes {
+class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialReader {
  public:
   struct Fields : TipFields {
     SpringState::Fields springs;
@@ -65,6 +66,7 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
   void initialize(Blocks blocks) override;
   int compute(Blocks blocks) const override;
   std::vector<std::string> runNotes() const override;
+  void markRead(const Blocks& blocks, std::vector<char>& isRead) const override;
 
  private:
   struct Inside {
@@ -78,6 +80,8 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes {
     std::vector<Family> between;  ///< the same, and where q falls along d
   };
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
+  /// m, from the sides of the rectangle: less than 0 inside.
+  double beyondSides(const double* x, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
   Sides sidesIn(PeridigmNS::Block& block, const Families& families, const TipPlace::Tip& tip) const;
@@ -161,11 +165,25 @@ NonlocalJIntegral::Inside NonlocalJIntegral::insideOf(const double* x, double vo
   return {front * back * high, (atFront * back - front * atBack) * high / spacing};
 }
 
-bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
+double NonlocalJIntegral::beyondSides(const double* x, const TipPlace::Tip& tip) const {
   const auto [a, b] = fromTip(x, tip);
-  // Less than 0 inside, more outside.
-  const double distance = std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
-  return std::abs(distance) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
+  return std::max(std::max(a - ahead_, -a - behind_), std::max(b - above_, -b - below_));
+}
+
+bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) const {
+  return std::abs(beyondSides(x, tip)) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
+}
+
+/// The points beside the sides, and their neighbours.
+void NonlocalJIntegral::markRead(const Blocks& blocks, std::vector<char>& isRead) const {
+  const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
+  for (PeridigmNS::Block& block : *blocks) {
+    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+    for (std::size_t i = 0; i < isRead.size(); ++i) {
+      const double spacing = std::sqrt(volume[i] / place_.thickness());
+      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing) isRead[i] = 1;
+    }
+  }
 }
 
 NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const Families& families,
@@ -173,15 +191,16 @@ NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, co
   const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
   Sides sides;
   const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
-  for (std::size_t i = 0; i < nPoints; ++i) sides.inside.push_back(insideOf(x + 3 * i, volume[i], tip));
+  for (std::size_t i = 0; i < nPoints; ++i)
+    sides.inside.push_back(isNearASide(x + 3 * i, tip) ? insideOf(x + 3 * i, volume[i], tip)
+                                                       : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0});
   for (std::size_t p = 0; p < families.size(); ++p) {
     const int i = families.id(p);
     const Inside& own = sides.inside[static_cast<std::size_t>(i)];
-    const bool isNear = isNearASide(x + 3 * i, tip);
-    if (!isNear && own.slope == 0.0) continue;
+    if (!isNearASide(x + 3 * i, tip)) continue;
     const Family family = families[p];
     const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
-    const bool isBeside = isNear && std::any_of(family.neighbors, family.neighbors + family.n, differs);
+    const bool isBeside = std::any_of(family.neighbors, family.neighbors + family.n, differs);
     if (isBeside) sides.beside.push_back(family);
     if (isBeside || own.slope != 0.0) sides.between.push_back(family);
   }

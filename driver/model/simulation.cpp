@@ -125,8 +125,11 @@ class Run {
         --increment;
         ++firstStep_;
       }
-      fillHostFields(model, simulation_.conditions, end);
       const bool isLast = isOver_ || (stageNumber + 1 == stages_.size() && increment == nSteps);
+      if (events != nullptr && !events->fieldsAreComplete() &&
+          (isOver_ || increment == nSteps || simulation_.output.needsDisplacements(model, step, isLast)))
+        orAbortUnlessShared([&] { events->completeFields(simulation_, end); });
+      fillHostFields(model, simulation_.conditions, end);
       simulation_.output.write(model, step, firstStep_ + nSteps, end, isLast);
       if (simulation_.output.isCheckpointDue(step, isLast)) {
         simulation_.output.checkpoint(model, {step, end, stage.name, stage.solver->restartState(), deck_, {}}, isLast);

@@ -6,6 +6,7 @@
 #include "../deck/sections.hpp"
 #include "../model/collective.hpp"
 #include "../model/state_fields.hpp"
+#include "partial_reader.hpp"
 #include "plugins.hpp"
 #include "run_notes.hpp"
 #include "whole_body.hpp"
@@ -27,6 +28,14 @@ void atPlace(const std::string& place, const Work& work) {
   } catch (const std::exception& error) {
     throw DeckError((place.empty() ? "" : place + ": ") + error.what());
   }
+}
+
+/// Whether displacements have no part in a field: it is of the mesh, of bonds that have broken, or of the whole body.
+bool isOfMeshOrBreakage(const FieldSpec& spec) {
+  static const std::set<std::string> labels = {
+      fields::modelCoordinates().label, fields::volume().label,     fields::horizon().label, fields::blockId().label,
+      fields::elementId().label,        fields::bondDamage().label, fields::damage().label};
+  return spec.relation == PeridigmNS::PeridigmField::GLOBAL || labels.count(spec.label) > 0;
 }
 
 }  // namespace
@@ -79,6 +88,7 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const D
       if (isMadeOfState(use.field.label)) entry.fieldsOfState.insert(use.field.label);
     for (const int id : entry.compute->FieldIds()) {
       const FieldSpec spec = FieldManager::self().getFieldSpec(id);
+      entry.looksAtDisplacements = entry.looksAtDisplacements || !isOfMeshOrBreakage(spec);
       if (spec.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
       entry.isGlobal = true;
       // What has steps is state that the compute keeps or that this host gives it, no result.
@@ -109,6 +119,16 @@ std::vector<int> ComputeSet::fieldIds() const {
     ids.insert(ids.end(), more.begin(), more.end());
   }
   return ids;
+}
+
+std::string ComputeSet::markRead(Model& model, std::vector<char>& isRead) const {
+  for (const Entry& entry : entries_) {
+    if (!entry.isGlobal || !entry.looksAtDisplacements) continue;
+    const auto* reader = dynamic_cast<const PartialReader*>(entry.compute.get());
+    if (reader == nullptr) return entry.place.empty() ? entry.className : entry.place;
+    reader->markRead(model.blocks(), isRead);
+  }
+  return "";
 }
 
 void ComputeSet::initialize(Model& model) {

@@ -31,6 +31,10 @@ class ComputeSet {
   /// Fields that must be made of the state before (state_fields.hpp).
   std::set<std::string> fieldsOfState(bool onlyGlobal) const;
 
+  /// Marks the points [nPoints] at whose displacements those that yield values for the whole body look, in this state.
+  /// Returns the place in the deck of one that may look at any; empty where there is none.
+  std::string markRead(Model& model, std::vector<char>& isRead) const;
+
   /// Labels of fields for the whole body, in the order of the computes.
   const std::vector<std::string>& globalLabels() const { return globalLabels_; }
   /// Has a compute been made of the class (spaces as underscores, as in Peridigm)?
@@ -42,6 +46,7 @@ class ComputeSet {
     std::string place;  ///< in the deck; empty where the compute is made by default
     Teuchos::RCP<PeridigmNS::Compute> compute;
     bool isGlobal = false;
+    bool looksAtDisplacements = false;  ///< or at what follows from them
     std::set<std::string> fieldsOfState;
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };

@@ -264,6 +264,19 @@ void Output::evaluateGlobals(Model& model) {
   self.evaluate(model, true);
 }
 
+std::string Output::markRead(Model& model, std::vector<char>& isRead) const {
+  return implementation_->computes->markRead(model, isRead);
+}
+
+bool Output::needsDisplacements(Model& model, int step, bool isLast) const {
+  std::vector<char> isRead(static_cast<std::size_t>(model.nPoints()), 0);
+  const bool computesNeedThem = !markRead(model, isRead).empty();
+  const auto& files = implementation_->files;
+  return isCheckpointDue(step, isLast) || std::any_of(files.begin(), files.end(), [&](const OutputFiles& each) {
+           return each.areFieldsDue(step, isLast) || (computesNeedThem && each.isHistoryDue(step, isLast));
+         });
+}
+
 const std::vector<std::string>& Output::warnings() const { return implementation_->warnings; }
 
 bool Output::isCheckpointDue(int step, bool isLast) const {

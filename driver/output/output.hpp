@@ -47,6 +47,10 @@ class Output {
   void evaluate(Model& model, int step);
   /// Evaluates the computes of whole bodies, whether or not they are due, and writes nothing.
   void evaluateGlobals(Model& model);
+  /// As ComputeSet's.
+  std::string markRead(Model& model, std::vector<char>& isRead) const;
+  /// Whether what is written at the end of increment `step` takes the displacements of all points.
+  bool needsDisplacements(Model& model, int step, bool isLast) const;
   /// What computes have found out so far; the log has it too.
   const std::vector<std::string>& warnings() const;
 

@@ -14,12 +14,17 @@ class EventSolver : public Solver {
   virtual double advanceToEvent(Simulation& simulation, double t, double end) = 0;
   /// Why there is nothing left to do; empty where there is. The run then ends with this increment.
   virtual std::string reasonToStop() const = 0;
+  /// Whether advanceToEvent() has left fields as they were where nobody looked, and what makes up for it: before they
+  /// are written, or others look at them.
+  virtual bool fieldsAreComplete() const { return true; }
+  virtual void completeFields(Simulation& /*simulation*/, double /*t*/) {}
   /// What its times are counted in.
   virtual const char* timeUnit() const { return "s"; }
 
   void advance(Simulation& simulation, double t, double dt) override {
     const double end = t + dt;
     while (t < end && reasonToStop().empty()) t = advanceToEvent(simulation, t, end);
+    if (!fieldsAreComplete()) completeFields(simulation, t);
   }
 };
 

@@ -89,6 +89,7 @@ class Newton {
   bool stoppedAtRoundOff = false;
   long long nSpringSolves = 0, nDifferenceSolves = 0;  ///< linear solves without a matrix: by springs, by differences
   const SpringTangent* springs() const { return springs_.get(); }
+  SpringTangent* springs() { return springs_.get(); }
   bool couplesFamilies() const { return couplesFamilies_; }
   /// For an equilibrium: in small strain, keeps how far bonds have stretched and turned. Collective.
   void watchBondMotion(Model& model);

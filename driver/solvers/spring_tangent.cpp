@@ -96,7 +96,8 @@ SpringTangent::SpringTangent(Model& model)
       stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
       seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()),
-      firstBond_(seenDamage_.size()) {
+      firstBond_(seenDamage_.size()),
+      isUntaken_(seenDamage_.size(), 0) {
   stalePoints_ = allPoints();
   for (Block& block : *model.blocks()) {
     const auto list = block.getNeighborhoodData();
@@ -163,6 +164,7 @@ void SpringTangent::takeUpDamage() {
   std::sort(changed.begin(), changed.end());
   stiffness_.refresh(changed);
   changedSince_.insert(changedSince_.end(), changed.begin(), changed.end());
+  for (const int i : changed) isUntaken_[static_cast<std::size_t>(i)] = 1;
   std::vector<int> stale;
   std::set_union(stalePoints_.begin(), stalePoints_.end(), changed.begin(), changed.end(), std::back_inserter(stale));
   stalePoints_ = std::move(stale);
@@ -181,6 +183,27 @@ bool SpringTangent::keepsTogether() {
   return !model_.comm().any(!network_.hasKeptTogether());
 }
 
+void SpringTangent::refreshSmoother() {
+  if (model_.comm().any(!stalePoints_.empty()))
+    levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);
+  stalePoints_.clear();
+}
+
+const SpringOperator& SpringTangent::stiffness() {
+  if (!bondsAreKnown_) takeUpDamage();
+  bondsAreKnown_ = true;
+  refreshSmoother();
+  return stiffness_;
+}
+
+std::vector<int> SpringTangent::takeChangedPoints() {
+  std::vector<int> points;
+  for (std::size_t i = 0; i < isUntaken_.size(); ++i)
+    if (isUntaken_[i] != 0) points.push_back(static_cast<int>(i));
+  std::fill(isUntaken_.begin(), isUntaken_.end(), 0);
+  return points;
+}
+
 void SpringTangent::prepare() {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
@@ -195,9 +218,7 @@ void SpringTangent::prepare() {
   newlyHeld_.clear();
   const bool isStale = mustRebuild_ || tears || nChanges_ >= mostChanges;
   coarseIsCurrent_ = true;
-  if (model_.comm().any(!stalePoints_.empty()))
-    levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);
-  stalePoints_.clear();
+  refreshSmoother();
   if (isStale) {
     levels_.rebuild();
     nChanges_ = 0;

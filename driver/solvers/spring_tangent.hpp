@@ -32,6 +32,10 @@ class SpringTangent {
   void prepare();
   /// Takes up changed bonds; false where they may have parted the body. Collective.
   bool keepsTogether();
+  /// Takes up what has changed but for what conjugate gradients need alone. Collective.
+  const SpringOperator& stiffness();
+  /// The owned points whose bonds have changed since this was last called, rising.
+  std::vector<int> takeChangedPoints();
 
   /// Writes the force density [3 nPoints] N/m3 that displacements [3 nPoints] cause, complete at owned points.
   /// Collective.
@@ -57,6 +61,7 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  void refreshSmoother();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.
   void applyToDisplacement();
@@ -83,6 +88,7 @@ class SpringTangent {
   /// What force() found last, and the points whose bonds have changed since.
   PointVector<double> knownDisplacement_, knownImage_, knownResponses_;
   std::vector<int> changedSince_;
+  std::vector<char> isUntaken_;  ///< [nOwned] of takeChangedPoints()
   bool knowsImage_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "../mpi/lattice.hpp"
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "driver/linear/linear_system.hpp"
+#include "driver/linear/springs/tip_window.hpp"
 #include "driver/model/model.hpp"
 #include "driver/solvers/spring_tangent.hpp"
 
@@ -205,6 +206,54 @@ TEST_P(Springs, FindForcesAgainWhereBondsHaveBroken) {
   followed.resize(u.size());
   fresh.resize(u.size());
   EXPECT_LT(norm(difference(followed, fresh)), 1e-14 * norm(fresh));
+}
+
+TEST_P(Springs, InAWindowMoveAsInTheWholeBody) {
+  const Discretization& points = model_.discretization();
+  SpringTangent springs(model_);
+  std::vector<char> isHeld(isHeld_.begin(), isHeld_.begin() + 3LL * model_.nOwned());
+  springs.hold(isHeld);
+  const bool isForWindows = points.dimension == 2 && world().size() == 1 && points.symmetry.empty() &&
+                            std::string(GetParam().material).find("0.3333") != std::string::npos;
+  ASSERT_EQ(TipWindow::obstacle(springs.stiffness()).empty(), isForWindows);
+  if (!isForWindows) return;
+  const std::vector<double> load = someDisplacement(true);
+  std::vector<double> u(load.size()), rest(load.size()), correction(load.size());
+  springs.solve(load.data(), u.data(), 1e-13, 400);
+  std::vector<int> inside;
+  const auto isBetween = [](double x, double n) { return x > 0.25 * n && x < 0.75 * n; };
+  for (int i = 0; i < points.nOwned; ++i)
+    if (isBetween(points.x[3 * static_cast<std::size_t>(i)], GetParam().lattice.nx)) inside.push_back(i);
+  springs.takeChangedPoints();
+  TipWindow window(springs.stiffness(), inside, u.data());
+  ASSERT_EQ(window.trouble(), "");
+  // Bonds of one point after another, more than are kept beside the inverse; a point that is held where it is then.
+  for (std::size_t k = 0; k < 60; ++k) {
+    const int centre = inside[(k * inside.size()) / 60];
+    if (!window.isInside(centre)) continue;
+    breakBondsOf(points.globalIds[static_cast<std::size_t>(centre)]);
+    springs.bondsHaveChanged();
+    if (k == 30) isHeld[static_cast<std::size_t>(3 * centre)] = 1;
+    springs.hold(isHeld);
+    const SpringOperator& stiffness = springs.stiffness();
+    ASSERT_EQ(&stiffness, &window.stiffness());
+    ASSERT_TRUE(window.takeUp(springs.takeChangedPoints(), u.data()));
+    ASSERT_TRUE(window.solve(u.data()));
+  }
+  // Equilibrium of the whole body: the rest moves, the window does not.
+  std::vector<double> padded(3 * static_cast<std::size_t>(model_.nPoints())), force(padded.size());
+  std::copy(u.begin(), u.end(), padded.begin());
+  springs.force(padded.data(), force.data());
+  for (std::size_t d = 0; d < rest.size(); ++d) rest[d] = isHeld[d] ? 0.0 : load[d] + force[d];
+  springs.solve(rest.data(), correction.data(), 1e-10, 400);
+  double moved = 0.0, outside = 0.0;
+  for (std::size_t d = 0; d < correction.size(); ++d) {
+    double& most = window.contains(static_cast<int>(d / 3)) ? moved : outside;
+    most = std::max(most, std::abs(correction[d]));
+  }
+  EXPECT_GT(outside, 1e-4 * norm(u) / std::sqrt(static_cast<double>(u.size())));
+  EXPECT_LT(moved, 1e-7 * norm(u) / std::sqrt(static_cast<double>(u.size())));
+  EXPECT_FALSE(window.takeUp({0}, u.data()));  // its bonds are not in the window
 }
 
 INSTANTIATE_TEST_SUITE_P(

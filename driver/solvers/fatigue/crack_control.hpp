@@ -38,6 +38,8 @@ class CrackControl {
   /// In equilibrium after t cycles; the cycles to come would have this peak without the control. Throws RunError where
   /// there is no stress intensity to follow. Collective.
   Outcome look(Simulation& simulation, double t, double peak, double loadRatio) const;
+  /// Whether look() evaluates computes.
+  bool looks() const { return isUsed_; }
   bool setsLoad() const { return wantedRange_ != nullptr || peak_ != nullptr; }
 
  private:

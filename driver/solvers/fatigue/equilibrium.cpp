@@ -34,11 +34,36 @@ void Equilibrium::declareParameters(ParameterDeclarations& declare) {
       .defaultTo(1e-6)
       .strictlyBetween(0.0, 1e-2);
   NewtonSettings::declareKinematics(declare);
+  declare
+      .flag(
+          "Tip Window",
+          "In Small Strain, for cracks of many events: the stiffness of the body is condensed onto a window around "
+          "the tip, once and again when the tip has left it, which costs as much as some hundred events; an event then "
+          "takes a few milliseconds. All points are found in equilibrium where fields are written, and every so many "
+          "events. For plane bodies of Elastic Bond Based, or PDHE with the Poisson's ratio of such bonds, on one "
+          "rank.")
+      .defaultTo(false);
   LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
 }
 
 Equilibrium::Equilibrium(const Teuchos::ParameterList& parameters, std::string solver)
-    : solver_(std::move(solver)), newton_(newtonSettings(parameters, solver_)) {}
+    : solver_(std::move(solver)), newton_(newtonSettings(parameters, solver_)) {
+  if (!parameters.get<bool>("Tip Window")) return;
+  if (parameters.get<std::string>("Kinematics") != "Small Strain")
+    throw std::invalid_argument(solver_ + ": \"Tip Window\" is for \"Kinematics: Small Strain\"");
+  window_ = std::make_unique<EventWindow>();
+}
+
+void Equilibrium::forgetHistory() {
+  newton_.forgetHistory();
+  if (window_) window_->forget();
+}
+
+void Equilibrium::requireWindow(Simulation& simulation) {
+  if (!window_) return;
+  newton_.startIncrement(simulation.model);
+  EventWindow::require(*newton_.springs());
+}
 
 void Equilibrium::findSupports(Simulation& simulation) {
   const HeldInPlace before = std::move(held_);
@@ -54,6 +79,7 @@ void Equilibrium::findSupports(Simulation& simulation) {
 
 bool Equilibrium::keepsTogether() {
   newton_.dropTangent();
+  isOfTheseBonds_ = false;
   return hasSupports_ && newton_.keepsTogether();
 }
 
@@ -97,7 +123,45 @@ void Equilibrium::findFromRest(Simulation& simulation, double t) {
 void Equilibrium::find(Simulation& simulation, double t) {
   simulation.conditions.applyPrescribed(t);
   newton_.dropTangent();
+  if (window_) {
+    externalForce(simulation, t, externalForce_);
+    if (window_->find(simulation, *newton_.springs(), externalForce_)) {
+      isComplete_ = false;
+      isOfTheseBonds_ = true;
+      simulation.model.updateCoordinates();
+      if (window_->isDue()) complete(simulation, t);
+      return;
+    }
+  }
   solve(simulation, t);
+  if (window_) window_->wholeIsFound(simulation, *newton_.springs(), externalForce_, t);
+}
+
+bool Equilibrium::complete(Simulation& simulation, double t) {
+  if (isComplete_) return false;
+  if (!isOfTheseBonds_) {
+    simulation.output.log(solver_ +
+                          ": displacements far from the tip are those of some events before the body came apart");
+    return false;
+  }
+  solve(simulation, t);
+  window_->wholeIsFound(simulation, *newton_.springs(), externalForce_, t);
+  return true;
+}
+
+bool Equilibrium::completeForComputes(Simulation& simulation, double t, bool areEvaluated) {
+  if (isComplete_) return false;
+  Model& model = simulation.model;
+  std::vector<char> isRead(static_cast<std::size_t>(model.nPoints()), 0);
+  const auto someLookEverywhere = [&] { return !simulation.output.markRead(model, isRead).empty(); };
+  if (someLookEverywhere()) return areEvaluated && complete(simulation, t);  // else where they are written
+  if (std::find(isRead.begin(), isRead.end(), 1) == isRead.end()) return false;
+  if (!areEvaluated) {
+    // Where they look may depend on a tip that another of them finds.
+    simulation.output.evaluateGlobals(model);
+    someLookEverywhere();
+  }
+  return !window_->has(isRead) && complete(simulation, t);
 }
 
 void Equilibrium::solve(Simulation& simulation, double t) {
@@ -113,6 +177,7 @@ void Equilibrium::solve(Simulation& simulation, double t) {
   largestScale_ = std::max(largestScale_, outcome.scale);
   largestResidual_ = std::max(largestResidual_, residual);
   carried_ = carriedForce(simulation);
+  isComplete_ = isOfTheseBonds_ = true;
   ++nSolutions_;
 }
 
@@ -129,11 +194,23 @@ double Equilibrium::carriedForce(Simulation& simulation) const {
   return std::sqrt(std::max(all[0], all[1]));
 }
 
+RestartState Equilibrium::restartState() const {
+  RestartState state{{"largest force", largestScale_}};
+  state.addPart("window", window_ ? window_->restartState() : EventWindow().restartState());
+  return state;
+}
+
+void Equilibrium::setRestartState(const RestartState& state) {
+  largestScale_ = state["largest force"];
+  if (window_) window_->setRestartState(state.part("window"));
+}
+
 std::vector<std::string> Equilibrium::summary() const {
   std::vector<std::string> lines{fmt::format(
       "{}: {} equilibria with a relative residual of at most {:.2g}, {} Newton iterations, {} tangents, {} "
       "linear iterations",
       solver_, nSolutions_, largestResidual_, newton_.nIterations, newton_.nTangents, newton_.nLinearIterations)};
+  if (window_) lines.push_back(window_->summary(solver_));
   if (newton_.stoppedAtRoundOff)
     lines.push_back(solver_ + ": the tolerance was below what rounding of coordinates leaves; the latter was reached");
   return lines;

@@ -7,6 +7,7 @@
 
 #include "../loose_parts.hpp"
 #include "../newton.hpp"
+#include "event_window.hpp"
 
 namespace pd {
 
@@ -30,7 +31,9 @@ class Equilibrium {
   void requireSprings(Model& model) const { newton_.requireSprings(model); }
   /// As Newton's.
   void startIncrement(Simulation& simulation) { newton_.startIncrement(simulation.model); }
-  void forgetHistory() { newton_.forgetHistory(); }
+  void forgetHistory();
+  /// Throws RunError where the deck asks for a window that the run can have none of.
+  void requireWindow(Simulation& simulation);
   /// Parts of more than 1 % of the points that loads or prescribed displacements act on at time t. Collective.
   int countLoadedParts(Simulation& simulation, double t);
   /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.
@@ -39,12 +42,17 @@ class Equilibrium {
   bool carriesNothing() const { return carried_ < 1e-3 * largestScale_; }
   /// From the undeformed body, loads and prescribed displacements of time t. Throws RunError where there is none.
   void findFromRest(Simulation& simulation, double t);
-  /// From the present displacements. Throws RunError where there is none.
+  /// From the present displacements; with a window perhaps around the tip alone. Throws RunError where there is none.
   void find(Simulation& simulation, double t);
+  bool isComplete() const { return isComplete_; }
+  /// Finds the displacements of all points, where find() has not. Returns whether they have changed.
+  bool complete(Simulation& simulation, double t);
+  /// The same where computes of whole bodies look at points that find() has left out. `areEvaluated`: in this state.
+  bool completeForComputes(Simulation& simulation, double t, bool areEvaluated);
 
   std::vector<std::string> summary() const;
-  RestartState restartState() const { return {{"largest force", largestScale_}}; }
-  void setRestartState(const RestartState& state) { largestScale_ = state["largest force"]; }
+  RestartState restartState() const;
+  void setRestartState(const RestartState& state);
 
  private:
   void solve(Simulation& simulation, double t);
@@ -54,9 +62,12 @@ class Equilibrium {
   Newton newton_;
   HeldInPlace held_;
   bool hasSupports_ = false;
-  std::vector<double> externalForce_;  ///< [3 nOwned] N/m3
-  double largestScale_ = 0.0;          ///< N
-  double carried_ = 0.0;               ///< N, norm of loads or reactions of the last equilibrium
+  std::unique_ptr<EventWindow> window_;  ///< null: none is asked for
+  bool isComplete_ = true;               ///< displacements are those of all points
+  bool isOfTheseBonds_ = true;           ///< they are those of the bonds that there are
+  std::vector<double> externalForce_;    ///< [3 nOwned] N/m3
+  double largestScale_ = 0.0;            ///< N
+  double carried_ = 0.0;                 ///< N, norm of loads or reactions of the last equilibrium
   long long nSolutions_ = 0;
   double largestResidual_ = 0.0;  ///< relative
 };

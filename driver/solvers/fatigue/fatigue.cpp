@@ -101,6 +101,7 @@ void Fatigue::initialize(Simulation& simulation) {
 }
 
 void Fatigue::rehearse(Simulation& simulation, double t, double) {
+  equilibrium_.requireWindow(simulation);
   equilibrium_.findSupports(simulation);
   equilibrium_.requireHeldLoads(simulation, t);
 }
@@ -184,7 +185,11 @@ void Fatigue::start(Simulation& simulation, double t) {
 
 void Fatigue::setLoad(Simulation& simulation, double t) {
   const LoadBlocks::Load load = loads_.at(t);
-  const CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
+  CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
+  if (equilibrium_.completeForComputes(simulation, t, control_.looks())) {
+    ratesAreKnown_ = false;
+    outcome = control_.look(simulation, t, load.peak, load.ratio);
+  }
   double &range = *simulation.model.field(fields_.range), &peak = *simulation.model.field(fields_.peak);
   const double newRange = (1.0 - load.ratio) * outcome.peak;
   ratesAreKnown_ = ratesAreKnown_ && range == newRange && peak == outcome.peak;
@@ -238,10 +243,15 @@ void Fatigue::watchLoad(Simulation& simulation, double rateBefore, double cycles
                     cycles, reached));
 }
 
+void Fatigue::completeFields(Simulation& simulation, double t) {
+  if (equilibrium_.complete(simulation, t)) ratesAreKnown_ = false;
+}
+
 double Fatigue::advanceToEvent(Simulation& simulation, double t, double end) {
   Model& model = simulation.model;
   const bool isAtWork = equilibrium_.hasSupports();
   equilibrium_.startIncrement(simulation);
+  if (!isAtWork) equilibrium_.requireWindow(simulation);
   if (!hasStarted_) start(simulation, t);
   if (!isSettled_) settle(simulation, t, false);
   isSettled_ = true;

@@ -45,6 +45,8 @@ class Fatigue : public EventSolver {
   int numberOfIncrements(Simulation& simulation, double t0, double t1) override;
   double incrementEnd(int increment, int nIncrements, double t0, double t1) const override;
   double advanceToEvent(Simulation& simulation, double t, double end) override;
+  bool fieldsAreComplete() const override { return equilibrium_.isComplete(); }
+  void completeFields(Simulation& simulation, double t) override;
   std::string reasonToStop() const override { return reasonToStop_; }
   const char* timeUnit() const override { return "cycles"; }
   std::vector<std::string> summary() const override;

@@ -1,0 +1,72 @@
+// Which equilibria of fatigue are found around the tip of a crack alone.
+#ifndef PD_EVENT_WINDOW_HPP
+#define PD_EVENT_WINDOW_HPP
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../../linear/springs/tip_window.hpp"
+#include "../../model/simulation.hpp"
+#include "../spring_tangent.hpp"
+
+namespace pd {
+
+/// Places a TipWindow around the bonds that lose life and the points that computes look at, as far ahead of them as its
+/// size allows, and another one when they come to its sides. Outside, displacements go on from the last equilibrium of
+/// the whole body as they went to it, by the bonds that break. How much of a life that is off by is estimated at the
+/// next one, which comes the sooner the more it is.
+class EventWindow {
+ public:
+  EventWindow();
+  /// Throws RunError where the bonds of the run are none that it is for.
+  static void require(SpringTangent& springs);
+
+  /// Tries to find the equilibrium of `externalForce` [3 nOwned] in the window, and writes the displacements. False
+  /// where it takes the whole body.
+  bool find(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce);
+  /// The whole body has been found in equilibrium after t cycles: there may be another window.
+  void wholeIsFound(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce, double t);
+  /// Whether the whole body is due again.
+  bool isDue() const { return nSinceWhole_ >= interval_; }
+  /// Whether displacements are right at all points marked. [nPoints]
+  bool has(const std::vector<char>& isRead) const;
+
+  /// What follows depends on the restart state alone, not on what else has been.
+  void forget();
+  RestartState restartState() const;
+  void setRestartState(const RestartState& state);
+  std::string summary(const std::string& solver) const;
+
+ private:
+  struct Wanted {
+    std::vector<char> tires, isRead;  ///< [nOwned]
+    bool isAny = false;
+  };
+  Wanted wantedOf(Simulation& simulation) const;
+  bool holds(const Wanted& wanted) const;
+  bool loadsAreTheSame(Simulation& simulation, const std::vector<double>& externalForce) const;
+  void judge(Simulation& simulation);
+  void extrapolate(Model& model);
+  void place(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce);
+  void giveUp(Simulation& simulation, const std::string& why);
+  static std::vector<int> pointsAround(Model& model, const Wanted& wanted);
+
+  std::unique_ptr<TipWindow> window_;
+  std::vector<double> force_, prescribed_;  ///< [3 nOwned] N/m3, m: when the window was made
+  int interval_, nSinceWhole_ = 0;          ///< events from one equilibrium of the whole body to the next
+  double timeOfWhole_ = 0.0;                ///< cycles
+  std::vector<double> whole_, slope_;       ///< [3 nOwned] m: its displacements, and by how much a change moves them
+  double nChanges_ = 0.0;                   ///< since then
+  bool isToJudge_ = false;
+  double staleCycles_ = 0.0;        ///< between the last two
+  std::vector<double> staleRates_;  ///< [nOwned] of lives, before the last of them
+  double misjudgedLife_ = 0.0;      ///< outside, parts of a life
+  bool hasGivenUp_ = false;
+  int nOfWindow_ = 0, nShort_ = 0;      ///< equilibria of this window; windows that were not worth it
+  long long nFound_ = 0, nPlaced_ = 0;  ///< over the run
+};
+
+}  // namespace pd
+
+#endif

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""Fatigue with a Tip Window against the same without: the same bonds fail in the same order after the same cycles."""
+import sys
+import unittest
+
+import numpy as np
+
+sys.path[:0] = [sys.path[0] + "/../support", sys.path[0] + "/../../decks/fracture_energy"]
+sys.dont_write_bytecode = True
+from cracked_plate import CRACK, HEIGHT, SPACING, THICKNESS, cracked_plate  # noqa: E402
+from lattices import lattice_points  # noqa: E402
+from scene import SceneTest, lattice  # noqa: E402
+
+WIDTH = 160e-3  # more points than a window has
+
+
+def used(result):
+    """(equilibria in windows, windows) of a run."""
+    line = next(line for line in result.report["solver"] if "around the tip" in line)
+    words = line.split()
+    return int(words[1]), int(words[5])
+
+
+class TipWindow(SceneTest):
+    def deck(self, solver=None, columns=3.2, width=WIDTH, **more):
+        deck = cracked_plate(self, width=width, solver={
+            "Stop When": {"Value": "Length", "Reaches": CRACK + columns * SPACING}, "Kinematics": "Small Strain",
+            "Tip Window": True, **(solver or {})}, **more)
+        del deck["Solver"]["Fatigue"]["Preconditioner"]
+        return deck
+
+    def compare(self, deck, labels=("Length",), tolerance=3e-6, share=0.8):
+        """Results with the window, after a look at those without."""
+        with_window = self.solve(deck)
+        history, damage, first, moved = (with_window.history(), *(with_window.field(label) for label in (
+            "Damage", "Cycles_To_First_Break", "Displacement")))
+        n_found, _ = used(with_window)
+        self.assertGreater(n_found, share * len(history["time"]))
+        del deck["Solver"]["Fatigue"]["Tip Window"]
+        without = self.solve(deck)
+        expected = without.history()
+        np.testing.assert_array_equal(history["Length"], expected["Length"])
+        for label in ("time", *labels):
+            np.testing.assert_allclose(history[label], expected[label], rtol=tolerance, err_msg=label)
+        np.testing.assert_array_equal(damage, without.field("Damage"))
+        np.testing.assert_allclose(first, without.field("Cycles_To_First_Break"), rtol=tolerance)
+        there = without.field("Displacement")
+        np.testing.assert_allclose(moved, there, rtol=0.0, atol=tolerance * np.abs(there).max())
+        return with_window
+
+    def test_the_same_bonds_fail_on_any_lattice(self):
+        square = lattice([WIDTH, HEIGHT], SPACING, origin=[0.0, -HEIGHT / 2])
+        jittered = square.copy()
+        jittered[:, :2] += SPACING * np.random.default_rng(3).uniform(-0.2, 0.2, (len(square), 2))
+        turned, _ = lattice_points((0.0, -HEIGHT / 2), (WIDTH, HEIGHT / 2), "turned_20", 3 * SPACING, THICKNESS)
+        turned = np.column_stack([turned, 0 * turned[:, 0]])
+        for name, points in (("square", square), ("jittered", jittered), ("turned", turned)):
+            with self.subTest(name):
+                self.compare(self.deck(points=points))
+
+    def test_loads_follow_the_crack(self):
+        deck = self.deck({"Load Ratio": 0.1, "Stress Intensity": {
+            "Energy Release Rate": "J", "Effective Modulus": 200e9, "Range": 10e6}})
+        deck["Compute Class Parameters"] = {
+            "Tip": {"Compute Class": "Crack_Tip", "Start X": 0.0, "Start Y": 0.0, "Output Label": "Tip"},
+            **deck["Compute Class Parameters"],
+            "J": {"Compute Class": "Nonlocal_J_Integral", "Thickness": THICKNESS, "Tip Field": "Tip", "Ahead": 4e-3,
+                  "Behind": 4e-3, "Above": 4e-3, "Output Label": "J"}}
+        deck["Output"]["Output Variables"] += ["J", "Peak_Load", "Stress_Intensity_Range"]
+        self.compare(deck, ("J", "Peak_Load", "Stress_Intensity_Range"))
+
+    def test_computes_that_look_everywhere_see_equilibria_of_the_whole_body(self):
+        deck = self.deck(columns=1.2)
+        deck["Compute Class Parameters"]["Energy"] = {"Compute Class": "Strain_Energy", "Output Label": "Energy"}
+        deck["Output"]["Output Variables"].append("Energy")
+        self.compare(deck, ("Energy",))
+
+    def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
+        deck = self.deck()
+        deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 9,
+                           "Checkpoint Frequency": 9}
+        whole = self.solve(deck)
+        history, displacement = whole.history(), whole.field("Displacement")
+        self.assertGreater(len(history["time"]), 18)
+        resumed = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+        for label, values in history.items():
+            np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
+        np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
+
+    def test_where_it_cannot_be_it_is_refused(self):
+        def refusal(deck, **options):
+            result = self.run_deck(deck, **options)
+            self.assertNotEqual(result.code, 0)
+            return result.text
+        deck = self.deck(width=20e-3)
+        self.assertIn("several ranks", refusal(deck, ranks=2))
+        deck["Materials"]["Steel"]["Poisson's Ratio"] = 0.29
+        self.assertIn("more than resist along themselves", refusal(deck))
+        self.assertIn("more than resist along themselves", refusal(deck, arguments=["--check"]))
+        deck["Solver"]["Fatigue"]["Kinematics"] = "Finite"
+        self.assertIn("is for \"Kinematics: Small Strain\"", refusal(deck))
+
+
+if __name__ == "__main__":
+    unittest.main()
