@@ -12,8 +12,9 @@ tube() { # name, spacing, columns before the axis, all columns, rows
 }
 if [[ "${1:-}" == --space ]]; then
   h="${2:-10e-6}"
-  read -r origin length side <<<"$(computed "*(lambda n, m: ('%.17g %.17g %.17g' % (-(0.3 + n)*$h, (n + m)*$h, (int(425e-6/$h) + 4)*$h)).split())(int(150e-6/$h) + 4, int(250e-6/$h) + 4)")"
-  "$pdmesh" grid box --quiet --spacing "$h" --size "$length" "$side" "$side" --origin "$origin" 0 0 \
+  read -r before behind side <<<"$(computed "int(150e-6/$h + 0.999) + 4, int(250e-6/$h + 0.999) + 5, int(425e-6/$h) + 4")"
+  "$pdmesh" grid box --quiet --spacing "$h" --size "$(computed "$h*($before + $behind)")" "$(computed "$h*$side")" \
+    "$(computed "$h*$side")" --origin "$(computed "-$h*(0.3 + $before)")" 0 0 \
     --remove "y^2 + z^2 > (425e-6 + 3.2*$h)^2" --block "2: y^2 + z^2 > (425e-6)^2" -o "$here/pin3d.txt"
   mpirun -np 2 "$pdrun" "$here/pin3d.yaml" --quiet --set "Blocks/Channel/Horizon=$(computed "3.015*$h")" \
     --set "Blocks/Walls/Horizon=$(computed "3.015*$h")" --set "Materials/Fluid/Flux Horizon=$(computed "1.2*$h")"
