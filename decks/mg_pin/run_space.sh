@@ -10,6 +10,7 @@ read -r before behind side <<<"$(computed "int(150e-6/$h + 0.999) + 4, int(250e-
 "$pdmesh" grid box --quiet --spacing "$h" --size "$(computed "$h*($before + $behind)")" "$(computed "$h*$side")" \
   "$(computed "$h*$side")" --origin "$(computed "-$h*(0.3 + $before)")" 0 0 \
   --remove "y^2 + z^2 > (425e-6 + 3.2*$h)^2" --block "2: y^2 + z^2 > (425e-6)^2" -o "$here/pin3d.txt"
-mpirun --allow-run-as-root --oversubscribe --bind-to none -np 2 "$pdrun" "$here/pin3d.yaml" --quiet --set "Blocks/Channel/Horizon=$(computed "3.015*$h")" \
+mpirun --allow-run-as-root --oversubscribe --bind-to none -np 2 "$pdrun" "$here/pin3d.yaml" --quiet \
+  --set "Blocks/Channel/Horizon=$(computed "3.015*$h")" \
   --set "Blocks/Walls/Horizon=$(computed "3.015*$h")" --set "Materials/Fluid/Flux Horizon=$(computed "1.2*$h")"
 "$here/plot_pin3d.py" "$results"
