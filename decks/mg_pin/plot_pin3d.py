@@ -25,8 +25,8 @@ def section(axis, level, across, values):
     layer = np.flatnonzero(np.abs(x[:, axis] - level) < 0.51 * spacing)
     columns, rows = (np.unique(np.round(x[layer, a], 3)) for a in across)
     field = np.full((len(rows), len(columns)), np.nan)
-    field[tuple(np.searchsorted(edges, np.round(x[layer, a], 3)) for edges, a in zip((rows, columns), across[::-1]))] = (
-        values[layer])
+    column, row = (np.searchsorted(edges, np.round(x[layer, a], 3)) for edges, a in zip((columns, rows), across))
+    field[row, column] = values[layer]
     return columns, rows, field
 
 
@@ -40,8 +40,9 @@ def draw_loss(axis):
     volume = history["Volume_Loss"][-1] / pristine[-1] * 100  # of a quarter of the wire, m3
     radius = 1e6 * np.sqrt(2 * volume / (np.pi * 425e-6))
     gone = SPEED * (t - FILM * (1 - np.exp(-t / FILM)))
+    error = np.max(np.abs(pristine - 100 * (1 - (1 - gone / radius)**2)))
     print(f"{name}: {' '.join(f'{d:+.2f}' for d in off)} sd; after {t[-1]:.2f} h {pristine[-1]:.2f} % of the pristine "
-          f"wire; off a round wire's by at most {np.max(np.abs(pristine - 100 * (1 - (1 - gone / radius)**2))):.2f} points")
+          f"wire; off a round wire's by at most {error:.2f} points")
     if (folder / "mg_pin.csv").exists():
         plane = read_history(folder / "mg_pin.csv")
         axis.plot(plane["time"] / 3600, plane["Loss_Since_Scan"], "C1--", label="plane section")

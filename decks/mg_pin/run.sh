@@ -1,6 +1,5 @@
 #!/bin/bash
 # Meshes, runs, fit and pictures of this scene, into results/mg_pin: some minutes; with --study also what_matters.yaml.
-# --space [SPACING] is the wire in space alone, on 2 ranks, at 10e-6 m or as given.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
@@ -10,16 +9,6 @@ tube() { # name, spacing, columns before the axis, all columns, rows, radius of 
   "$pdmesh" grid box --quiet --spacing "$2" --size "$(computed "$2*$4")" "$(computed "$2*$5")" --origin "$(computed "$2*(-0.3 - $3)")" 0 \
     --block "2: abs(y) > ${6:-425e-6}" -o "$here/$1.txt"
 }
-if [[ "${1:-}" == --space ]]; then
-  h="${2:-10e-6}"
-  read -r origin length side <<<"$(computed "*(lambda n, m: ('%.17g %.17g %.17g' % (-(0.3 + n)*$h, (n + m)*$h, (int(425e-6/$h) + 4)*$h)).split())(int(150e-6/$h) + 4, int(250e-6/$h) + 4)")"
-  "$pdmesh" grid box --quiet --spacing "$h" --size "$length" "$side" "$side" --origin "$origin" 0 0 \
-    --remove "y^2 + z^2 > (425e-6 + 3.2*$h)^2" --block "2: y^2 + z^2 > (425e-6)^2" -o "$here/pin3d.txt"
-  mpirun -np 2 "$pdrun" "$here/pin3d.yaml" --quiet --set "Blocks/Channel/Horizon=$(computed "3.015*$h")" \
-    --set "Blocks/Walls/Horizon=$(computed "3.015*$h")" --set "Materials/Fluid/Flux Horizon=$(computed "1.2*$h")"
-  "$here/plot_pin3d.py" "$results"
-  exit 0
-fi
 tube mg_pin 5e-6 53 147 89
 "$pdmesh" grid box --quiet --spacing 5e-6 --size 310e-6 310e-6 --origin -156.5e-6 -155e-6 -o "$here/still.txt"
 "$pdrun" "$here/still.yaml" --quiet

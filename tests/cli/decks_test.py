@@ -95,6 +95,8 @@ printf '0\\n0\\n'
         # A million points; a few do.
         pits = self.root / "decks/pitting/pits.py"
         self.write(pits, pits.read_text().replace("(128, 128, 64)", "(24, 24, 16)"))
+        space = self.root / "decks/mg_pin/run_space.sh"
+        self.write(space, space.read_text().replace("${1:-10e-6}", "${1:-25e-6}"))
         penny = self.root / "decks/crack_sif/penny.yaml"
         penny.write_text(penny.read_text().replace(": 34", ": 17"))
 
