@@ -297,6 +297,18 @@ bool TipWindow::solve(double* displacement) {
   return changes_.size() < mostChanges || workIn();
 }
 
+double TipWindow::distanceFrom(const double* displacement) const {
+  double most = 0.0, largest = std::numeric_limits<double>::min();
+  for (std::size_t at = 0; at < unknownOf_.size(); ++at) {
+    const auto c = static_cast<int>(at) % dimension_, i = points_[at / static_cast<std::size_t>(dimension_)];
+    const double u = displacement[3 * i + c];
+    largest = std::max(largest, std::abs(u));
+    if (unknownOf_[at] >= 0 && !stiffness_.isHeld(i, c))
+      most = std::max(most, std::abs(u - now_[static_cast<std::size_t>(unknownOf_[at])]));
+  }
+  return most / largest;
+}
+
 /// G takes the changes up.
 bool TipWindow::workIn() {
   std::vector<double> matrix, rows(columns_.size());

@@ -29,6 +29,8 @@ class TipWindow {
   /// Whether the point is in it with all its neighbours: so that its bonds are as in the whole body.
   bool isInside(int point) const { return isInside_[static_cast<std::size_t>(point)] != 0; }
   const SpringOperator& stiffness() const { return stiffness_; }
+  /// The largest difference between what solve() found and these displacements [3 nOwned], over the largest of them.
+  double distanceFrom(const double* displacement) const;
 
   /// Takes up what has changed of the stiffness: the springs of the points `changed`, held degrees of freedom, and
   /// additions. `displacement` [3 nOwned]: where points are held that were not. False where it cannot be taken up: not

@@ -22,6 +22,8 @@ constexpr double aheadOfSides = 8.0, behindOfSides = 2.0;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
 constexpr double mostStale = 3e-4;
+// What the whole body may differ from its window by, in parts of its displacements, beyond any tolerance of equilibria.
+constexpr double mostDistance = 1e-3;
 // A window that serves fewer events costs more than it saves; after so many of them no more are made.
 constexpr int worthwhile = 60, mostShort = 3;
 
@@ -146,6 +148,12 @@ void EventWindow::wholeIsFound(Simulation& simulation, SpringTangent& springs, c
   Model& model = simulation.model;
   const double *rate = lossRatesOf(model), *displacement = model.field("Displacement");
   const auto n = static_cast<std::size_t>(model.nOwned());
+  if (window_ && nSinceWhole_ > 0) {
+    if (const double distance = window_->distanceFrom(displacement); distance > mostDistance) {
+      window_.reset();
+      giveUp(simulation, fmt::format("displacements in it were off by {:.2g} of the largest", distance));
+    }
+  }
   isToJudge_ = window_ && nSinceWhole_ > 0;
   if (isToJudge_) {
     staleRates_.assign(rate, rate + n);
