@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "../deck/sections.hpp"
+#include "long_work.hpp"
 #include "mesh_geometry.hpp"
 #include "text_file.hpp"
 
@@ -253,11 +254,14 @@ UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points
   found.left.assign(nBonds, unknown);
   if (countsCracks) found.counted.assign(nBonds, unknown);
   InteractionShares shares(rule_), sharesWithoutCracks(rule_);
+  int nNearPoints = 0;
   const auto firstBond = [&](int point) { return static_cast<std::size_t>(d.neighborhoodStart[point] - point); };
   for (int i = 0; i < d.nOwned; ++i) {
     const int* neighbors = &d.neighborhoodList[d.neighborhoodStart[i]] + 1;
     const int n = neighbors[-1], id = d.globalIds[i];
     const NearDiscontinuities& around = near(points.at(id));
+    if (!around.empty() && ++nNearPoints % 16 == 0)
+      LongWork::tell(fmt::format("shares of bonds beside cracks and voids: {} of {} points", i, d.nOwned));
     const NearDiscontinuities rest = countsCracks ? withoutCracks(around) : NearDiscontinuities();
     const bool hasCracks = rest.screens.size() < around.screens.size();
     for (int k = 0; k < n; ++k) {

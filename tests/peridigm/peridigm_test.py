@@ -296,7 +296,7 @@ class Fatigue(InPeridigm):
 class CracksAndVoids(InPeridigm):
     """Cracks and voids between points, as a part of a material there, and of the mesh in pdrun."""
 
-    def both(self, points, volume, steel, gaps, velocity, thickness=None):
+    def both(self, points, volume, steel, gaps, velocity):
         """A body that flies apart at this velocity, on what pdrun leaves of the mesh."""
         def write(points, volume):
             self.write_mesh(points, volume)
@@ -313,7 +313,7 @@ class CracksAndVoids(InPeridigm):
                                 "Horizon": HORIZON}},
             "Boundary Conditions": {"All Node Set": "all.txt", "Fly": {
                 "Type": "Initial Velocity", "Node Set": "All Node Set", "Coordinate": velocity.split("(")[1][0],
-                "Value": velocity}},
+                "Value": velocity}, "Hydrogen": {"Type": "Initial Temperature", "Node Set": "All Node Set", "Value": "0.1"}},
             "Solver": {"Final Time": 1.005e-5, "Verlet": {"Fixed dt": 1e-7}},
             "Output": {"Output File Type": "ExodusII", "Output Filename": "result", "Output Frequency": 100,
                        "Output Variables": dict.fromkeys([*fields, "Model_Coordinates", "Volume"], True)}}
@@ -325,8 +325,6 @@ class CracksAndVoids(InPeridigm):
         for key in gaps:
             del deck["Discretization"][key]
         part = {"Material Model": "Bond Decomposition", "Cell Volume": volume, **gaps}
-        if thickness:
-            part["Thickness"] = thickness
         deck["Materials"] = {"Porous": {"Material Model": "Combined", "Materials": ["Steel", "Gaps"], "Steel": steel,
                                         "Gaps": part}}
         deck["Blocks"]["Body"]["Material"] = "Porous"
@@ -341,14 +339,14 @@ class CracksAndVoids(InPeridigm):
         points[:, :2] += np.random.default_rng(4).uniform(-0.2, 0.2, (len(points), 2)) * SPACING
         gaps = {"Cracks": {"Edge": {"Type": "Polyline", "Points": [-1e-3, 9.3e-3, 4e-3, 9.6e-3, 7.3e-3, 10.4e-3]}},
                 "Voids": {"Hole": {"Type": "Circle", "Center": [13.2e-3, 12.1e-3], "Radius": 2.2e-3}}}
-        steel = {**STEEL, "Plane Stress": True, "Thickness": 2e-3, "Surface Correction": "Energy Method"}
-        self.both(points, SPACING ** 2 * 2e-3, steel, gaps, "40.0*(y/0.02 - 0.5)", thickness=2e-3)
+        steel = {**STEEL, "Plane Stress": True, "Surface Correction": "Energy Method"}
+        self.both(points, SPACING ** 2, steel, gaps, "40.0*(y/0.02 - 0.5)")
 
     def test_in_a_block(self):
         points = lattice([9e-3, 8e-3, 10e-3], SPACING)
         points += np.random.default_rng(4).uniform(-0.2, 0.2, points.shape) * SPACING
         gaps = {"Cracks": {"Penny": {"Type": "Disk", "Center": [3e-3, 4e-3, 4.8e-3], "Normal": [0.1, 0.2, 1.0], "Radius": 2.3e-3}},
-                "Voids": {"Pore": {"Type": "Ellipsoid", "Center": [6.4e-3, 4.3e-3, 6.2e-3], "Half Axes": [1.4e-3, 1.1e-3, 0.9e-3]}}}
+                "Voids": {"Pore": {"Type": "Ellipsoid", "Center": [6.4e-3, 4.3e-3, 6.2e-3], "Half Axes": [1.6e-3, 1.5e-3, 1.4e-3]}}}
         self.both(points, SPACING ** 3, {**STEEL, "Material Model": "Elastic", "Volume Correction": "None"}, gaps,
                   "25.0*(z/0.01 - 0.5)")
 

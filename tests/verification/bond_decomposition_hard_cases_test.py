@@ -169,7 +169,7 @@ class Tetrahedra(SceneTest):
             place = result.field("Model_Coordinates", 0)
             scale = np.sum(np.abs(forces["Stretched"]))
             self.assertLess(np.max(np.abs(np.sum(forces["Stretched"], axis=0))), 1e-12 * scale, material)
-            self.assertLess(np.sum(np.abs(forces["Turned"])), 1e-11 * scale, material)
+            self.assertLess(np.sum(np.abs(forces["Turned"])), 1e-13 * scale, material)  # rounding of places alone: 6e-15
             self.assertLess(len(volume), len(points))
             self.assertGreater(np.min(np.linalg.norm(place - [1.6e-3, 2.3e-3, 1.7e-3], axis=1)), 0.5e-3)
 
