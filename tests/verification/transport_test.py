@@ -138,8 +138,8 @@ class Transport(SceneTest):
             fluid = result.field("Fluid") == 1
             self.assertGreater(np.count_nonzero(fluid & (points[:, 1] > 2)), 50)
             np.testing.assert_allclose(result.field("Concentration")[fluid], 1.0, atol=1e-7)
-        # An outflow whose Surface goes through the other channel, too, takes its way out.
-        conditions["Out1"]["Surface"] = "1 - x"
+        # An outflow whose Surface goes through the other channel before its own end takes its way out.
+        conditions["Out1"]["Surface"] = "0.99 - x"
         result = self.run_deck(deck)
         self.assertEqual(result.code, 2, result.text)
         self.assertIn('condition "Out1": its Surface also cuts bonds of fluid around which no point of its node set lies',
@@ -254,8 +254,8 @@ class DissolvingPin(SceneTest):
             self.assertGreater(c[fluid].min(), -1e-3 * c[fluid].max())
             wake = fluid & (np.abs(points[:, 0] - 132e-6) < 1e-7)
             wakes.append((result.history()["Loss"][-1], np.sum(c[wake]**2) / np.sum(c[wake])**2))
-        # The film is that of the end of each step, and steps of the two differ.
-        self.assertLess(abs(wakes[0][0] / wakes[1][0] - 1), 0.03)
+        # The film is that of the end of each step, and steps of the two differ, most in the first hours.
+        self.assertLess(abs(wakes[0][0] / wakes[1][0] - 1), 0.06)
         self.assertGreater(wakes[0][1], 1.1 * wakes[1][1])
 
     def test_what_dissolves_between_two_flows_is_at_rest_until_the_next(self):

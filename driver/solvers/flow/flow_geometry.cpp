@@ -226,7 +226,7 @@ const Nearness* overtakes(const std::vector<Nearness>& points, const Nearness& n
 }  // namespace
 
 /// The first place of the bond to which a point of a wall without a surface is nearer than the point and all fluid, but
-/// for places so short that none of twelve equal steps finds them.
+/// for places so short that none of twelve equal steps finds them. A surface at the same place comes first.
 void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End& end) const {
   constexpr double nSteps = 12.0, rounding = 1e-9;
   if (std::none_of(candidates.begin(), candidates.end(), [&](int other) { return isCell_[index(other)] != 0; })) return;
@@ -245,7 +245,7 @@ void FlowGeometry::meetCells(int point, const std::vector<int>& candidates, End&
   const Nearness own{0.0, 0.0, point, false};
   double from = 0.0, since = 0.0;
   const Nearness* cell = nullptr;
-  for (const Nearness* nearest = overtakes(nearer, own, from); nearest != nullptr && from < end.fraction;) {
+  for (const Nearness* nearest = overtakes(nearer, own, from); nearest != nullptr && from < end.fraction - rounding;) {
     if (!nearest->isCell)
       cell = nullptr;
     else if (cell == nullptr) {
