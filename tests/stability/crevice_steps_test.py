@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Time steps that differ a thousandfold carve the same trench in a crevice, where finite volumes have it."""
+"""Time steps that differ a hundredfold carve the same trench in a crevice, where finite volumes have it; a thousandfold:
+decks/crevice/time_steps.py."""
 import os
 import sys
 import unittest
@@ -15,11 +16,11 @@ from trench import carve  # noqa: E402
 
 
 class TimeSteps(SceneTest):
-    def test_half_a_second_to_five_hundred(self):
+    def test_five_seconds_to_five_hundred(self):
         folder = Path(self.folder)
         prepare(SHORT, folder)
-        found = {step: run(pdrun_path(), SHORT, folder, step) for step in (*STEPS, None)}
-        reference = found[STEPS[0]]
+        found = {step: run(pdrun_path(), SHORT, folder, step) for step in (*STEPS[1:], None)}
+        reference = found[STEPS[1]]
         # A trench, not what attack has left behind on its way to the mouth.
         self.assertGreater(reference.depth, 15e-6)
         self.assertLess(reference.place, 0.4 * SHORT.crevice.length)
