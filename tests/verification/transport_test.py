@@ -354,7 +354,7 @@ class DissolvingPin(SceneTest):
         h, half = self.SPACING, 4.0 * self.SPACING
         section = self.mesh()
         deck = self.deck()
-        deck["Solver"]["Final Time"], deck["Solver"]["Staggered"]["Load Steps"] = 7200.0, 1
+        deck["Solver"]["Final Time"], deck["Solver"]["Staggered"]["Load Steps"] = 3600.0, 1
         plane = self.solve(deck).history()["Loss"][-1]
         section = section[section[:, 1] > 0]
         points = np.vstack([section + [0.0, 0.0, (k + 0.5) * h] for k in range(8)])
