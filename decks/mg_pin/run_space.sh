@@ -6,7 +6,9 @@ source "$here/../scene.sh"
 cd "$results"
 h="${1:-10e-6}"
 # 0.2 and 0.5 spacings off the wire's axis, so that 50 cells of 10 um make up its area, within 0.5 %.
-read -r before behind side <<<"$(computed "int(150e-6/$h + 0.999) + 4, int(250e-6/$h + 0.999) + 5, int(425e-6/$h) + 4")"
+before="$(computed "int(150e-6/$h + 0.999) + 4")"
+behind="$(computed "int(250e-6/$h + 0.999) + 5")"
+side="$(computed "int(425e-6/$h) + 4")"
 "$pdmesh" grid box --quiet --spacing "$h" --size "$(computed "$h*($before + $behind)")" "$(computed "$h*$side")" \
   "$(computed "$h*$side")" --origin "$(computed "-$h*(0.3 + $before)")" 0 0 \
   --remove "y^2 + z^2 > (425e-6 + 3.2*$h)^2" --block "2: y^2 + z^2 > (425e-6)^2" -o "$here/pin3d.txt"

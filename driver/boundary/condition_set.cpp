@@ -130,7 +130,7 @@ class ConflictFinder {
       isSame = isSame && first->velocityAt(x, initialTime_) == second->velocityAt(x, initialTime_) &&
                first->pressureAt(x, initialTime_) == second->pressureAt(x, initialTime_);
     }
-    if (!isOnePlace || (isSame && !a.dependsOnTime() && !b.dependsOnTime())) return;
+    if (!isOnePlace || first->isGivenAs(*second) || (isSame && !a.dependsOnTime() && !b.dependsOnTime())) return;
     mistakes.add(b.node().keyPlace(),
                  "conditions \"" + a.name() + "\" and \"" + b.name() + "\" give the flow different values at one " +
                      (first->hasSurface() ? "Surface" : "boundary") +

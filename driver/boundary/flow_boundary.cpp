@@ -11,6 +11,12 @@
 namespace pd {
 
 FlowBoundary::FlowBoundary(const DeckNode& node) {
+  given_.emplace();
+  for (const char* key : {"Velocity", "Pressure"})
+    for (const DeckNode& component : node[key].each()) {
+      if (given_ && component.isScalar()) given_->push_back(component.text());
+      if (!component.isScalar()) given_.reset();
+    }
   const DeckNode surface = node["Surface"];
   if (!surface) return;
   surface_ = Function::fromDeck(surface);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "../deck/function.hpp"
@@ -29,6 +30,10 @@ class FlowBoundary {
   /// Where the boundary is, if the deck says so: zero there, positive in the fluid, negative beyond.
   bool hasSurface() const { return surface_.has_value(); }
   double surfaceAt(const double* x) const { return (*surface_)(x[0], x[1], x[2], 0.0); }
+  /// Whether both are walls (or inlets) or both outflows, for which the deck has the same functions, letter by letter.
+  bool isGivenAs(const FlowBoundary& other) const {
+    return isOutflow() == other.isOutflow() && given_.has_value() && given_ == other.given_;
+  }
   /// Gradient of the surface's function, 1/m of its unit, which points into the fluid; by differences over `step`, m.
   std::array<double, 3> surfaceGradient(const double* x, double step, int dimension) const;
 
@@ -40,6 +45,7 @@ class FlowBoundary {
 
  private:
   std::optional<Function> surface_;
+  std::optional<std::vector<std::string>> given_;  ///< its Velocity and Pressure; nothing where they are tables
 };
 
 /// A force per volume on a flow. Conditions derive from it; solvers of flows find it by a cast.

@@ -84,14 +84,21 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const D
     entry.compute =
         plugin->create(parameters, Teuchos::rcp(static_cast<const Epetra_Comm*>(&comm), false), globalData_);
     const FieldTable fields = fieldsIn(*entry.compute);
-    for (const FieldUse& use : fields.uses())
+    for (const FieldUse& use : fields.uses()) {
       if (isMadeOfState(use.field.label)) entry.fieldsOfState.insert(use.field.label);
+      if (use.field.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
+      // What has steps is state that the compute keeps or that this host gives it, no result.
+      const bool hasSteps = use.field.temporal != PeridigmNS::PeridigmField::CONSTANT;
+      const bool isWritten = use.access != FieldAccess::Reads;
+      const bool mayBeWritten = fieldTableOf(*entry.compute) == nullptr && !hasSteps;
+      (isWritten || mayBeWritten ? entry.writes : entry.reads).insert(use.field.label);
+      entry.keepsEvaluations = entry.keepsEvaluations || (hasSteps && isWritten);
+    }
     for (const int id : entry.compute->FieldIds()) {
       const FieldSpec spec = FieldManager::self().getFieldSpec(id);
       entry.looksAtDisplacements = entry.looksAtDisplacements || !isOfMeshOrBreakage(spec);
       if (spec.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
       entry.isGlobal = true;
-      // What has steps is state that the compute keeps or that this host gives it, no result.
       if (spec.temporal != PeridigmNS::PeridigmField::CONSTANT) continue;
       if (std::find(globalLabels_.begin(), globalLabels_.end(), spec.label) == globalLabels_.end())
         globalLabels_.push_back(spec.label);
@@ -110,6 +117,30 @@ std::set<std::string> ComputeSet::fieldsOfState(bool onlyGlobal) const {
   for (const Entry& entry : entries_)
     if (entry.isDue(onlyGlobal)) labels.insert(entry.fieldsOfState.begin(), entry.fieldsOfState.end());
   return labels;
+}
+
+/// In the order of the computes, of which none reads values of a later one.
+std::vector<const ComputeSet::Entry*> ComputeSet::makersOf(const std::string& label) const {
+  std::set<std::string> wanted = {label};
+  std::vector<const Entry*> makers;
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    const auto isWanted = [&](const std::string& written) { return wanted.count(written) != 0; };
+    if (std::none_of(entry->writes.begin(), entry->writes.end(), isWanted)) continue;
+    wanted.insert(entry->reads.begin(), entry->reads.end());
+    makers.insert(makers.begin(), &*entry);
+  }
+  return makers;
+}
+
+std::set<std::string> ComputeSet::fieldsOfState(const std::string& label) const {
+  std::set<std::string> labels;
+  for (const Entry* entry : makersOf(label)) labels.insert(entry->fieldsOfState.begin(), entry->fieldsOfState.end());
+  return labels;
+}
+
+bool ComputeSet::keepsEvaluations(const std::string& label) const {
+  const std::vector<const Entry*> makers = makersOf(label);
+  return std::any_of(makers.begin(), makers.end(), [](const Entry* entry) { return entry->keepsEvaluations; });
 }
 
 std::vector<int> ComputeSet::fieldIds() const {
@@ -157,6 +188,11 @@ void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {
   const Timers::Scope timer(model.timers(), "computes");
   for (const Entry& entry : entries_)
     if (entry.isDue(onlyGlobal)) orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
+}
+
+void ComputeSet::evaluate(Model& model, const std::string& label) const {
+  const Timers::Scope timer(model.timers(), "computes");
+  for (const Entry* entry : makersOf(label)) orAbort(model.comm(), [&] { entry->compute->compute(model.blocks()); });
 }
 
 }  // namespace pd

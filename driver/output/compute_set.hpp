@@ -26,10 +26,17 @@ class ComputeSet {
 
   /// Evaluates all computes, or only those that yield values for the whole body. Collective.
   void evaluate(Model& model, bool onlyGlobal) const;
+  /// Evaluates the one that makes this value, and those whose values for the whole body that one reads. Collective.
+  void evaluate(Model& model, const std::string& label) const;
+  /// Is there one that makes it?
+  bool makes(const std::string& label) const { return !makersOf(label).empty(); }
+  /// Does one of these keep what an evaluation finds, for the next one?
+  bool keepsEvaluations(const std::string& label) const;
   /// What computes have found out (RunNotes) since this was last asked, with the place of each in the deck.
   std::vector<std::string> newNotes();
   /// Fields that must be made of the state before (state_fields.hpp).
   std::set<std::string> fieldsOfState(bool onlyGlobal) const;
+  std::set<std::string> fieldsOfState(const std::string& label) const;
 
   /// Marks the points [nPoints] at whose displacements those that yield values for the whole body look, in this state.
   /// Returns the place in the deck of one that may look at any; empty where there is none.
@@ -48,8 +55,11 @@ class ComputeSet {
     bool isGlobal = false;
     bool looksAtDisplacements = false;  ///< or at what follows from them
     std::set<std::string> fieldsOfState;
+    std::set<std::string> reads, writes;  ///< values for the whole body
+    bool keepsEvaluations = false;        ///< what one finds, for the next
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
+  std::vector<const Entry*> makersOf(const std::string& label) const;
   void add(const std::string& className, const DeckNode& node, const Deck& deck, const Communicator& comm);
 
   std::vector<Entry> entries_;

@@ -101,6 +101,7 @@ struct Output::Implementation {
   const GlobalOrder& orderOf(Model& model);
   /// All computes, or those for the whole body alone; what they find out is logged.
   void evaluate(Model& model, bool onlyGlobal);
+  void takeNotes();
   /// Evaluates the computes that are due; whether fields are, and whether anything is.
   std::pair<bool, bool> evaluateDue(Model& model, int step, bool isLast);
   void line(const std::string& text) {
@@ -159,6 +160,10 @@ const GlobalOrder& Output::Implementation::orderOf(Model& model) {
 
 void Output::Implementation::evaluate(Model& model, bool onlyGlobal) {
   computes->evaluate(model, onlyGlobal);
+  takeNotes();
+}
+
+void Output::Implementation::takeNotes() {
   for (const std::string& note : computes->newNotes()) {
     line("warning: " + note);
     warnings.push_back(note);
@@ -262,6 +267,19 @@ void Output::evaluateGlobals(Model& model) {
   Implementation& self = *implementation_;
   makeOfState(model, self.computes->fieldsOfState(true));
   self.evaluate(model, true);
+}
+
+void Output::evaluateGlobal(Model& model, const std::string& label) {
+  Implementation& self = *implementation_;
+  makeOfState(model, self.computes->fieldsOfState(label));
+  self.computes->evaluate(model, label);
+  self.takeNotes();
+}
+
+bool Output::makesGlobal(const std::string& label) const { return implementation_->computes->makes(label); }
+
+bool Output::keepsEvaluations(const std::string& label) const {
+  return implementation_->computes->keepsEvaluations(label);
 }
 
 std::string Output::markRead(Model& model, std::vector<char>& isRead) const {

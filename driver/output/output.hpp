@@ -47,6 +47,13 @@ class Output {
   void evaluate(Model& model, int step);
   /// Evaluates the computes of whole bodies, whether or not they are due, and writes nothing.
   void evaluateGlobals(Model& model);
+  /// Evaluates the compute that makes this value for the whole body, and those whose values that one reads. Others may
+  /// count from their last evaluation.
+  void evaluateGlobal(Model& model, const std::string& label);
+  /// Does a compute make it?
+  bool makesGlobal(const std::string& label) const;
+  /// As ComputeSet's.
+  bool keepsEvaluations(const std::string& label) const;
   /// As ComputeSet's.
   std::string markRead(Model& model, std::vector<char>& isRead) const;
   /// Whether what is written at the end of increment `step` takes the displacements of all points.

@@ -148,7 +148,7 @@ bool StaggeredPart::isLike(const StaggeredPart& other) const {
 
 void StaggeredPart::initialize(Simulation& simulation) {
   solver_->initialize(simulation);
-  enough_.initialize(simulation.model, name_);
+  enough_.initialize(simulation, name_);
 }
 
 void StaggeredPart::rehearse(Simulation& simulation, double t, double dt) {
@@ -223,7 +223,10 @@ bool StaggeredPart::advance(Simulation& simulation, long long number, bool isLas
 std::vector<std::string> StaggeredPart::summary(long long nLoadSteps) const {
   std::vector<std::string> lines = {fmt::format("{} ran in {} of {} load steps", solverName_, nRuns_, nLoadSteps)};
   if (enough_.isControlled())
-    lines.push_back(fmt::format("a change of {:.3g} of {} was enough at the end", enough_.amount(), watchedField_));
+    lines.push_back(fmt::format(
+        "a change of {:.3g} of {} was enough at the end; {} changed by up to {:.3g} % between two runs before "
+        "the last",
+        enough_.amount(), watchedField_, enough_.label(), 100.0 * enough_.largestChange()));
   for (const std::string& line : solver_->summary()) lines.push_back(line);
   for (std::string& line : lines) line = name_ + ": " + line;
   return lines;

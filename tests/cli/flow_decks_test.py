@@ -119,21 +119,47 @@ class FlowDecks(CheckedDeck):
                             "their node sets overlap")
 
     def test_two_surfaces_at_one_place(self):
-        def split(deck, velocity):
+        def split(deck, velocity, surface="2*(1 - y)"):
             conditions = deck["Boundary Conditions"]
             conditions["Right Node Set"] = {"Expression": "y > 1 && x > 0.5"}
             conditions["Lid Node Set"]["Expression"] = "y > 1 && x < 0.5"
             conditions["Right"] = {**conditions["Lid"], "Node Set": "Right Node Set", "Velocity": [velocity, 0.0],
-                                   "Surface": "2*(1 - y)"}
+                                   "Surface": surface}
             return deck
+
+        def follow(deck, velocity):
+            split(deck, velocity)["Boundary Conditions"]["Lid"]["Velocity"] = ["1e-6*t", 0.0]
         self.assert_refused(lambda deck: split(deck, 2e-6), 'condition "Right"', "its Surface and that of",
                             'condition "Lid" are one place there, to which they give different values')
         self.assertEqual(self.check(lambda deck: split(deck, 1e-6)).code, 0)
+        self.assert_refused(lambda deck: split(deck, 2e-6, "1 - y - 1e-7"), "are one place there")
+        self.assert_refused(lambda deck: follow(deck, "2e-6*t"), "are one place there")
+        self.assertEqual(self.check(lambda deck: follow(deck, "1e-6*t")).code, 0)
 
         def part(deck):
             conditions = split(deck, 2e-6)["Boundary Conditions"]
             conditions["Lid"]["Surface"], conditions["Right"]["Surface"] = "max(1 - y, x - 0.5)", "max(1 - y, 0.5 - x)"
         self.assertEqual(self.check(part).code, 0)
+
+    def test_an_outflow_in_parts(self):
+        def part(pressure, surface="1 - y", first=0.0):
+            def change(deck):
+                conditions = deck["Boundary Conditions"]
+                conditions["Lid Node Set"]["Expression"] = "y > 1 && x < 0.5"
+                conditions["Right Node Set"] = {"Expression": "y > 1 && x >= 0.5"}
+                conditions["Lid"] = {"Type": "Outflow", "Node Set": "Lid Node Set", "Surface": surface, "Pressure": first}
+                conditions["Right"] = {"Type": "Outflow", "Node Set": "Right Node Set", "Surface": "1 - y",
+                                       "Pressure": pressure} if pressure is not None else {
+                                           "Type": "Prescribed Velocity", "Node Set": "Right Node Set"}
+            return change
+        for pressure in (0.1, "0.1*t"):
+            result = self.check(part(pressure, first=pressure))
+            self.assertEqual(result.code, 0, result.text)
+        self.assert_refused(part(0.2), "are one place there, to which they give different values")
+        # The other half is a wall without a Surface, of which that of the outflow would make a hole.
+        self.assert_refused(part(None, "0.98 - y"), 'condition "Lid"', "its Surface also ends bonds into", 'condition "Right"')
+        result = self.check(part(None, "0.98 - y + 9*(x >= 0.5)"))
+        self.assertEqual(result.code, 0, result.text)
 
     def test_points_are_reflected_at_surfaces(self):
         def reflect(deck):

@@ -75,7 +75,9 @@ class RevolutionDecks(CheckedDeck):
     def test_nothing_flows_across_the_axis(self):
         def slant(across):
             return lambda deck: deck["Boundary Conditions"]["In"].update({"Velocity": ["1e-6*(1 - y^2)", across]})
-        self.assert_refused(slant(1e-7), 'condition "In"', "its Velocity has a component across the Axis Of Revolution")
+        for across in (1e-7, "1e-7*t"):  # that is zero at the start
+            self.assert_refused(slant(across), 'condition "In"',
+                                "its Velocity has a component across the Axis Of Revolution")
         self.assertEqual(self.check(slant("1e-7*y")).code, 0)
 
     def test_points_beyond_the_axis(self):

@@ -57,6 +57,29 @@ class SteadyFlow(SceneTest):
         self.assertLess(error, 1e-7)
         self.assertLess(abs(slope), 1e-7)
 
+    def test_a_filter_beside_points_with_equal_surroundings(self):
+        # It cuts bonds of neighbours, of which fits of the pressure there are made. Points that are jittered by more than
+        # rounding share no rows.
+        low = {f"Lower_Left_Corner_{axis}": value for axis, value in zip("XYZ", (0.94, 0.5, -1.0))}
+        along = {f"Bottom_Unit_Vector_{axis}": value for axis, value in zip("XYZ", (1.0, 0.0, 0.0))}
+        normal = {f"Normal_{axis}": value for axis, value in zip("XYZ", (0.0, 1.0, 0.0))}
+        found = []
+        for jitter in (0.0, 1e-10):
+            points = plane_lattice((0.0, 0.0), (2.0, 1.6), 0.1, (0.5, 0.5))
+            points[:, :2] += jitter * np.random.default_rng(0).uniform(-1, 1, (len(points), 2))
+            self.write_mesh(points, 0.1**2)
+            deck = self.channel(0.1)
+            conditions = deck["Boundary Conditions"]
+            conditions["Walls Node Set"]["Expression"] = "y < 0 || y > 1.6"
+            conditions["Walls"]["Surface"] = "min(y, 1.6 - y)"
+            conditions["Inlet"]["Velocity"] = ["sin(3*y)*sin(3*y)*y*(1.6 - y)", 0.0]
+            deck["Discretization"]["Bond Filters"] = {"Cut": {
+                "Type": "Rectangular_Plane", **normal, **low, **along, "Bottom_Length": 0.02, "Side_Length": 2.0}}
+            result = self.solve(deck)
+            found.append([result.field(label) for label in ("Velocity", "Pressure")])
+        for shared, own in zip(*found):
+            np.testing.assert_allclose(shared, own, rtol=0.0, atol=1e-7 * np.abs(own).max())
+
     def test_reflected_points(self):
         # What is linear goes on beyond a wall as it is, and Couette's flow is exact; a parabola turns round there: wrong by
         # something in the viscous force as far as a horizon, of which an error of second order is left.

@@ -12,7 +12,9 @@ namespace pd {
 
 namespace {
 
-constexpr double onePlace = 1e-9;  // of a bond, of a velocity: what is rounding
+constexpr double rounding = 1e-9;  // of a bond, of a velocity
+constexpr double onePlace = 1e-3;  // of a spacing: surfaces nearer than that are one
+constexpr double besides = 1.5;    // spacings within which a cut has a point beyond its outflow, on any lattice
 
 double sizeOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -32,11 +34,7 @@ void FlowGeometry::checkClaims() const {
     if (!isNearBoundary(point)) continue;
     const std::vector<int> neighbors = neighborsOf(point);
     for (const int neighbor : neighbors) {
-      if (ReferenceBond(mesh_.x.data(), point, neighbor).length > law_.gradientHorizon * (1.0 + onePlace)) continue;
-      if (const int wall = wallAcrossAxis(point, neighbor, neighbors); wall >= 0)
-        tell(0, wall, wall, point,
-             "its Velocity has a component across the Axis Of Revolution at the axis, which is no flow; make it zero "
-             "there, as with a factor y");
+      if (ReferenceBond(mesh_.x.data(), point, neighbor).length > law_.gradientHorizon * (1.0 + rounding)) continue;
       const std::vector<int> behind = boundariesBefore(neighbor);
       for (const int one : behind) {
         if (cutsAnotherChannel(one, point, neighbor, neighbors))
@@ -44,6 +42,11 @@ void FlowGeometry::checkClaims() const {
                "its Surface also cuts bonds of fluid around which no point of its node set lies, as in a channel "
                "beside it, and would give its pressure to that; let it be positive there, as \"1 - x + 9*(y > 1.5)\" "
                "is above y = 1.5");
+        else if (const int wall = wallCutAt(one, point, neighbor, neighbors); wall >= 0)
+          tell(3, one, wall, point,
+               fmt::format("its Surface also ends bonds into {}, with none of its own points around, and fluid leaves "
+                           "through that wall; let it be positive there, as \"1 - x + 9*(y > 1.5)\" is above y = 1.5",
+                           titleOf(wall)));
         for (const int other : behind)
           if (other < one && claimOnePlace(other, one, point, neighbor))
             tell(2, one, other, point,
@@ -66,21 +69,66 @@ std::vector<int> FlowGeometry::boundariesBefore(int neighbor) const {
   return found;
 }
 
-/// The wall or inlet that the bond meets, where that has a velocity across the axis beside which the point lies; or -1.
-int FlowGeometry::wallAcrossAxis(int point, int neighbor, const std::vector<int>& candidates) const {
-  if (!rings().areUsed() || rings().radius(mesh_.x.data(), point) > spacingOf(point)) return -1;
+/// Where bonds of points beside the axis meet walls and inlets, moved to the axis.
+void FlowGeometry::findWallsAtAxis() {
+  if (!rings().areUsed()) return;
+  for (const int point : fluid_) {
+    if (!isNearBoundary(point) || rings().radius(mesh_.x.data(), point) > spacingOf(point)) continue;
+    for (const End& end : compactEndsOf(point, neighborsOf(point))) {
+      if (end.kind != Kind::Wall || end.boundary < 0 || end.openFraction <= 1.0) continue;
+      std::array<double, 3> place = placeOn(point, end, end.fraction);
+      place[rings().radial()] = 0.0;
+      wallsAtAxis_.push_back({end.boundary, point, place});
+    }
+  }
+}
+
+void FlowGeometry::requireNoneAcrossAxis(double t) const {
+  for (const auto& [boundary, point, place] : wallsAtAxis_) {
+    const std::array<double, 3> velocity = wallVelocity(boundary, place, t);
+    if (std::abs(velocity[rings().radial()]) <= rounding * sizeOf(velocity)) continue;
+    const double* x = placeOf(point);
+    throw DeckError(fmt::format(
+        "{}: its Velocity has a component across the Axis Of Revolution at the axis, which is no flow; make it zero "
+        "there, as with a factor y; beside point {} at ({:g}, {:g}, {:g}) m, t = {:g} s",
+        titleOf(boundary), mesh_.globalIds[index(point)] + 1, x[0], x[1], x[2], simulation_.conditions.runTime(t)));
+  }
+}
+
+/// Whether two outflows, such as one with two node sets, have the same surface and pressure at a place beyond them.
+bool FlowGeometry::isOneOutflow(int one, int other, const std::array<double, 3>& place) const {
+  if (one == other) return true;
+  const FlowBoundary &first = *boundaries_[index(one)], &second = *boundaries_[index(other)];
+  if (std::abs(second.surfaceAt(place.data()) / first.surfaceAt(place.data()) - 1.0) > rounding) return false;
+  if (first.isGivenAs(second)) return true;
+  return !first.dependsOnTime() && !second.dependsOnTime() &&
+         outflowPressure(one, place, 0.0) == outflowPressure(other, place, 0.0);
+}
+
+/// The wall in whose node set the end of a bond is that the outflow ends, far from all points beyond the outflow; or
+/// -1.
+int FlowGeometry::wallCutAt(int outflow, int point, int neighbor, const std::vector<int>& candidates) const {
+  const int wall = boundaryOf(neighbor);
+  if (!isOutflow(outflow) || kindOf(neighbor) != Kind::Wall || wall < 0) return -1;
   const End end = endOf(point, neighbor, candidates);
-  if (!(end.volume > 0.0) || end.kind != Kind::Wall || end.boundary < 0 || end.openFraction <= 1.0) return -1;
-  std::array<double, 3> place = placeOn(point, end, end.fraction);
-  place[rings().radial()] = 0.0;
-  const std::array<double, 3> velocity = wallVelocity(end.boundary, place, 0.0);
-  return std::abs(velocity[rings().radial()]) > onePlace * sizeOf(velocity) ? end.boundary : -1;
+  if (!(end.volume > 0.0) || end.outflow != outflow || end.openFraction > 1.0) return -1;
+  const std::array<double, 3> place = placeOn(point, end, end.openFraction);
+  const bool hasOwn = std::any_of(candidates.begin(), candidates.end(), [&](int other) {
+    const double* x = placeOf(other);
+    return isBeyondOutflow(other) &&
+           std::hypot(x[0] - place[0], x[1] - place[1], x[2] - place[2]) <= besides * spacingOf(other);
+  });
+  return hasOwn ? -1 : wall;
 }
 
 /// Whether an outflow ends the bond of a point that has none of the points beyond the outflow around it.
 bool FlowGeometry::cutsAnotherChannel(int outflow, int point, int neighbor, const std::vector<int>& candidates) const {
-  const auto isBeyond = [&](int other) { return isBeyondOutflow(other) && boundaryOf(other) == outflow; };
-  if (!isOutflow(outflow) || std::any_of(candidates.begin(), candidates.end(), isBeyond)) return false;
+  if (!isOutflow(outflow)) return false;
+  const auto isBeyond = [&](int other) {
+    const double* x = placeOf(other);
+    return isBeyondOutflow(other) && isOneOutflow(outflow, boundaryOf(other), {x[0], x[1], x[2]});
+  };
+  if (std::any_of(candidates.begin(), candidates.end(), isBeyond)) return false;
   const End end = endOf(point, neighbor, candidates);
   return end.volume > 0.0 && end.outflow == outflow && end.openFraction <= 1.0;
 }
@@ -93,17 +141,19 @@ bool FlowGeometry::claimOnePlace(int one, int other, int point, int neighbor) co
   End end{};
   end.xi = bond.xi;
   const double fraction = crossing(first, placeOf(point), end);
-  if (std::abs(crossing(second, placeOf(point), end) - fraction) > onePlace) return false;
+  if (std::abs(crossing(second, placeOf(point), end) - fraction) * bond.length > onePlace * spacingOf(point))
+    return false;
   const std::array<double, 3> place = placeOn(point, end, fraction);
   const std::array<double, 3> normal = normalAt(one, place), otherNormal = normalAt(other, place);
   double cosine = 0.0;
   for (std::size_t a = 0; a < 3; ++a) cosine += normal[a] * otherNormal[a];
   if (cosine < 1.0 - 1e-6) return false;
+  if (first.isGivenAs(second)) return false;
   if (first.isOutflow() != second.isOutflow() || first.dependsOnTime() || second.dependsOnTime()) return true;
   if (first.isOutflow()) return outflowPressure(one, place, 0.0) != outflowPressure(other, place, 0.0);
   const std::array<double, 3> velocity = wallVelocity(one, place, 0.0), ofOther = wallVelocity(other, place, 0.0);
   return sizeOf({velocity[0] - ofOther[0], velocity[1] - ofOther[1], velocity[2] - ofOther[2]}) >
-         onePlace * std::max(sizeOf(velocity), sizeOf(ofOther));
+         rounding * std::max(sizeOf(velocity), sizeOf(ofOther));
 }
 
 }  // namespace pd

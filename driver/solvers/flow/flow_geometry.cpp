@@ -54,7 +54,10 @@ FlowGeometry::FlowGeometry(Simulation& simulation, const FlowLaw& law, const std
   collectively(simulation.model.comm(), [&] { checkSides(); });
   requireForcesOnFluid(*this, simulation);
   findNearBoundary();
-  collectively(simulation.model.comm(), [&] { checkClaims(); });
+  collectively(simulation.model.comm(), [&] {
+    checkClaims();
+    findWallsAtAxis();
+  });
 }
 
 void FlowGeometry::findKinds(const std::vector<int>& flowBlocks) {

@@ -92,6 +92,9 @@ class FlowGeometry {
   bool wallsChangeWithTime() const;
   /// Normal of length 1 into the fluid at a place on a boundary; zero where the deck does not say where it is.
   std::array<double, 3> normalAt(int boundary, const std::array<double, 3>& place) const;
+  /// In bodies of revolution; throws DeckError where a wall or an inlet that meets the axis has a velocity across it at
+  /// the solver's time t.
+  void requireNoneAcrossAxis(double t) const;
   /// From a fluid point to the mirror image, at the outflow, of the end of the bond.
   std::array<double, 3> mirrored(int point, const End& end) const;
   /// The same at the wall that it meets, whose normalAt() that place is not zero.
@@ -114,7 +117,9 @@ class FlowGeometry {
   // flow_claims.cpp
   void checkClaims() const;
   std::vector<int> boundariesBefore(int neighbor) const;
-  int wallAcrossAxis(int point, int neighbor, const std::vector<int>& candidates) const;
+  void findWallsAtAxis();
+  bool isOneOutflow(int one, int other, const std::array<double, 3>& place) const;
+  int wallCutAt(int outflow, int point, int neighbor, const std::vector<int>& candidates) const;
   bool cutsAnotherChannel(int outflow, int point, int neighbor, const std::vector<int>& candidates) const;
   bool claimOnePlace(int one, int other, int point, int neighbor) const;
   void meetBoundaries(int point, const std::vector<int>& candidates, End& end) const;
@@ -135,6 +140,11 @@ class FlowGeometry {
   std::vector<int> fluid_, possibleOf_;   ///< possibleOf_: [fluid_] their numbers among possible points
   int nPossible_ = 0;
   bool hasCells_ = false;  ///< walls without a surface
+  struct WallAtAxis {
+    int boundary, point;
+    std::array<double, 3> place;
+  };
+  std::vector<WallAtAxis> wallsAtAxis_;  ///< where bonds of points beside the axis meet walls
 };
 
 }  // namespace pd

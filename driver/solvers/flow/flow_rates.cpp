@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../../model/collective.hpp"
 #include "diffusion_kernel.hpp"
 
 namespace pd {
@@ -362,6 +363,7 @@ void FlowRates::addEdges(const FlowState& state, bool isLinear) {
 void FlowRates::followBoundaries(double t) {
   if (rows_.sources.empty() || t == boundariesAt_) return;
   boundariesAt_ = t;
+  orAbort(model_.comm(), [&] { geometry_.requireNoneAcrossAxis(t); });
   for (std::size_t k = 0; k < rows_.sources.size(); ++k) {
     const FlowSource& source = rows_.sources[k];
     std::array<double, 3> value{};

@@ -52,7 +52,10 @@ class RowMaker {
 
   FlowRows make() {
     std::vector<double> jumpOf;
-    collectively(comm_, [&] { jumpOf = findJumps(); });
+    collectively(comm_, [&] {
+      geometry_.requireNoneAcrossAxis(t_);
+      jumpOf = findJumps();
+    });
     const std::vector<double> jumps = comm_.gather(placesOfJumps(jumpOf));
     collectively(comm_, [&] {
       for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) makeRow(row, jumps);

@@ -44,7 +44,23 @@ bool FlowSurroundings::areEqual(int point, int other) const {
         return false;
     return true;
   };
-  return isEqual(point, other) && std::equal(ofPoint.begin(), ofPoint.end(), ofOther.begin(), isEqual);
+  if (!isEqual(point, other) || !std::equal(ofPoint.begin(), ofPoint.end(), ofOther.begin(), isEqual)) return false;
+  // Fits at neighbours are made of their own lists; of ghosts there are none.
+  const std::vector<int> reached = compactOffsets(point);
+  return reached == compactOffsets(other) && std::all_of(reached.begin(), reached.end(), [&](int offset) {
+           const int one = point + offset, its = other + offset;
+           const bool isOwned = one < mesh.nOwned;
+           return isOwned == (its < mesh.nOwned) && (!isOwned || compactOffsets(one) == compactOffsets(its));
+         });
+}
+
+/// Of the neighbours of an owned point that gradients reach.
+std::vector<int> FlowSurroundings::compactOffsets(int point) const {
+  const double reach = geometry_.law().gradientHorizon * (1.0 + 1e-9);
+  std::vector<int> offsets;
+  for (const int neighbor : geometry_.neighborsOf(point))
+    if (ReferenceBond(geometry_.mesh().x.data(), point, neighbor).length <= reach) offsets.push_back(neighbor - point);
+  return offsets;
 }
 
 }  // namespace pd

@@ -3,14 +3,15 @@
 #define PD_FLOW_SURROUNDINGS_HPP
 
 #include <unordered_map>
+#include <vector>
 
 #include "flow_geometry.hpp"
 
 namespace pd {
 
 /// Finds, for a fluid point that no boundary is near, an earlier one with the same neighbours: at the same offsets of
-/// local ids and in the same places, of the same volumes, to rounding. Their rows are equal. Not in bodies of
-/// revolution, where the radius matters.
+/// local ids and in the same places, of the same volumes, to rounding, which have the same neighbours, too (a filter
+/// may have cut bonds of theirs). Their rows are equal. Not in bodies of revolution, where the radius matters.
 class FlowSurroundings {
  public:
   explicit FlowSurroundings(const FlowGeometry& geometry) : geometry_(geometry) {}
@@ -22,6 +23,7 @@ class FlowSurroundings {
  private:
   bool isInside(int point) const;
   bool areEqual(int point, int other) const;
+  std::vector<int> compactOffsets(int point) const;
 
   const FlowGeometry& geometry_;
   std::unordered_map<std::size_t, std::size_t> rowByKey_;
