@@ -107,10 +107,12 @@ class CombinationCheck {
 
   void agreesWithMaterial(const std::string& key, const std::vector<std::string>& flags, const DeckNode& node,
                           const Teuchos::ParameterList& list) {
-    const bool needsIt =
-        std::any_of(flags.begin(), flags.end(), [&](const std::string& flag) { return valueOr(list, flag, false); });
-    if (!list.isParameter(key) || !(node[key] || needsIt)) return;
     const DeckNode mine = deck_["Discretization"][key];
+    // Cracks and voids have no flag for planes, where they need the thickness of cells.
+    const bool hasCells = mine && valueOr(list, "Material Model", std::string()) == "Bond Decomposition";
+    const bool needsIt = hasCells || std::any_of(flags.begin(), flags.end(),
+                                                 [&](const std::string& flag) { return valueOr(list, flag, false); });
+    if (!list.isParameter(key) || !(node[key] || needsIt)) return;
     const double theirs = list.get<double>(key);
     const std::string place = node[key] ? node[key].place() : node.keyPlace();
     if (!mine && theirs != 1.0)

@@ -186,7 +186,7 @@ void Newton::chooseTangent(Model& model) {
   hasChosen_ = true;
   if (!usesSprings_) return;
   const Timers::Scope timer(model.timers(), "springs");
-  springs_ = std::make_unique<SpringTangent>(model);
+  springs_ = std::make_unique<SpringTangent>(model, settings_.hasSmallStrain);
   springs_->hold(isHeld_);
   derivesFields_ = model.comm().any(someMaterialDerivesFields(model));
 }

@@ -1,5 +1,7 @@
 #include "spring_tangent.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -8,6 +10,7 @@
 #include <stdexcept>
 
 #include "../../materials/registry/linear_bonds.hpp"
+#include "../model/collective.hpp"
 #include "Peridigm_Field.hpp"
 
 namespace pd {
@@ -90,8 +93,9 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
   return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
 }
 
-SpringTangent::SpringTangent(Model& model)
+SpringTangent::SpringTangent(Model& model, bool isBody)
     : model_(model),
+      isBody_(isBody),
       network_(networkOf(model)),
       stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
       levels_(model.comm(), stiffness_),
@@ -161,6 +165,7 @@ void SpringTangent::takeUpDamage() {
   std::vector<const double*> ofPoint(static_cast<std::size_t>(model_.nOwned()), nullptr);
   for (std::size_t k = 0; k < changed.size(); ++k) ofPoint[static_cast<std::size_t>(changed[k])] = bondsOf[k];
   network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
+  if (isBody_) collectively(model_.comm(), [&] { requireWholeBonds(); });
   std::sort(changed.begin(), changed.end());
   stiffness_.refresh(changed);
   changedSince_.insert(changedSince_.end(), changed.begin(), changed.end());
@@ -169,6 +174,22 @@ void SpringTangent::takeUpDamage() {
   std::set_union(stalePoints_.begin(), stalePoints_.end(), changed.begin(), changed.end(), std::back_inserter(stale));
   stalePoints_ = std::move(stale);
   coarseIsCurrent_ = false;
+}
+
+/// Each end gives half of a bond's force: what one damage model breaks and another does not keeps a half, which no
+/// spring of two ends has. Bonds to other ranks have a spring for each end.
+void SpringTangent::requireWholeBonds() const {
+  const auto [i, j] = network_.brokenFromOneEnd();
+  if (i < 0) return;
+  const auto placeOf = [&](int point) {
+    const double* x = &model_.discretization().x[3 * static_cast<std::size_t>(point)];
+    return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);
+  };
+  throw RunError(fmt::format(
+      "\"Kinematics: Small Strain\": the point at {} has broken its bond to that at {}, which has not: blocks that "
+      "differ "
+      "in their damage models, and tear at each other, need \"Kinematics: Finite\"; or give them one Damage Model",
+      placeOf(i), placeOf(j)));
 }
 
 bool SpringTangent::hasSprings(int point) const {

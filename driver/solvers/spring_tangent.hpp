@@ -19,8 +19,9 @@ class SpringTangent {
  public:
   /// Which material with forces has no springs, or of another kind than the rest; empty where it fits the model.
   static std::string obstacle(Model& model);
-  /// Refers to the model. After its initialize(). Collective.
-  explicit SpringTangent(Model& model);
+  /// Refers to the model. After its initialize(). `isBody`: forces are those of the springs, not of the materials; then
+  /// a bond that is broken at one of its ends alone is refused (RunError) when it is taken up. Collective.
+  SpringTangent(Model& model, bool isBody);
 
   /// `isHeld` [3 nOwned].
   void hold(const std::vector<char>& isHeld);
@@ -61,6 +62,7 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
+  void requireWholeBonds() const;
   void refreshSmoother();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.
@@ -70,6 +72,7 @@ class SpringTangent {
   std::vector<int> allPoints() const;
 
   Model& model_;
+  bool isBody_;
   SpringNetwork network_;
   SpringOperator stiffness_;
   TwoLevel levels_;

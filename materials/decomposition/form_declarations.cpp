@@ -88,7 +88,7 @@ void declareRule(ParameterDeclarations& declare) {
           "Rule",
           "Adaptive: the share of connections between two cells that meet no crack and no void, in a plane by "
           "lines through both, in space by lines of one as seen from places of the other, as many as it takes to know "
-          "it to about Tolerance. "
+          "it to about Tolerance, 8192 places at most, which pores smaller than a cell may need more of. "
           "Uniform: the same by all pairs of Partitions^D middles of equal parts of each cell. For comparison, cells "
           "and bonds keep all or nothing: Intersection cuts bonds where the line between their points meets a crack or "
           "void; Both and Either do so too, but cut bonds that cross the line of a crack in a plane where both of "

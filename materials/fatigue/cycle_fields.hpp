@@ -34,6 +34,11 @@ inline FieldDescription rateOfFailed() {
   return pointScalar("Rate_Of_Failed", "1",
                      "Of the same bonds: the sum of the parts of their lives that a cycle takes.");
 }
+inline FieldDescription overdrawRate() {
+  return pointScalar("Overdraw_Rate", "1",
+                     "Of the same bonds: the largest part that a cycle takes of what one has until it is overdrawn by "
+                     "the Life Tolerance.");
+}
 
 }  // namespace pd::fields
 

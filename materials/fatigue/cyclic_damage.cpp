@@ -27,7 +27,8 @@ void CyclicDamage::declareCommonParameters(ParameterDeclarations& declare) {
   declare
       .real("Life Tolerance", "1",
             "A bond with no more than this part of its life left is broken: those that fail nearly together break "
-            "together; the solver Fatigue lets cycles pass until what some have left is what others have overdrawn.")
+            "together; the solver Fatigue lets cycles pass until what some have left is what others have overdrawn, "
+            "none by more than this.")
       .defaultTo(1e-3)
       .between(1e-12, 0.1);
   declare.real("Critical Stretch", "1", "Largest stretch that a bond bears in any cycle; none where it is not given.")

@@ -40,6 +40,7 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
     FieldHandle overdrawn = writes(pd::fields::overdrawnLife());
     FieldHandle lifeLeft = writes(pd::fields::lifeLeft());
     FieldHandle rateOfFailed = writes(pd::fields::rateOfFailed());
+    FieldHandle overdrawRate = writes(pd::fields::overdrawRate());
   };
 
   std::string Name() const override { return name_; }
@@ -98,7 +99,8 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   double *lost = fields_.lostLife.of(data), *bondDamage = fields_.bondDamage.of(data);
   double *worstRate = fields_.lossRate.of(data), *overdrawn = fields_.overdrawn.of(data);
   double *lifeLeft = fields_.lifeLeft.of(data), *rateOfFailed = fields_.rateOfFailed.of(data);
-  for (double* sums : {worstRate, overdrawn, lifeLeft, rateOfFailed})
+  double* overdrawRate = fields_.overdrawRate.of(data);
+  for (double* sums : {worstRate, overdrawn, lifeLeft, rateOfFailed, overdrawRate})
     for (int p = 0; p < call.nOwned; ++p) sums[call.ownedIds[p]] = 0.0;
   TiringPoints& points = pointsOf(call, data);
   points.startFrom(lostBefore, lost);
@@ -123,8 +125,10 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     }
     overdrawn[i] = std::max(overdrawn[i], lost[bond] - 1.0);
     if (lost[bond] >= 1.0 - lifeTolerance_) {
-      lifeLeft[i] += 1.0 - lost[bond];
+      const double left = 1.0 - lost[bond];
+      lifeLeft[i] += left;
       rateOfFailed[i] += rate;
+      overdrawRate[i] = std::max(overdrawRate[i], rate / std::max(lifeTolerance_ + left, 1e-3 * lifeTolerance_));
     }
     lost[bond] = bondDamage[bond] = 1.0;
     return true;

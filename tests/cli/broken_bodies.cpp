@@ -298,6 +298,11 @@ std::vector<Broken> brokenBodies() {
          "  Both:\n    Material Model: Combined\n    Materials: [Acid]\n    Acid:\n      Material Model: PDHE\n      "
          "Diffusivty: 1.0\nDamage Models:\n"}},
        {"deck.yaml:33:7: unknown key \"Diffusivty\" in Materials/Both/Acid (did you mean \"Diffusivity\"?)"}},
+      {"DecompositionWithoutThickness",
+       {{"Damage Models:\n",
+         "  Both:\n    Material Model: Combined\n    Materials: [Gaps]\n    Gaps:\n      Material Model: Bond "
+         "Decomposition\n      Cracks: {C: {Type: Polyline, Points: [0.0, 0.0, 1.0e-3, 0.0]}}\nDamage Models:\n"}},
+       {"deck.yaml:31:5: Materials/Both/Gaps/Thickness is 1, but Discretization/Thickness is 0.001; they must agree"}},
       {"LoadBesideDissolution",
        {{"Damage Models:\n",
          "  Acid: {Material Model: Corrosion Dissolution, Plane Strain: true, Thickness: 1.0e-3, Diffusivity: 1.0, "

@@ -40,6 +40,61 @@ class TwoPairs(SceneTest):
         np.testing.assert_allclose(self.times(0.1), 2 / (1 + slower), rtol=1e-6)
 
 
+class OneFastPairAmongSlowOnes(SceneTest):
+    """Pairs of points on their own, all stretched by 1e-3, then by 0.7e-3: one wears in proportion to that, the others
+    with its tenth power, by as much in the first block. They have a tenth of their lives left, and hardly wear."""
+
+    def test_is_overdrawn_by_the_tolerance_at_most(self):
+        n, strain, tolerance = 20, 1e-3, 0.1
+        points = [[x, 5e-3 * pair, 0.0] for pair in range(n + 1) for x in (0.0, 1e-3)]
+        self.write_mesh(np.array(points), 1e-9, np.array([2, 2] + 2 * n * [1]))
+        hold = {"Type": "Prescribed Displacement", "Value": 0.0}
+        law = {"Damage Model": "Remaining Life", "Life Tolerance": tolerance}
+        deck = plate_deck(
+            1.2e-3, 1e-3, {"Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3},
+            damage={**law, "Initiation Coefficient": 0.895e-3 / strain**10, "Initiation Exponent": 10.0},
+            conditions={"All Node Set": {"Expression": "x < 1"}, "Left Node Set": {"Expression": "x < 5e-4"},
+                        "Right Node Set": {"Expression": "x > 5e-4"},
+                        "Left": {**hold, "Node Set": "Left Node Set", "Coordinate": "x"},
+                        "Right": {**hold, "Node Set": "Right Node Set", "Coordinate": "x", "Value": "1e-6"},
+                        "Along Y": {**hold, "Node Set": "All Node Set", "Coordinate": "y"}},
+            solver={"Final Time": 1e6, "Fatigue": {"Load Blocks": {"Cycles": [1000.0, 900000.0], "Peaks": [1.0, 0.7]}}},
+            output={"Output Variables": ["Cycles_To_First_Break"]})
+        deck["Blocks"]["Fast"] = {"Block Names": "block_2", "Material": "Steel", "Horizon": 1.2e-3, "Damage Model": "Fast"}
+        deck["Damage Models"]["Fast"] = {**law, "Initiation Coefficient": 5e-4 / strain, "Initiation Exponent": 1.0}
+        found = self.solve(deck).field("Cycles_To_First_Break")
+        rate = 0.7 * 5e-4  # of the fast pair in the second block, which begins with half of its life
+        np.testing.assert_allclose(found, 1000.0 + (0.5 + tolerance) / rate, rtol=1e-6)
+
+
+class BrokenFromOneEnd(SceneTest):
+    """Three points in a row. The first has a damage model of its own, and breaks its bond to the second, which keeps it."""
+
+    def deck(self, kinematics):
+        self.write_mesh(np.array([[x, y, 0.0] for y in (0.0, 5e-3) for x in (0.0, 1e-3, 2e-3)]), 1e-9,
+                        np.array(2 * [2, 1, 1]))
+        hold = {"Type": "Prescribed Displacement"}
+        law = {"Damage Model": "Remaining Life", "Initiation Exponent": 2.0}
+        deck = plate_deck(
+            1.2e-3, 1e-3, {"Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3},
+            damage={**law, "Initiation Coefficient": 1e-2},
+            conditions={"All Node Set": {"Expression": "x < 1"}, "Ends Node Set": {"Expression": "abs(x - 1e-3) > 5e-4"},
+                        "X": {**hold, "Node Set": "Ends Node Set", "Coordinate": "x", "Value": "1e-3*x"},
+                        "Y": {**hold, "Node Set": "All Node Set", "Coordinate": "y", "Value": 0.0}},
+            solver={"Final Time": 3e4, "Fatigue": {"Kinematics": kinematics}}, output={"Output Variables": ["Displacement"]})
+        deck["Blocks"]["Fast"] = {"Block Names": "block_2", "Material": "Steel", "Horizon": 1.2e-3, "Damage Model": "Fast"}
+        deck["Damage Models"]["Fast"] = {**law, "Initiation Coefficient": 100.0}
+        return deck
+
+    def test_keeps_half_its_force_or_is_refused(self):
+        moved = self.solve(self.deck("Finite")).field("Displacement")[1, 0]
+        self.assertAlmostEqual(moved / 2e-6, 2 / 3, delta=1e-3)  # springs of 1/2 and 1 in series
+        for ranks in (1, 2):
+            result = self.run_deck(self.deck("Small Strain"), ranks=ranks)
+            self.assertNotEqual(result.code, 0)
+            self.assertIn("need \"Kinematics: Finite\"", result.text)
+
+
 class SmoothBar(SceneTest):
     """decks/smooth_bar: a bar in uniform tension lives as long as one of its bonds."""
 

@@ -75,6 +75,31 @@ class TipWindow(SceneTest):
         deck["Output"]["Output Variables"].append("Energy")
         self.compare(deck, ("Energy",))
 
+    def test_the_end_of_a_body_that_carries_nothing_is_seen(self):
+        deck = self.deck(crack=152e-3)
+        del deck["Solver"]["Fatigue"]["Stop When"]
+        ends = []
+        for window in (True, False):
+            deck["Solver"]["Fatigue"]["Tip Window"] = window
+            result = self.solve(deck)
+            self.assertIn("come apart", " ".join(result.report["solver"]))
+            ends.append(result.history()["time"][-1])
+        self.assertAlmostEqual(ends[0] / ends[1], 1.0, delta=1e-3)
+
+    def test_lives_outside_are_off_by_no_more_than_it_says(self):
+        points = lattice([WIDTH, HEIGHT], SPACING, origin=[0.0, -HEIGHT / 2])
+        points = points[np.hypot(points[:, 0] - 17e-3, points[:, 1]) > 3.1e-3]
+        deck = self.deck(points=points, columns=13.2, damage={"Initiation Coefficient": 2e2, "Initiation Exponent": 3.0})
+        result = self.solve(deck)
+        line = next(line for line in result.report["solver"] if "around the tip" in line)
+        stated = float(line.split("are off by ")[1].split()[0])
+        first = result.field("Cycles_To_First_Break")
+        del deck["Solver"]["Fatigue"]["Tip Window"]
+        exact = self.solve(deck).field("Cycles_To_First_Break")
+        broken = (exact > 0) & (first > 0)
+        self.assertLess(np.max(np.abs(first - exact)[broken] / exact[broken]), stated + 1e-5)
+        self.assertLess(stated, 1.0)
+
     def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
         deck = self.deck()
         deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 9,

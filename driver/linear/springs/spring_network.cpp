@@ -367,8 +367,23 @@ void SpringNetwork::setDamage(const std::vector<int>& changed, const std::functi
     setAlive(singles_, singleRow_[static_cast<std::size_t>(i)], i);
   }
   makeCorrections();
+  brokenFromOneEnd_ = findBrokenFromOneEnd(changed);
   hasKeptTogether_ =
       std::all_of(broken.begin(), broken.end(), [&](const auto& bond) { return areJoined(bond.first, bond.second); });
+}
+
+std::pair<int, int> SpringNetwork::findBrokenFromOneEnd(const std::vector<int>& changed) const {
+  for (const int i : changed) {
+    if (!isDamaged(i)) continue;
+    for (int k = 0; k < nNeighbors(i); ++k) {
+      const int j = neighbors(i)[k];
+      if (j >= points_.nOwned || alive(i, k) > 0.0F) continue;
+      const int* end = neighbors(j) + nNeighbors(j);
+      const int* back = std::lower_bound(neighbors(j), end, i);
+      if (back != end && *back == i && alive(j, static_cast<int>(back - neighbors(j))) > 0.0F) return {i, j};
+    }
+  }
+  return {-1, -1};
 }
 
 /// Looks around i, as far as a bond across a crack has to go around its tip.

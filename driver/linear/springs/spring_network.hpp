@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "../../../materials/registry/linear_bonds.hpp"
@@ -133,6 +134,9 @@ class SpringNetwork {
   /// Whether the ends of every bond that the last setDamage() has broken are known to hang together still, by unbroken
   /// bonds around them. Of bonds to ghosts and images it is not known.
   bool hasKeptTogether() const { return hasKeptTogether_; }
+  /// Two owned points of which one has broken their bond and the other has not, since the last setDamage(); {-1, -1}:
+  /// none. A spring is broken as a whole, as the one end has it that it is kept with.
+  std::pair<int, int> brokenFromOneEnd() const { return brokenFromOneEnd_; }
 
   const Discretization& points() const { return points_; }
   int dimension() const { return points_.dimension; }
@@ -215,6 +219,7 @@ class SpringNetwork {
   void makeCorrections();
   void addCorrection(int i, int j, float left, const SpringConstants<double>& c);
   bool areJoined(int i, int j);
+  std::pair<int, int> findBrokenFromOneEnd(const std::vector<int>& changed) const;
 
   const Discretization& points_;
   Family family_;
@@ -231,6 +236,7 @@ class SpringNetwork {
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
   bool hasKeptTogether_ = true;
+  std::pair<int, int> brokenFromOneEnd_{-1, -1};
   std::vector<int> visitedBy_;  ///< [nOwned] by which search of areJoined()
   int nVisits_ = 0;
 };

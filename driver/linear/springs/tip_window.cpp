@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "../methods/schur_complement.hpp"
 #include "dissection.hpp"
@@ -281,9 +283,12 @@ bool TipWindow::solve(double* displacement) {
     std::vector<int> pivots;
     if (!findFactors(matrix, pivots)) return false;
     for (const Change& change : changes_) forces.push_back(change.elongation(base_.data()) - change.rest);
+    const std::vector<double> elongations = forces;
     int info = 0;
     const auto size = static_cast<int>(changes_.size());
     Lapack().GETRS('N', size, 1, matrix.data(), size, pivots.data(), forces.data(), size, &info);
+    releasedByChanges_ = -0.5 * stiffness_.network().stiffnessUnit() *
+                         std::inner_product(forces.begin(), forces.end(), elongations.begin(), 0.0);
     now_ = base_;
     Blas().GEMV(Teuchos::NO_TRANS, nUnknowns_, size, -1.0, columns_.data(), nUnknowns_, forces.data(), 1, 1.0,
                 now_.data(), 1);
@@ -323,6 +328,7 @@ bool TipWindow::workIn() {
   Blas().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, nUnknowns_, nUnknowns_, size, -1.0, columns_.data(), nUnknowns_,
               rows.data(), size, 1.0, inverse_.data(), nUnknowns_);
   base_ = now_;
+  released_ += std::exchange(releasedByChanges_, 0.0);
   changes_.clear();
   columns_.clear();
   couplings_.clear();

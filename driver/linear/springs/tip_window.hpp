@@ -31,6 +31,8 @@ class TipWindow {
   const SpringOperator& stiffness() const { return stiffness_; }
   /// The largest difference between what solve() found and these displacements [3 nOwned], over the largest of them.
   double distanceFrom(const double* displacement) const;
+  /// J, by which what has broken since the window was made has let the energy of the body and its loads fall.
+  double releasedEnergy() const { return released_ + releasedByChanges_; }
 
   /// Takes up what has changed of the stiffness: the springs of the points `changed`, held degrees of freedom, and
   /// additions. `displacement` [3 nOwned]: where points are held that were not. False where it cannot be taken up: not
@@ -77,6 +79,8 @@ class TipWindow {
   std::vector<std::vector<float>> alive_;              ///< [points] of their bonds, as they are taken up
   std::vector<char> isHeld_;                           ///< [3 nOwned]
   std::vector<SpringOperator::Addition> additions_;
+
+  double released_ = 0.0, releasedByChanges_ = 0.0;  ///< J, by changes that G has taken up, and by the others
 
   std::vector<Change> changes_;  ///< since G was made or worked into
   std::vector<double> columns_;  ///< [changes][unknowns] G times each

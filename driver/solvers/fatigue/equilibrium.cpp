@@ -56,6 +56,7 @@ Equilibrium::Equilibrium(const Teuchos::ParameterList& parameters, std::string s
 
 void Equilibrium::forgetHistory() {
   newton_.forgetHistory();
+  carried_ = 0.0;
   if (window_) window_->forget();
 }
 
@@ -129,7 +130,7 @@ void Equilibrium::find(Simulation& simulation, double t) {
       isComplete_ = false;
       isOfTheseBonds_ = true;
       simulation.model.updateCoordinates();
-      if (window_->isDue()) complete(simulation, t);
+      if (wholeIsDue()) complete(simulation, t);
       return;
     }
   }
@@ -176,21 +177,35 @@ void Equilibrium::solve(Simulation& simulation, double t) {
         solver_, t, outcome.trouble, outcome.scale, residual));
   largestScale_ = std::max(largestScale_, outcome.scale);
   largestResidual_ = std::max(largestResidual_, residual);
+  carriedBefore_ = carried_;
   carried_ = carriedForce(simulation);
   isComplete_ = isOfTheseBonds_ = true;
   ++nSolutions_;
 }
 
-double Equilibrium::carriedForce(Simulation& simulation) const {
+/// A window does not see what the body carries. So that its end is seen, the whole body is found as soon as what breaks
+/// has released most of its energy; and the sooner the less it carries, or would carry by then if it went on falling.
+bool Equilibrium::wholeIsDue() const {
+  constexpr double little = 0.3, most = 0.7;
+  if (window_->releasedSinceWhole() > most * workOfReactions_ && workOfReactions_ > 0.0) return true;
+  const double fall = std::max(carriedBefore_ - carried_, 0.0);
+  return window_->isDue(largestScale_ > 0.0 ? std::clamp((carried_ - fall) / (little * largestScale_), 0.0, 1.0) : 1.0);
+}
+
+double Equilibrium::carriedForce(Simulation& simulation) {
   Model& model = simulation.model;
   const double *force = model.field("Force_Density"), *volume = model.field("Volume");
+  const double* displacement = model.field("Displacement");
   const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
-  std::array<double, 2> mine{}, all{};  // squares of loads and reactions
+  std::array<double, 3> mine{}, all{};  // squares of loads and reactions; work
   for (std::size_t i = 0; i < externalForce_.size(); ++i) {
     mine[0] += std::pow(externalForce_[i] * volume[i / 3], 2);
-    if (isPrescribed[i] != 0) mine[1] += std::pow(force[i] * volume[i / 3], 2);
+    if (isPrescribed[i] == 0) continue;
+    mine[1] += std::pow(force[i] * volume[i / 3], 2);
+    mine[2] -= 0.5 * force[i] * volume[i / 3] * displacement[i];
   }
-  model.comm().SumAll(mine.data(), all.data(), 2);
+  model.comm().SumAll(mine.data(), all.data(), 3);
+  workOfReactions_ = all[2];
   return std::sqrt(std::max(all[0], all[1]));
 }
 

@@ -56,7 +56,9 @@ class Equilibrium {
 
  private:
   void solve(Simulation& simulation, double t);
-  double carriedForce(Simulation& simulation) const;
+  /// Of loads or reactions, N; writes workOfReactions_.
+  double carriedForce(Simulation& simulation);
+  bool wholeIsDue() const;
 
   std::string solver_;
   Newton newton_;
@@ -67,7 +69,9 @@ class Equilibrium {
   bool isOfTheseBonds_ = true;           ///< they are those of the bonds that there are
   std::vector<double> externalForce_;    ///< [3 nOwned] N/m3
   double largestScale_ = 0.0;            ///< N
-  double carried_ = 0.0;                 ///< N, norm of loads or reactions of the last equilibrium
+  double carried_ = 0.0;                 ///< N, norm of loads or reactions of the last equilibrium of the whole body
+  double carriedBefore_ = 0.0;           ///< N, of the one before; 0: none
+  double workOfReactions_ = 0.0;         ///< J, the energy of a body without other loads
   long long nSolutions_ = 0;
   double largestResidual_ = 0.0;  ///< relative
 };

@@ -94,8 +94,8 @@ bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std
   springs.stiffness();  // with the bonds that there are
   const std::vector<int> changed = springs.takeChangedPoints();
   nChanges_ += static_cast<double>(changed.size());
-  if (!window_) return false;
   judge(simulation);
+  if (!window_) return false;
   if (!loadsAreTheSame(simulation, externalForce)) {
     window_.reset();
     giveUp(simulation, "loads or prescribed displacements change");
@@ -129,15 +129,17 @@ void EventWindow::extrapolate(Model& model) {
 }
 
 /// Rates of lives outside before and after the whole body was found: half their difference, times the cycles between,
-/// is what they were wrong by.
+/// is what they were wrong by, of what was left of a life. A bond that loses r of that a cycle has no more left than
+/// 1/(1 + r cycles) of the whole, since it has lost the rest in these cycles or before. The window between may be gone.
 void EventWindow::judge(Simulation& simulation) {
   if (!isToJudge_) return;
   isToJudge_ = false;
   const double* rate = lossRatesOf(simulation.model);
   double most = 0.0;
   for (std::size_t i = 0; i < staleRates_.size(); ++i)
-    if (!window_->isInside(static_cast<int>(i)))
-      most = std::max(most, 0.5 * staleCycles_ * std::abs(rate[i] - staleRates_[i]));
+    if (staleInside_[i] == 0)
+      most = std::max(most,
+                      0.5 * staleCycles_ * std::abs(rate[i] - staleRates_[i]) / (1.0 + staleRates_[i] * staleCycles_));
   misjudgedLife_ += most;
   if (most > mostStale) interval_ = std::max(1, interval_ / 2);
   if (most < 0.25 * mostStale) interval_ = std::min(longestInterval, 2 * interval_);
@@ -154,9 +156,10 @@ void EventWindow::wholeIsFound(Simulation& simulation, SpringTangent& springs, c
       giveUp(simulation, fmt::format("displacements in it were off by {:.2g} of the largest", distance));
     }
   }
-  isToJudge_ = window_ && nSinceWhole_ > 0;
+  isToJudge_ = nSinceWhole_ > 0;
   if (isToJudge_) {
     staleRates_.assign(rate, rate + n);
+    staleInside_ = isInside_;
     staleCycles_ = t - timeOfWhole_;
   }
   slope_.assign(whole_.empty() || nChanges_ == 0.0 ? 0 : 3 * n, 0.0);
@@ -166,10 +169,12 @@ void EventWindow::wholeIsFound(Simulation& simulation, SpringTangent& springs, c
   timeOfWhole_ = t;
   nSinceWhole_ = 0;
   if (!window_ && !hasGivenUp_) place(simulation, springs, externalForce);
+  releasedAtWhole_ = window_ ? window_->releasedEnergy() : 0.0;
 }
 
 void EventWindow::giveUp(Simulation& simulation, const std::string& why) {
   hasGivenUp_ = true;
+  whyGivenUp_ = why;
   simulation.output.log("Fatigue: no Tip Window from here on: " + why + "; events are solved in the whole body");
 }
 
@@ -253,15 +258,19 @@ void EventWindow::place(Simulation& simulation, SpringTangent& springs, const st
   }
   force_ = externalForce;
   prescribed_.assign(displacement, displacement + 3LL * model.nOwned());
+  isInside_.resize(static_cast<std::size_t>(model.nOwned()));
+  for (int i = 0; i < model.nOwned(); ++i) isInside_[static_cast<std::size_t>(i)] = window_->isInside(i) ? 1 : 0;
   nOfWindow_ = 0;
   ++nPlaced_;
 }
 
 std::string EventWindow::summary(const std::string& solver) const {
+  if (nFound_ == 0)
+    return solver + ": no equilibrium in a window around the tip" + (hasGivenUp_ ? ": " + whyGivenUp_ : "");
   return fmt::format(
       "{}: {} more equilibria in {} window(s) around the tip; lives outside, where strains were estimated for up to {} "
-      "events, may be off by {:.2g} of a life",
-      solver, nFound_, nPlaced_, longestInterval, misjudgedLife_);
+      "events, are off by {:.2g} of a life at most (estimates of each stretch, added up){}",
+      solver, nFound_, nPlaced_, longestInterval, misjudgedLife_, hasGivenUp_ ? "; then none: " + whyGivenUp_ : "");
 }
 
 }  // namespace pd

@@ -27,8 +27,10 @@ class EventWindow {
   bool find(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce);
   /// The whole body has been found in equilibrium after t cycles: there may be another window.
   void wholeIsFound(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce, double t);
-  /// Whether the whole body is due again.
-  bool isDue() const { return nSinceWhole_ >= interval_; }
+  /// Whether the whole body is due again; after `share` of the usual number of events, 0 to 1.
+  bool isDue(double share) const { return nSinceWhole_ >= share * interval_; }
+  /// J, by which the energy of the body and its loads has fallen since it was found, where there is still a window.
+  double releasedSinceWhole() const { return window_ ? window_->releasedEnergy() - releasedAtWhole_ : 0.0; }
   /// Whether displacements are right at all points marked. [nPoints]
   bool has(const std::vector<char>& isRead) const;
 
@@ -53,16 +55,20 @@ class EventWindow {
   static std::vector<int> pointsAround(Model& model, const Wanted& wanted);
 
   std::unique_ptr<TipWindow> window_;
+  std::vector<char> isInside_;              ///< [nOwned] of the last window: its points whose neighbours are all in it
   std::vector<double> force_, prescribed_;  ///< [3 nOwned] N/m3, m: when the window was made
   int interval_, nSinceWhole_ = 0;          ///< events from one equilibrium of the whole body to the next
+  double releasedAtWhole_ = 0.0;            ///< J, by this window
   double timeOfWhole_ = 0.0;                ///< cycles
   std::vector<double> whole_, slope_;       ///< [3 nOwned] m: its displacements, and by how much a change moves them
   double nChanges_ = 0.0;                   ///< since then
   bool isToJudge_ = false;
   double staleCycles_ = 0.0;        ///< between the last two
   std::vector<double> staleRates_;  ///< [nOwned] of lives, before the last of them
-  double misjudgedLife_ = 0.0;      ///< outside, parts of a life
+  std::vector<char> staleInside_;   ///< isInside_ between them
+  double misjudgedLife_ = 0.0;      ///< outside, parts of a life: at most, since the worst of each interval are added
   bool hasGivenUp_ = false;
+  std::string whyGivenUp_ = "before the restart";
   int nOfWindow_ = 0, nShort_ = 0;      ///< equilibria of this window; windows that were not worth it
   long long nFound_ = 0, nPlaced_ = 0;  ///< over the run
 };

@@ -211,19 +211,25 @@ double Fatigue::passBlock(Simulation& simulation, double cycles, bool& hasBroken
 }
 
 /// Bonds that fail nearly together break together, when what some have left of their lives is what others have
-/// overdrawn. Returns the cycles passed, at most `most`.
+/// overdrawn, or the first of them is overdrawn by as much as its model tolerates: the many with much left that wear
+/// slowly do not outvote the few that wear fast. Returns the cycles passed, at most `most`.
 double Fatigue::passToFailure(Simulation& simulation, double cycles, double most, bool& hasBroken) {
   Model& model = simulation.model;
   hasBroken = passCycles(simulation, cycles);
   if (!hasBroken) return cycles;
   const double *left = model.field(fields_.lifeLeft), *rate = model.field(fields_.rateOfFailed);
+  const double* overdrawRate = model.field(fields_.overdrawRate);
   std::array<double, 2> mine{}, all{};
+  double fastest = 0.0;
   for (int i = 0; i < model.nOwned(); ++i) {
     mine[0] += left[i];
     mine[1] += rate[i];
+    fastest = std::max(fastest, overdrawRate[i]);
   }
   model.comm().SumAll(mine.data(), all.data(), 2);
-  const double more = std::min(all[1] > 0.0 ? all[0] / all[1] : 0.0, most - cycles);
+  fastest = model.comm().max(fastest);
+  const double even = all[1] > 0.0 ? all[0] / all[1] : 0.0, tolerated = fastest > 0.0 ? 1.0 / fastest : even;
+  const double more = std::min({even, tolerated, most - cycles});
   if (more <= 1e-9 * cycles) return cycles;
   passCycles(simulation, cycles + more);
   return cycles + more;

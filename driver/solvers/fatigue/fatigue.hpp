@@ -31,6 +31,7 @@ class Fatigue : public EventSolver {
     FieldHandle overdrawn = reads(pd::fields::overdrawnLife());
     FieldHandle lifeLeft = reads(pd::fields::lifeLeft());
     FieldHandle rateOfFailed = reads(pd::fields::rateOfFailed());
+    FieldHandle overdrawRate = reads(pd::fields::overdrawRate());
     FieldHandle firstBreak =
         writes(pd::fields::pointScalar("Cycles_To_First_Break", "1",
                                        "Cycles until the first bond of the point broke; 0 where none has.")
