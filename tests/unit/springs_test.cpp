@@ -143,7 +143,7 @@ class Springs : public ::testing::TestWithParam<Body> {
 
 TEST_P(Springs, ActAsTheAssembledTangent) {
   ASSERT_EQ(SpringTangent::obstacle(model_), "");
-  SpringTangent springs(model_);
+  SpringTangent springs(model_, false);
   std::vector<char> nothing(isHeld_.size(), 0);
   for (std::size_t i = 0; i < nothing.size(); ++i)
     nothing[i] = static_cast<int>(i % 3) >= model_.discretization().dimension;
@@ -160,7 +160,7 @@ TEST_P(Springs, ActAsTheAssembledTangent) {
 }
 
 TEST_P(Springs, SolveAsADirectSolverDoes) {
-  SpringTangent springs(model_);
+  SpringTangent springs(model_, false);
   springs.hold({isHeld_.begin(), isHeld_.begin() + 3LL * model_.nOwned()});
   const auto matrix = assembled(isHeld_);
   const std::vector<double> exact = someDisplacement(true);
@@ -178,14 +178,14 @@ TEST_P(Springs, ThatFollowBondsAreThoseOfAFreshStartToTheLastBit) {
   const std::vector<double> right = someDisplacement(true);
   std::vector<double> followed(right.size()), fresh(right.size());
   healBonds();
-  SpringTangent following(model_);
+  SpringTangent following(model_, false);
   following.hold(isHeld);
   following.solve(right.data(), followed.data(), 1e-4, 60);
   breakBonds();
   following.bondsHaveChanged();
   following.forgetHistory();
   following.solve(right.data(), followed.data(), 1e-4, 60);
-  SpringTangent afresh(model_);
+  SpringTangent afresh(model_, false);
   afresh.hold(isHeld);
   afresh.solve(right.data(), fresh.data(), 1e-4, 60);
   EXPECT_EQ(followed, fresh);
@@ -196,12 +196,12 @@ TEST_P(Springs, FindForcesAgainWhereBondsHaveBroken) {
   std::vector<double> padded(3 * static_cast<std::size_t>(model_.nPoints()));
   std::copy(u.begin(), u.end(), padded.begin());
   std::vector<double> followed(padded.size()), fresh(padded.size());
-  SpringTangent following(model_);
+  SpringTangent following(model_, false);
   following.force(padded.data(), followed.data());
   breakBondsOf(model_.discretization().nGlobal / 2);
   following.bondsHaveChanged();
   following.force(padded.data(), followed.data());
-  SpringTangent afresh(model_);
+  SpringTangent afresh(model_, false);
   afresh.force(padded.data(), fresh.data());
   followed.resize(u.size());
   fresh.resize(u.size());
@@ -210,7 +210,7 @@ TEST_P(Springs, FindForcesAgainWhereBondsHaveBroken) {
 
 TEST_P(Springs, InAWindowMoveAsInTheWholeBody) {
   const Discretization& points = model_.discretization();
-  SpringTangent springs(model_);
+  SpringTangent springs(model_, false);
   std::vector<char> isHeld(isHeld_.begin(), isHeld_.begin() + 3LL * model_.nOwned());
   springs.hold(isHeld);
   const bool isForWindows = points.dimension == 2 && world().size() == 1 && points.symmetry.empty() &&
