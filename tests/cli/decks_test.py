@@ -85,7 +85,7 @@ class Decks(unittest.TestCase):
 printf '0\\n0\\n'
 """)
         for place in [self.root / "meshes/pdplot",
-                      *(p for name in ("plot*", "stud*", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
+                      *(p for name in ("plot*", "stud*", "cost", "kernels", "lefm") for p in self.root.glob(f"decks/**/{name}.py"))]:
             self.write(place, "#!/bin/true\n")
         check = CHECK
         for word, value in (("LOG", self.log), ("BAD", self.bad), ("OUT", self.root / "out"), ("PDRUN", PDRUN)):
