@@ -10,16 +10,9 @@ import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.results import Results, read_history  # noqa: E402
 from scipy.interpolate import griddata  # noqa: E402
+from wire import FILM, FIRST_SCAN, RADIUS, SPEED, draw_scans, exact_radius, off_scans  # noqa: E402
 
-RADIUS, SPEED, FILM = 40.0, 1.494, 4340 / 3600  # um, um/h = i/(zF C_solid) of 5.73 A/m2, h
-FIRST_SCAN = 0.687  # h
-hours, measured, deviation = np.loadtxt(Path(__file__).parent / "measured.csv", delimiter=",", skiprows=3).T
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-
-
-def exact_radius(t, speed=SPEED, film=FILM):
-    """Of a round wire, um."""
-    return RADIUS - speed * (t - film * (1 - np.exp(-t / film)) if film > 0 else t)
 
 
 def losses(name):
@@ -33,7 +26,7 @@ def losses(name):
 
 def draw_loss():
     figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
-    axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
+    draw_scans(axis)
     constant = (1.304, 0.0)
     breaking = (SPEED, FILM)
     for name, style, label, law in (("mg_pin", "C0-", "in the flow: 5.73 A/m² under a film that breaks up", breaking),
@@ -44,7 +37,7 @@ def draw_loss():
         t, pristine, first, radius = losses(name)
         shown = t >= FIRST_SCAN - 0.05
         axis.plot(t[shown], first[shown], style, label=label)
-        off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
+        off = off_scans(t, first)
         left = 1 - (RADIUS - exact_radius(t, *law)) / radius
         error = np.max(np.abs(pristine - 100 * (1 - left**2)))
         print(f"{name}: {' '.join(f'{d:+.2f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
@@ -83,11 +76,11 @@ def draw_measures():
 def draw_along():
     """The wire along the axis of the tube."""
     figure, axis = figures.plt.subplots(figsize=(6.4, 4.4), constrained_layout=True)
-    axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
+    draw_scans(axis)
     t, pristine, first, _ = losses("along")
     exact = 100 * (1 - (exact_radius(t) / RADIUS)**2)
     axis.plot(t[t >= FIRST_SCAN - 0.05], first[t >= FIRST_SCAN - 0.05], "C3-", label="along the axis of the tube")
-    off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
+    off = off_scans(t, first)
     print(f"along: {' '.join(f'{d:+.2f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
           f"{pristine[-1]:.1f} % of the pristine wire; off a round wire's by at most "
           f"{np.max(np.abs(pristine - exact)):.2f} points")

@@ -9,9 +9,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.results import Results, read_history  # noqa: E402
+from wire import FIRST_SCAN, RADIUS, draw_scans, off_scans  # noqa: E402
 
-RADIUS, FIRST_SCAN, SECTORS = 40.0, 0.687, 36  # um, h
-hours, measured, deviation = np.loadtxt(Path(__file__).parent / "measured.csv", delimiter=",", skiprows=3).T
+SECTORS = 36
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 RUNS = (("grains", "C3-", "boundaries 5 × as fast, particles a tenth, 1 µm"), ("grains_coarse", "C3--", "the same, 2 µm"),
         ("grains_alone", "C0-", "grains alone"))
@@ -52,7 +52,7 @@ shaped = Results(str(folder / "grains"))
 for axis, step in zip(axes[0], (shaped.steps[0], shaped.steps[len(shaped.steps) // 2], shaped.steps[-1])):
     draw_wire(axis, shaped, step)
 loss, rough, share = axes[1]
-loss.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=3, capsize=2, label="measured")
+draw_scans(loss, markersize=3, label="measured")
 for name, style, label in RUNS:
     results, history = Results(str(folder / name)), read_history(folder / f"{name}.csv")
     t, gone = history["time"] / 3600, history["Relative_Volume_Loss"] / 100
@@ -64,7 +64,7 @@ for name, style, label in RUNS:
     of_boundaries = [np.mean((results.block == 2)[wire] * (results.field("Damage", step)[wire] < 1)) /
                      max(np.mean(results.field("Damage", step)[wire] < 1), 1e-9) for step in results.steps]
     share.plot(times, 100 * np.array(of_boundaries), style)
-    off = (np.interp(hours, t, first) - measured)[1:] / deviation[1:]
+    off = off_scans(t, first)
     print(f"{name}: {' '.join(f'{d:+.1f}' for d in off)} sd; after 9 h {first[-1]:.1f} % of the first scan, "
           f"{100 * gone[-1]:.1f} % of the wire; roughness {np.interp(4.2, times, values):.2f} um after 4.2 h, "
           f"{values[-1]:.2f} um after 9 h; boundaries {100 * np.mean((results.block == 2)[wire]):.2f} % of the points")

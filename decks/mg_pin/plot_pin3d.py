@@ -9,10 +9,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "meshes"))
 import numpy as np  # noqa: E402
 from pdplot_lib import figures  # noqa: E402
 from pdplot_lib.results import Results, read_history  # noqa: E402
+from wire import FIRST_SCAN, RADIUS, draw_scans, exact_radius, off_scans  # noqa: E402
 
-RADIUS, SPEED, FILM = 40.0, 1.494, 4340 / 3600  # um, um/h = i/(zF C_solid) of 5.73 A/m2, h
-FIRST_SCAN = 0.687  # h
-hours, measured, deviation = np.loadtxt(Path(__file__).parent / "measured.csv", delimiter=",", skiprows=3).T
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 name = sys.argv[2] if len(sys.argv) > 2 else "pin3d"
 results, history = Results(str(folder / name)), read_history(folder / f"{name}.csv")
@@ -31,16 +29,14 @@ def section(axis, level, across, values):
 
 
 def draw_loss(axis):
-    axis.errorbar(hours, measured, yerr=deviation, fmt="ko", markersize=4, capsize=2, label="measured, with 1 sd")
+    draw_scans(axis)
     t, first, pristine = history["time"] / 3600, history["Loss_Since_Scan"], history["Relative_Volume_Loss"]
     shown = t >= FIRST_SCAN - 0.05
     axis.plot(t[shown], first[shown], "C0-", label="in space")
-    reached = hours[1:][hours[1:] <= t[-1]]
-    off = (np.interp(reached, t, first) - measured[1:][:len(reached)]) / deviation[1:][:len(reached)]
+    off = off_scans(t, first)
     volume = history["Volume_Loss"][-1] / pristine[-1] * 100  # of a quarter of the wire, m3
     radius = 1e6 * np.sqrt(2 * volume / (np.pi * 425e-6))
-    gone = SPEED * (t - FILM * (1 - np.exp(-t / FILM)))
-    error = np.max(np.abs(pristine - 100 * (1 - (1 - gone / radius)**2)))
+    error = np.max(np.abs(pristine - 100 * (1 - (1 - (RADIUS - exact_radius(t)) / radius)**2)))
     print(f"{name}: {' '.join(f'{d:+.2f}' for d in off)} sd; after {t[-1]:.2f} h {pristine[-1]:.2f} % of the pristine "
           f"wire; off a round wire's by at most {error:.2f} points")
     if (folder / "mg_pin.csv").exists():
