@@ -22,6 +22,13 @@ struct SparseRows {
   void addRow(std::vector<std::pair<long long, double>>& entries);
 };
 
+/// Factors of points in space grow fast: beyond some number of them what is incomplete, or multigrid, takes their
+/// place.
+inline bool isWorthFactoring(int dimension, long long nPoints) {
+  constexpr long long mostInSpace = 2000;
+  return dimension < 3 || nPoints <= mostInSpace;
+}
+
 struct RowSolveReport {
   int iterations = 0;
   double relativeResidual = 0.0;  ///< true residual |b - A x| / |b|, computed after the solve

@@ -1,16 +1,8 @@
 #include "mumps_factor.hpp"
 
-#include <dmumps_c.h>
-#include <fmt/format.h>
+#include "mumps_jobs.hpp"
 
 namespace pd {
-
-namespace {
-
-// MUMPS' jobs, as its guide numbers them.
-constexpr int start = -1, end = -2, analyseAndFactor = 4, substitute = 3;
-
-}  // namespace
 
 struct MumpsFactor::Implementation {
   DMUMPS_STRUC_C state{};
@@ -20,12 +12,7 @@ struct MumpsFactor::Implementation {
   std::vector<double> values, all;                 ///< all: on the root, a whole vector
   std::string trouble;
 
-  int& control(int number) { return state.icntl[number - 1]; }
   int info(int number) const { return state.infog[number - 1]; }
-  void run(int job) {
-    state.job = job;
-    dmumps_c(&state);
-  }
 };
 
 MumpsFactor::MumpsFactor(MPI_Comm comm, int size, int ownRows, std::vector<int> rows, std::vector<int> columns,
@@ -45,13 +32,8 @@ MumpsFactor::MumpsFactor(MPI_Comm comm, int size, int ownRows, std::vector<int> 
   for (std::size_t r = 1; r < self.counts.size(); ++r) self.starts[r] = self.starts[r - 1] + self.counts[r - 1];
   if (self.rank == 0) self.all.resize(static_cast<std::size_t>(size));
 
-  self.state.par = 1;  // the root computes, too
-  self.state.sym = 0;
-  self.state.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
-  self.run(start);
-  for (const int output : {1, 2, 3, 4}) self.control(output) = 0;
-  self.control(18) = ranks > 1 ? 3 : 0;  // entries are where their rows are
-  self.control(14) = 60;                 // per cent of memory beyond what the analysis expects
+  mumps::begin(self.state, comm, 0);
+  mumps::control(self.state, 18) = ranks > 1 ? 3 : 0;  // entries are where their rows are
   self.state.n = size;
   if (ranks > 1) {
     self.state.nnz_loc = static_cast<MUMPS_INT8>(self.values.size());
@@ -64,19 +46,10 @@ MumpsFactor::MumpsFactor(MPI_Comm comm, int size, int ownRows, std::vector<int> 
     self.state.jcn = self.columns.data();
     self.state.a = self.values.data();
   }
-  self.run(analyseAndFactor);
-  constexpr int needsMoreMemory = -9;
-  for (int pass = 0; pass < 3 && self.info(1) == needsMoreMemory; ++pass) {
-    self.control(14) *= 3;
-    self.run(analyseAndFactor);
-  }
-  if (self.info(1) < 0)
-    self.trouble = self.info(1) == -6 || self.info(1) == -10
-                       ? "the matrix is singular"
-                       : fmt::format("MUMPS ended with INFOG(1) = {}, INFOG(2) = {}", self.info(1), self.info(2));
+  self.trouble = mumps::factor(self.state);
 }
 
-MumpsFactor::~MumpsFactor() { implementation_->run(end); }
+MumpsFactor::~MumpsFactor() { mumps::run(implementation_->state, mumps::end); }
 
 const std::string& MumpsFactor::trouble() const { return implementation_->trouble; }
 
@@ -92,7 +65,7 @@ void MumpsFactor::solve(const double* b, double* x) const {
   self.state.nrhs = 1;
   self.state.lrhs = self.state.n;
   self.state.rhs = self.all.data();
-  self.run(substitute);
+  mumps::run(self.state, mumps::substitute);
   MPI_Scatterv(self.all.data(), self.counts.data(), self.starts.data(), MPI_DOUBLE, x, own, MPI_DOUBLE, 0, self.comm);
 }
 

@@ -9,11 +9,7 @@ namespace pd {
 
 namespace {
 
-/// Where a factor would take too much memory.
-bool isInSpace(const Discretization& mesh) {
-  constexpr int mostFactored = 2000;
-  return mesh.dimension == 3 && mesh.nGlobal > mostFactored;
-}
+bool isFactored(const Discretization& mesh) { return isWorthFactoring(mesh.dimension, mesh.nGlobal); }
 
 }  // namespace
 
@@ -118,10 +114,10 @@ SparseRows AssembledStage::assemble(StageEquation& equation, const std::vector<d
 }
 
 bool AssembledStage::factor(const Discretization& mesh) {
-  if (isInSpace(mesh))
-    system_->precondition("ILU");
-  else
+  if (isFactored(mesh))
     trouble_ = system_->factor();
+  else
+    system_->precondition("ILU");
   if (trouble_.empty()) ++nFactors_;
   return trouble_.empty();
 }
@@ -130,7 +126,7 @@ bool AssembledStage::solve(StageEquation& equation, const std::vector<double>& s
                            std::vector<double>& step) {
   const Discretization& mesh = equation.model().discretization();
   // What is incomplete takes some iterations from the start.
-  const int keptIterations = isInSpace(mesh) ? 50 : 12, newIterations = isInSpace(mesh) ? 200 : 50;
+  const int keptIterations = isFactored(mesh) ? 12 : 50, newIterations = isFactored(mesh) ? 50 : 200;
   constexpr double enough = 0.1;  // what is left is for the next of Newton's steps
   if (!system_) system_ = std::make_unique<RowSystem>(equation.model().comm());
   system_->setMatrix(assemble(equation, slope));

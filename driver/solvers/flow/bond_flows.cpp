@@ -17,8 +17,6 @@ namespace {
 constexpr int balancePasses = 2;  // the second for what rounding leaves of the first
 constexpr double balanceTolerance = 1e-12;
 constexpr int balanceIterations = 50;
-/// In space, beyond which factors grow fast, multigrid takes their place.
-constexpr long long mostFactored = 2000;
 /// Part of a point's conductances that ties its potential to zero, lest a pocket without an outflow makes the matrix
 /// singular.
 constexpr double tie = 1e-12;
@@ -210,7 +208,7 @@ void BondFlows::balance() {
   const Timers::Scope timer(model.timers(), "bond flows");
   RowSystem system(model.comm());
   system.setMatrix(potentialMatrix());
-  if (geometry_.dimension() == 3 && model.comm().sum(static_cast<long long>(rows_.size())) > mostFactored)
+  if (!isWorthFactoring(geometry_.dimension(), model.comm().sum(static_cast<long long>(rows_.size()))))
     system.precondition("Multigrid");
   else if (const std::string trouble = system.factor(); !trouble.empty())
     throw RunError("Steady Flow: the flows of bonds are not balanced: " + trouble);

@@ -22,8 +22,6 @@ constexpr int mostGmresIterations = 25;
 constexpr int mostIterations = 1000, keptVectors = 50;
 /// With a preconditioner that is better, or fails.
 constexpr int mostTrialIterations = 150;
-/// In space, beyond which a factor is not tried unasked.
-constexpr long long mostPointsInSpace = 2000;
 /// A change above this part of the largest velocity is a new flow, for which the old factor is not tried.
 constexpr double newFlowChange = 0.3;
 
@@ -114,7 +112,7 @@ double SteadyFlow::largestVelocity(const std::vector<double>& change) const {
 bool SteadyFlow::wantsFactor(Simulation& simulation) const {
   if (parameters_.isParameter("Linear Solver")) return parameters_.get<std::string>("Linear Solver") == "Direct";
   const auto nPoints = simulation.model.comm().sum(static_cast<long long>(equations_->geometry().nPossible()));
-  return nComponents_ == 2 || nPoints <= mostPointsInSpace;
+  return isWorthFactoring(static_cast<int>(nComponents_), nPoints);
 }
 
 /// -matrix^-1 residual.
