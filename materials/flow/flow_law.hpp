@@ -16,6 +16,8 @@ struct FlowLaw {
   bool reflectsPoints;     ///< at walls, in place of bonds that end there
   BondFamily family;       ///< section, horizon of the viscous operator, share of volumes
 
+  /// Whether gradients count a neighbour at `distance`, which on lattices may be the horizon to rounding.
+  bool gradientsReach(double distance) const { return distance <= gradientHorizon * (1.0 + 1e-9); }
   double horizonVolume() const { return kernels::horizonVolume(family.horizon, family.section); }
   /// m3 of a neighbour at `distance` that count.
   double volumeOf(double distance, double volume, double neighborVolume) const {

@@ -153,7 +153,7 @@ std::vector<FlowGeometry::End> FlowGeometry::compactEndsOf(int point, const std:
   for (const int neighbor : candidates) {
     if (neighbor == point) continue;
     const ReferenceBond bond(mesh_.x.data(), point, neighbor);
-    if (bond.length > law_.gradientHorizon * (1.0 + 1e-9)) continue;
+    if (!law_.gradientsReach(bond.length)) continue;
     End end = endOf(point, neighbor, candidates);
     if (end.volume > 0.0) ends.push_back(end);
   }

@@ -95,7 +95,7 @@ class RowMaker {
   SourceWeights<double> sourceOf(int point, const FlowEnd& end, double weight) {
     return sources_.at(end.boundary, geometry_.placeOn(point, end, end.fraction), false, weight);
   }
-  bool isCompact(const FlowEnd& end) const { return end.length <= geometry_.law().gradientHorizon * (1.0 + 1e-9); }
+  bool isCompact(const FlowEnd& end) const { return geometry_.law().gradientsReach(end.length); }
 
   /// By row, how far the velocities of two walls differ beside the point, m/s; and the largest velocity.
   std::vector<double> findJumps() {
@@ -392,8 +392,7 @@ class RowMaker {
     std::map<int, Facet> facets;
     for (const int other : candidates) {
       if (!geometry_.isFluid(other)) continue;
-      if (other != point &&
-          ReferenceBond(mesh().x.data(), point, other).length > geometry_.law().gradientHorizon * (1.0 + 1e-9))
+      if (other != point && !geometry_.law().gradientsReach(ReferenceBond(mesh().x.data(), point, other).length))
         continue;
       FlowVector weight{};
       for (const auto& part : fits_.at(other, candidates).terms)

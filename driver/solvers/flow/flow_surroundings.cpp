@@ -56,10 +56,10 @@ bool FlowSurroundings::areEqual(int point, int other) const {
 
 /// Of the neighbours of an owned point that gradients reach.
 std::vector<int> FlowSurroundings::compactOffsets(int point) const {
-  const double reach = geometry_.law().gradientHorizon * (1.0 + 1e-9);
   std::vector<int> offsets;
   for (const int neighbor : geometry_.neighborsOf(point))
-    if (ReferenceBond(geometry_.mesh().x.data(), point, neighbor).length <= reach) offsets.push_back(neighbor - point);
+    if (geometry_.law().gradientsReach(ReferenceBond(geometry_.mesh().x.data(), point, neighbor).length))
+      offsets.push_back(neighbor - point);
   return offsets;
 }
 
