@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../deck/vector3.hpp"
 #include "Peridigm_Field.hpp"
 
 namespace pd {
@@ -15,12 +16,6 @@ namespace {
 constexpr double mostGrowth = 2.0, leastGrowth = 0.25;
 /// What a solver's tolerance and rounding leave of a value's change where nothing has changed, over its size.
 constexpr double noChange = 1e-6;
-
-double sizeOf(const std::array<double, 3>& values) {
-  double square = 0.0;
-  for (const double value : values) square += value * value;
-  return std::sqrt(square);
-}
 
 bool isGlobal(Model& model, const std::string& label) {
   return model.hasField(label) &&
@@ -89,22 +84,21 @@ void EnoughChange::look(Simulation& simulation, const std::string& owner) {
   if (model.hasField("Displacement")) model.updateCoordinates();
   simulation.output.evaluateGlobal(model, label_);
   const double* first = model.field(label_);
-  std::array<double, 3> value{}, difference{};
+  Vector3 value{};
   std::copy(first, first + model.fieldWidth(label_), value.begin());
-  const std::array<double, 3> before = value_;
+  const Vector3 before = value_;
   const bool hadValue = hasValue_;
   value_ = value;
   hasValue_ = true;
   if (!hadValue || change_ == 0.0) return;
-  for (std::size_t a = 0; a < value.size(); ++a) difference[a] = value[a] - before[a];
-  const double size = std::max(sizeOf(value), sizeOf(before)), changed = sizeOf(difference);
+  const double size = std::max(length(value), length(before)), changed = length(difference(value, before));
   if (!std::isfinite(changed) || changed <= noChange * size) {
     if (!hasWarned_)
       simulation.output.log(
           fmt::format("Staggered: warning: {}: \"{}\" of When/Value is {:g} after this run and {:g} after the last "
                       "one, from which nothing follows for Has Changed By; where it does not depend on what {} finds, "
                       "it cannot say when to run",
-                      owner, label_, sizeOf(value), sizeOf(before), owner));
+                      owner, label_, length(value), length(before), owner));
     hasWarned_ = true;
     return;
   }
@@ -124,7 +118,6 @@ RestartState EnoughChange::restartState() const {
 }
 
 void EnoughChange::setRestartState(const RestartState& state) {
-  if (!isControlled()) return;
   amount_ = state["amount"];
   hasRun_ = state["has run"] != 0.0;
   change_ = state["change"];

@@ -245,7 +245,7 @@ void StaggeredPart::setRestartState(const RestartState& state) {
   nRuns_ = static_cast<long long>(state["runs"]);
   if (state["is behind"] != 0.0) behindSince_ = state["is behind since"];
   solver_->setRestartState(state.part(solverName_));
-  if (const RestartState when = state.part("When"); !when.entries().empty()) enough_.setRestartState(when);
+  if (enough_.isControlled()) enough_.setRestartState(state.part("When"));
 }
 
 }  // namespace pd

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "../../deck/deck.hpp"
+#include "../../deck/vector3.hpp"
 #include "flow_geometry.hpp"
 
 namespace pd {
@@ -15,8 +16,6 @@ namespace {
 constexpr double rounding = 1e-9;  // of a bond, of a velocity
 constexpr double onePlace = 1e-3;  // of a spacing: surfaces nearer than that are one
 constexpr double besides = 1.5;    // spacings within which a cut has a point beyond its outflow, on any lattice
-
-double sizeOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 }  // namespace
 
@@ -34,7 +33,7 @@ void FlowGeometry::checkClaims() const {
     if (!isNearBoundary(point)) continue;
     const std::vector<int> neighbors = neighborsOf(point);
     for (const int neighbor : neighbors) {
-      if (ReferenceBond(mesh_.x.data(), point, neighbor).length > law_.gradientHorizon * (1.0 + rounding)) continue;
+      if (!law_.gradientsReach(ReferenceBond(mesh_.x.data(), point, neighbor).length)) continue;
       const std::vector<int> behind = boundariesBefore(neighbor);
       for (const int one : behind) {
         if (cutsAnotherChannel(one, point, neighbor, neighbors))
@@ -86,7 +85,7 @@ void FlowGeometry::findWallsAtAxis() {
 void FlowGeometry::requireNoneAcrossAxis(double t) const {
   for (const auto& [boundary, point, place] : wallsAtAxis_) {
     const std::array<double, 3> velocity = wallVelocity(boundary, place, t);
-    if (std::abs(velocity[rings().radial()]) <= rounding * sizeOf(velocity)) continue;
+    if (std::abs(velocity[rings().radial()]) <= rounding * length(velocity)) continue;
     const double* x = placeOf(point);
     throw DeckError(fmt::format(
         "{}: its Velocity has a component across the Axis Of Revolution at the axis, which is no flow; make it zero "
@@ -152,8 +151,7 @@ bool FlowGeometry::claimOnePlace(int one, int other, int point, int neighbor) co
   if (first.isOutflow() != second.isOutflow() || first.dependsOnTime() || second.dependsOnTime()) return true;
   if (first.isOutflow()) return outflowPressure(one, place, 0.0) != outflowPressure(other, place, 0.0);
   const std::array<double, 3> velocity = wallVelocity(one, place, 0.0), ofOther = wallVelocity(other, place, 0.0);
-  return sizeOf({velocity[0] - ofOther[0], velocity[1] - ofOther[1], velocity[2] - ofOther[2]}) >
-         rounding * std::max(sizeOf(velocity), sizeOf(ofOther));
+  return length(difference(velocity, ofOther)) > rounding * std::max(length(velocity), length(ofOther));
 }
 
 }  // namespace pd
