@@ -187,8 +187,8 @@ void SpringTangent::requireWholeBonds() const {
   };
   throw RunError(fmt::format(
       "\"Kinematics: Small Strain\": the point at {} has broken its bond to that at {}, which has not: blocks that "
-      "differ "
-      "in their damage models, and tear at each other, need \"Kinematics: Finite\"; or give them one Damage Model",
+      "differ in their damage models, and tear at each other, need \"Kinematics: Finite\"; or give them one Damage "
+      "Model",
       placeOf(i), placeOf(j)));
 }
 

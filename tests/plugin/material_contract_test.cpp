@@ -31,8 +31,7 @@ TEST(MaterialContract, EveryRegisteredMaterialHasSamples) {
   for (const Sample& sample : materialSamples()) {
     sampled.insert(sample.plugin);
     for (auto it = sample.parameters.begin(); it != sample.parameters.end(); ++it)
-      if (it->second.isList())
-        sampled.insert(sample.parameters.sublist(it->first).get<std::string>("Material Model"));
+      if (it->second.isList()) sampled.insert(sample.parameters.sublist(it->first).get<std::string>("Material Model"));
   }
   for (const std::string& name : pd::MaterialRegistry::self().names())
     EXPECT_TRUE(sampled.count(name) == 1 || name.find("Test ") == 0)

@@ -38,8 +38,8 @@ void Equilibrium::declareParameters(ParameterDeclarations& declare) {
       .flag("Tip Window",
             "In Small Strain, for cracks of many events: the stiffness of the body is condensed onto a window around "
             "the tip, once and again when the tip has left it, which costs as much as some hundred events; an "
-            "equilibrium then "
-            "takes a few milliseconds. All points are found in equilibrium where fields are written, and every so many "
+            "equilibrium then takes a few milliseconds. All points are found in equilibrium where fields are written, "
+            "and every so many "
             "events. For plane bodies of Elastic Bond Based, or PDHE with the Poisson's ratio of such bonds, on one "
             "rank.")
       .defaultTo(false);
