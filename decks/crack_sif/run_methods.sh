@@ -16,25 +16,24 @@ for tolerance in 1.0e-2 1.0e-3 1.0e-4; do
   for parts in 1 2; do pairs "Adaptive_${tolerance}_$parts" "{Rule: Adaptive, Tolerance: $tolerance}" "$parts"; done
 done
 
-calculated() { awk "BEGIN {printf \"%.9g\", $1}"; }
 : > times.txt
 exec 3>&2
 plate() { # name, spacing in mm, half length in mm, rule
   TIMEFORMAT="$1 %U" # seconds of the processor
   { time "$pdrun" "$here/plate.yaml" --quiet --set "Discretization/Cracks/Centre/Points=[-${3}e-3, 0.0, ${3}e-3, 0.0]" \
-    --set "Discretization/Input Mesh File=plate_$2.txt" --set "Blocks/Plate/Horizon=$(calculated "4 * $2") mm" \
+    --set "Discretization/Input Mesh File=plate_$2.txt" --set "Blocks/Plate/Horizon=$(computed "4 * $2") mm" \
     --set "Discretization/Bond Decomposition=$4" --set "Output/Output Filename=$1" >&3 2>&3; } 2>> times.txt
 }
 for spacing in 0.5 0.333333333 0.25; do
   "$pdmesh" grid box --size 0.05 0.1 --origin -0.025 -0.05 --spacing "${spacing}e-3" --thickness 0.001 -o "$here/plate_$spacing.txt"
   for k in 0 1 2 3 4; do # from one point, or edge of cells, to the next
-    a=$(calculated "10 + ($k - 2) * 0.24 * $spacing")
+    a=$(computed "10 + ($k - 2) * 0.24 * $spacing")
     for rule in Adaptive Intersection Both Either; do plate "spaced_${rule}_${spacing}_$k" "$spacing" "$a" "{Rule: $rule}"; done
   done
 done
 for n in 1 2 5 10 20 40; do
   for k in 0 1 2 3 4; do
-    plate "parts_${n}_$k" 0.333333333 "$(calculated "10 + ($k - 2) * 0.24 * 0.333333333")" "{Rule: Uniform, Partitions: $n}"
+    plate "parts_${n}_$k" 0.333333333 "$(computed "10 + ($k - 2) * 0.24 * 0.333333333")" "{Rule: Uniform, Partitions: $n}"
   done
 done
 "$here/plot_methods.py" "$results"
