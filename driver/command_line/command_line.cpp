@@ -89,9 +89,12 @@ void performStudy(const CommandLine& commandLine, const Communicator& comm) {
 void performFit(const CommandLine& commandLine, const Communicator& comm) {
   if (comm.size() > 1)
     throw DeckError("pdrun: a fit runs its decks side by side, each on one rank (Processes); start it without mpirun");
-  Fit fit = readFit(commandLine.fitFile, commandLine.options.overrides);
+  Mistakes mistakes;
+  Fit fit = readFit(commandLine.fitFile, commandLine.options.overrides, mistakes);
   const bool isRun = commandLine.action == CommandLine::Action::Fit;
-  checkFit(fit, comm, !isRun);
+  checkFit(fit, comm, !isRun, mistakes);
+  mistakes.sort(commandLine.fitFile);
+  mistakes.report();
   checkFitResults(fit, commandLine.options.outputFolder);
   if (isRun) return runFit(fit, commandLine.options.outputFolder, commandLine.options.isQuiet);
   print(comm, stdout,

@@ -27,20 +27,21 @@ struct DeckOfFit {
 
 class FitCheck {
  public:
-  FitCheck(Fit& fit, const Communicator& comm, bool withMeshes) : fit_(fit), comm_(comm), withMeshes_(withMeshes) {}
+  FitCheck(Fit& fit, const Communicator& comm, bool withMeshes, Mistakes& mistakes)
+      : fit_(fit), comm_(comm), withMeshes_(withMeshes), mistakes_(mistakes) {}
 
   void run() {
     std::map<std::size_t, DeckOfFit> decks;
     for (std::size_t i = 0; i < fit_.runs.size(); ++i)
-      if (const auto deck = checkedDeck(fit_.runs[i], fit_.start(), "")) decks[i] = *deck;
+      if (fit_.runs[i].isKnown)
+        if (const auto deck = checkedDeck(fit_.runs[i], fit_.start(), "")) decks[i] = *deck;
     if (mistakes_.empty()) atBounds();
     for (FitSeries& series : fit_.series) {
-      const auto deck = decks.find(series.points.front().run);
+      const auto deck = decks.find(series.firstRun);
       if (deck == decks.end()) continue;
       history(series, deck->second);
       if (series.isOverTime) times(series, deck->second);
     }
-    mistakes_.report();
   }
 
  private:
@@ -130,12 +131,14 @@ class FitCheck {
   Fit& fit_;
   const Communicator& comm_;
   const bool withMeshes_;
-  Mistakes mistakes_;
+  Mistakes& mistakes_;
   std::set<std::string> said_, readMeshes_;
 };
 
 }  // namespace
 
-void checkFit(Fit& fit, const Communicator& comm, bool withMeshes) { FitCheck(fit, comm, withMeshes).run(); }
+void checkFit(Fit& fit, const Communicator& comm, bool withMeshes, Mistakes& mistakes) {
+  FitCheck(fit, comm, withMeshes, mistakes).run();
+}
 
 }  // namespace pd

@@ -40,6 +40,8 @@ bool isColumnAt(const DataFile& data, const DeckNode& node, Mistakes& mistakes) 
   return false;
 }
 
+const char* const neededKeys[] = {"Label", "Data", "Value", "History"};
+
 /// The columns of a series.
 struct FitColumns {
   std::optional<std::size_t> time, value, deviation;
@@ -48,7 +50,8 @@ struct FitColumns {
 
 class FitReader {
  public:
-  FitReader(const std::string& fileName, const std::vector<std::string>& overrides) : file_(Deck::read(fileName)) {
+  FitReader(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes)
+      : file_(Deck::read(fileName)), mistakes_(mistakes) {
     fit_.fileName = fileName;
     for (const std::string& text : overrides) {
       const StudyOverride item = overrideOfCommandLine(text);
@@ -64,9 +67,7 @@ class FitReader {
       mistakes_.add(series ? series.place() : file_.root().place(),
                     "Series must be a list, each with a Label, its Data and the History that they are compared with");
     for (const DeckNode& entry : series.items()) addSeries(entry);
-    if (mistakes_.empty()) finish();
-    mistakes_.sort(file_.fileName());
-    mistakes_.report();
+    finish();
     return fit_;
   }
 
@@ -115,7 +116,10 @@ class FitReader {
       mistakes_.add(entry.keyPlace(), "the name of a value must be free of braces, quotes and commas");
     const ParameterList list = readParameters(entry, fitValueDeclarations(), mistakes_);
     names_.push_back(name);  // known, so that its uses are no mistakes
-    if (!entry.isMap() || !list.isParameter("Start")) return;
+    if (!entry.isMap() || !list.isParameter("Start")) {
+      valuesAreKnown_ = false;
+      return;
+    }
     FitValue value;
     value.name = name;
     value.place = entry.keyPlace();
@@ -147,9 +151,12 @@ class FitReader {
 
   void addSeries(const DeckNode& node) {
     const ParameterList list = readParameters(node, fitSeriesKeys(), mistakes_, {{"Overrides"}, {}});
-    for (const char* key : {"Label", "Data", "Value", "History"})
-      if (!list.isParameter(key)) return;
-    if (list.isParameter("Time") == list.isParameter("History Value")) return;
+    const bool hasKeys = std::all_of(std::begin(neededKeys), std::end(neededKeys),
+                                     [&](const char* key) { return list.isParameter(key); });
+    if (!hasKeys || list.isParameter("Time") == list.isParameter("History Value")) {
+      seriesAreKnown_ = false;
+      return;
+    }
     FitSeries series;
     series.label = list.get<std::string>("Label");
     series.place = node.place();
@@ -174,40 +181,59 @@ class FitReader {
       }
     const std::string dataFile = fileAt(node["Data"], "names start at the folder of the fit");
     const std::string deckFile = node["Deck"] ? deckAt(node["Deck"]) : deckFile_;
-    if (dataFile.empty()) return;
+    addPoints(series, node, list, readData(dataFile), deckFile);
+  }
+
+  /// Nothing, with the mistakes, where it cannot be read.
+  std::optional<DataFile> readData(const std::string& fileName) {
     try {
-      const DataFile data = DataFile::read(dataFile);
-      addPoints(series, node, list, data, deckFile);
+      if (!fileName.empty()) return DataFile::read(fileName);
     } catch (const DeckError& error) {
       addAll(mistakes_, error);
     }
+    seriesAreKnown_ = false;
+    return std::nullopt;
   }
 
-  void addPoints(FitSeries& series, const DeckNode& node, const ParameterList& list, const DataFile& data,
-                 const std::string& deckFile) {
+  FitColumns columnsOf(const FitSeries& series, const DeckNode& node, const DataFile& data) {
     FitColumns columns;
     if (isColumnAt(data, node["Value"], mistakes_)) columns.value = data.column(node["Value"].text());
     if (series.isOverTime && isColumnAt(data, node["Time"], mistakes_)) columns.time = data.column(node["Time"].text());
-    if (node["Deviation"]) {
-      if (const auto number = parseReal(node["Deviation"].text())) {
-        columns.deviationOfAll = *number;
-        if (!(*number > 0.0)) mistakes_.add(node["Deviation"].place(), node["Deviation"].path() + " must be above 0");
-      } else if (isColumnAt(data, node["Deviation"], mistakes_)) {
-        columns.deviation = data.column(node["Deviation"].text());
-      }
+    if (!node["Deviation"]) return columns;
+    if (const auto number = parseReal(node["Deviation"].text())) {
+      columns.deviationOfAll = *number;
+      if (!(*number > 0.0)) mistakes_.add(node["Deviation"].place(), node["Deviation"].path() + " must be above 0");
+    } else if (isColumnAt(data, node["Deviation"], mistakes_)) {
+      columns.deviation = data.column(node["Deviation"].text());
     }
-    if (!columns.value || (series.isOverTime && !columns.time)) return;
-    const double from = list.isParameter("From") ? list.get<double>("From") : -HUGE_VAL;
-    const double until = list.isParameter("Until") ? list.get<double>("Until") : HUGE_VAL;
+    return columns;
+  }
+
+  /// And its runs, as far as they are known: that of a series over time without its data, too.
+  void addPoints(FitSeries& series, const DeckNode& node, const ParameterList& list,
+                 const std::optional<DataFile>& data, const std::string& deckFile) {
+    series.firstRun = fit_.runs.size();
     if (series.isOverTime) addRun(series, node, {names_, {}}, deckFile);
-    for (std::size_t row = 0; row < data.rows.size(); ++row) {
-      if (!series.isOverTime) addRun(series, node, {names_, cellsOf(data, row)}, deckFile);
-      addPoint(series, data, row, columns, from, until);
-    }
-    if (std::none_of(series.points.begin(), series.points.end(), [](const FitPoint& point) { return point.isFitted; }))
-      mistakes_.add(series.place, node.path() + ": no row of " + data.fileName + " is left to fit by From and Until");
+    if (data) addRows(series, node, list, *data, deckFile);
+    if (fit_.runs.size() == series.firstRun) return;
     addDeck(deckFile);
     fit_.series.push_back(series);
+  }
+
+  void addRows(FitSeries& series, const DeckNode& node, const ParameterList& list, const DataFile& data,
+               const std::string& deckFile) {
+    const FitColumns columns = columnsOf(series, node, data);
+    const bool hasColumns = columns.value && (columns.time || !series.isOverTime);
+    seriesAreKnown_ = seriesAreKnown_ && hasColumns;
+    const double from = list.isParameter("From") ? list.get<double>("From") : -HUGE_VAL;
+    const double until = list.isParameter("Until") ? list.get<double>("Until") : HUGE_VAL;
+    for (std::size_t row = 0; row < data.rows.size(); ++row) {
+      if (!series.isOverTime) addRun(series, node, {names_, cellsOf(data, row)}, deckFile);
+      if (hasColumns) addPoint(series, data, row, columns, from, until);
+    }
+    if (hasColumns &&
+        std::none_of(series.points.begin(), series.points.end(), [](const FitPoint& point) { return point.isFitted; }))
+      mistakes_.add(series.place, node.path() + ": no row of " + data.fileName + " is left to fit by From and Until");
   }
 
   static std::map<std::string, std::string> cellsOf(const DataFile& data, std::size_t row) {
@@ -225,7 +251,10 @@ class FitReader {
     const auto time = columns.time ? data.number(row, *columns.time, mistakes_) : std::optional(0.0);
     const auto deviation =
         columns.deviation ? data.number(row, *columns.deviation, mistakes_) : std::optional(columns.deviationOfAll);
-    if (!measured || !time || !deviation) return;
+    if (!measured || !time || !deviation) {
+      seriesAreKnown_ = false;
+      return;
+    }
     point.time = *time * series.timeFactor;
     point.measured = *measured;
     point.deviation = *deviation;
@@ -243,21 +272,21 @@ class FitReader {
   }
 
   /// Overrides of the file, then of the series, then of the command line.
-  std::vector<FitOverride> overridesOf(const DeckNode& node, const FitNames& names) {
+  std::vector<FitOverride> overridesOf(const DeckNode& node, const FitNames& names, Mistakes& mistakes) const {
     std::vector<FitOverride> result;
     for (const DeckNode& section : {file_["Overrides"], node["Overrides"]}) {
       if (!section) continue;
       if (!section.isMap())
-        mistakes_.add(section.place(), section.path() +
-                                           " must be a section of deck paths, as in \"Solver/Final Time: "
-                                           "1.0\"");
+        mistakes.add(section.place(), section.path() +
+                                          " must be a section of deck paths, as in \"Solver/Final Time: "
+                                          "1.0\"");
       const bool isOfFile = section.path() == "Overrides";
       for (const auto& [path, value] : section.entries()) {
         if (isMissing(value)) {
-          mistakes_.add(value.place(), value.path() + " has no value");
+          mistakes.add(value.place(), value.path() + " has no value");
           continue;
         }
-        result.push_back(readFitOverride(path, value, isOfFile ? FitNames{names_, {}} : names, mistakes_));
+        result.push_back(readFitOverride(path, value, isOfFile ? FitNames{names_, {}} : names, mistakes));
       }
     }
     result.insert(result.end(), commandLine_.begin(), commandLine_.end());
@@ -268,11 +297,17 @@ class FitReader {
     for (const auto& column : names.columns)
       if (contains(names_, column.first))
         mistakes_.add(series.place, "\"" + column.first + "\" is a fitted value and a column of the data; rename one");
-    fit_.runs.push_back({deckFile, series.label, series.place, overridesOf(node, names)});
+    Mistakes own;
+    FitRun run{deckFile, series.label, series.place, overridesOf(node, names, own)};
+    for (const std::string& line : own.lines()) mistakes_.add("", line);
+    overridesAreKnown_ = overridesAreKnown_ && own.empty();
+    run.isKnown = own.empty() && valuesAreKnown_ && !deckFile.empty();
+    fit_.runs.push_back(run);
   }
 
   /// The deck of this series with what is the same in all of its rows, once.
   void addDeck(const std::string& deckFile) {
+    if (!fit_.runs.back().isKnown) return;
     FittedDeck deck{"", deckFile, {}};
     for (const FitOverride& item : fit_.runs.back().overrides)
       if (!item.hasColumns) deck.overrides.push_back(item);
@@ -282,7 +317,6 @@ class FitReader {
         text += "\n" + item.text();
       return text;
     };
-    if (fit_.values.size() != names_.size()) return;  // after a mistake
     const std::string text = textOf(deck);
     if (std::any_of(fit_.decks.begin(), fit_.decks.end(),
                     [&](const FittedDeck& other) { return textOf(other) == text; }))
@@ -300,11 +334,12 @@ class FitReader {
     for (const FitRun& run : fit_.runs)
       for (const FitOverride& item : run.overrides)
         for (const FitOverride::Piece& piece : item.pieces) used.insert(piece.value);
-    for (std::size_t i = 0; i < fit_.values.size(); ++i)
+    for (std::size_t i = 0; valuesAreKnown_ && overridesAreKnown_ && i < fit_.values.size(); ++i)
       if (used.count(static_cast<int>(i)) == 0)
         mistakes_.add(fit_.values[i].place, "\"" + fit_.values[i].name +
                                                 "\" stands in no override, so that no run knows of it; write \"{" +
                                                 fit_.values[i].name + "}\" where the deck has the value");
+    if (!seriesAreKnown_ || fit_.series.empty()) return;
     for (const FitSeries& series : fit_.series) {
       for (const FitPoint& point : series.points) nFitted += point.isFitted ? 1 : 0;
       nWith += series.hasDeviationOfFitted() ? 1 : 0;
@@ -319,7 +354,9 @@ class FitReader {
 
   const Deck file_;
   std::vector<FitOverride> commandLine_;
-  Mistakes mistakes_;
+  Mistakes& mistakes_;
+  // Whether mistakes have left all of them; what needs all of them is not judged otherwise.
+  bool valuesAreKnown_ = true, overridesAreKnown_ = true, seriesAreKnown_ = true;
   Fit fit_;
   std::string deckFile_;
   std::vector<std::string> names_;
@@ -332,8 +369,8 @@ bool FitSeries::hasDeviationOfFitted() const {
                      [](const FitPoint& point) { return point.isFitted && point.deviation > 0.0; });
 }
 
-Fit readFit(const std::string& fileName, const std::vector<std::string>& overrides) {
-  return FitReader(fileName, overrides).read();
+Fit readFit(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes) {
+  return FitReader(fileName, overrides, mistakes).read();
 }
 
 }  // namespace pd

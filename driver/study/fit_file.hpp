@@ -42,6 +42,7 @@ std::vector<StudyOverride> overridesWith(const std::vector<FitOverride>& overrid
 struct FitRun {
   std::string deckFile, label, place;  ///< label and place of its series
   std::vector<FitOverride> overrides;
+  bool isKnown = true;  ///< its deck and all of its overrides have been read
 };
 
 struct FitPoint {
@@ -63,6 +64,7 @@ struct FitSeries {
   bool isOverTime = true;
   HistoryValue::Kind kind = HistoryValue::Final;
   bool isLogarithmic = false;
+  std::size_t firstRun = 0;
   std::vector<FitPoint> points;
 
   bool hasDeviationOfFitted() const;
@@ -100,9 +102,10 @@ const ParameterDeclarations& fitValueDeclarations();   ///< an entry of Values
 const ParameterDeclarations& fitSeriesDeclarations();  ///< an entry of Series
 const ParameterDeclarations& fitSeriesKeys();          ///< without Overrides, which hold deck paths
 
-/// Reads the fit and its data, with `overrides` (path=value) added to each run; throws DeckError with all mistakes of
-/// the files. What histories are measured in is known once the runs have been checked.
-Fit readFit(const std::string& fileName, const std::vector<std::string>& overrides);
+/// Reads the fit and its data, with `overrides` (path=value) added to each run, and adds all mistakes of the files;
+/// what they leave of the fit can be checked further. What histories are measured in is known once the runs have been
+/// checked. Throws DeckError where the file is no YAML.
+Fit readFit(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes);
 
 }  // namespace pd
 

@@ -32,9 +32,10 @@ class Fit:
         if not np.all(np.isfinite(residuals)):
             raise FitError("with the values of Start " + self._reason(start))
         self._look_for_influence(self._derivatives(start, residuals))
+        # Its evaluations are that of the start and one a step.
         solution = least_squares(lambda u: self._residuals([u])[0], start, jac=self._jacobian, x_scale="jac",
                                  bounds=(self.lowest, self.highest), method="trf", ftol=self.problem.tolerance,
-                                 xtol=self.problem.tolerance, gtol=1e-10, max_nfev=self.problem.max_iterations)
+                                 xtol=self.problem.tolerance, gtol=1e-10, max_nfev=1 + self.problem.max_iterations)
         return Fitted(solution, self._derivatives(solution.x, solution.fun))
 
     def _residuals(self, sets):

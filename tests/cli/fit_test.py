@@ -187,19 +187,20 @@ class Mistakes(FitTest):
                          done.stderr)
 
     def test_of_the_file(self):
+        # Of all parts at once, and of the deck as far as its values are known.
         self.write_fit(FIT.replace("Lowest: 0.1, Highest: 10.0", "Lowest: 10.0, Highest: 0.1")
                        .replace("Unit: mm^2/s", "Unit: mn^2/s").replace("-{Amplitude}", "-{Amplitud}")
-                       .replace("Value: highest", "Value: higest").replace("Label: decay", "Labl: decay"))
+                       .replace('"{D}"', "{D}").replace("Value: highest", "Value: higest"))
         self.refused('fit.yaml:5:35: Values/Amplitude: Lowest 10.0 must be below Highest 0.1',
-                     'there is no unit "mn^2/s"', 'unknown key "Labl"')
-        self.write_fit(FIT.replace("-{Amplitude}", "-{Amplitud}").replace("Value: highest", "Value: higest")
-                       .replace('"{D}"', "{D}").replace("Data: decay.csv", "Data: decai.csv"))
-        self.refused('Series[1]/Data: there is no file "decai.csv"')
-        self.write_fit(FIT.replace("-{Amplitude}", "-{Amplitud}").replace("Value: highest", "Value: higest"))
-        self.refused('has no column "higest" (did you mean "highest"?)')
-        self.write_fit(FIT.replace("-{Amplitude}", "-{Amplitud}").replace('"{D}"', "{D}"))
-        self.refused('nothing is called "Amplitud" (did you mean "Amplitude"?)',
+                     'there is no unit "mn^2/s"', 'has no column "higest" (did you mean "highest"?)',
+                     'nothing is called "Amplitud" (did you mean "Amplitude"?)',
                      'write names in braces in quotes: "{D}"')
+        self.write_fit(FIT.replace("Data: decay.csv", "Data: decai.csv").replace("History: Highest", "History: Higest")
+                       .replace("Iron/Diffusivity", "Irn/Diffusivity") + "  - {Labl: decay, Data: decay.csv}\n")
+        self.refused('Series[1]/Data: there is no file "decai.csv"', 'unknown key "Labl"',
+                     'the deck has no "Irn" in Materials (did you mean "Iron"?)')
+        self.write_fit(FIT.replace("Data: decay.csv", "Data: decai.csv").replace("History: Highest", "History: Higest"))
+        self.refused('there is no file "decai.csv"', 'no run writes "Higest" (did you mean "Highest"?)')
         self.write_fit(FIT.replace("{D}", "1.0e-9"))
         self.refused('fit.yaml:6:3: "D" stands in no override')
         self.write_fit(FIT.replace("Start: 1.5", "Start: 11.0").replace("Start: 6.0e-4", "Start: -6.0e-4"))
@@ -345,6 +346,17 @@ class Numbers(unittest.TestCase):
         self.assertAlmostEqual(judgement.values[0].number, 1.0, delta=1e-6)
         with self.assertRaisesRegex(FitError, "Start a run failed: too much"):
             StubProblem(values, x, np.exp(-x)).judge(lambda x, k: None)
+
+    def test_a_fit_gives_up_after_as_many_steps_as_the_file_says(self):
+        x = np.linspace(0.0, 3.0, 8)
+        problem = StubProblem([{"name": "rate", "start": 0.2}], x, np.exp(-x))
+        errors = []
+        for problem.max_iterations in (1, 2):
+            fitted = Fit(problem, Stub(problem, lambda x, k: np.exp(-k * x), x), lambda values, squares: None).run()
+            self.assertFalse(fitted.is_converged)
+            errors.append(abs(problem.unscaled(fitted.scaled)[0] - 1.0))
+        self.assertLess(errors[0], 0.8)  # of the start
+        self.assertLess(errors[1], errors[0])
 
     def test_logarithms_need_values_above_zero(self):
         x = np.linspace(0.0, 3.0, 8)
