@@ -65,7 +65,7 @@ void check(const RunOptions& options, const Communicator& comm) {
   try {
     if (deck.mistakes().empty()) checkResults(deck, options.outputFolder, comm);
     deck.mistakes().report();
-    rehearse(deck, comm);
+    for (const std::string& note : rehearse(deck, comm, options.restartFile)) print(comm, stdout, note);
   } catch (...) {
     warn();
     throw;
@@ -259,7 +259,9 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
   app.add_option("--fit", result.fitFile,
                  "Adjust values of a deck until histories of its runs agree with measured series.")
       ->type_name("FILE");
-  app.add_flag("--check", isCheck, "Look for mistakes in deck, mesh and node sets; run nothing.");
+  app.add_flag("--check", isCheck,
+               "Look for mistakes in deck, mesh and node sets, and with --restart in what the run goes on from; run "
+               "nothing.");
   app.add_flag("--list", isList, "Name all materials, damage models, computes, solvers, conditions and sections.");
   const CLI::Option* const explainOption =
       app.add_option("--explain", explained.topic, "Tell the keys of one of these, or with --all of everything.")
@@ -317,7 +319,6 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     return result;
   }
   if (options.deckFile.empty()) throw DeckError("pdrun: no deck is given.\nTry pdrun --help.");
-  if (isCheck && !options.restartFile.empty()) throw DeckError("pdrun: --check runs nothing; leave out --restart");
   result.action = isCheck ? CommandLine::Action::Check : CommandLine::Action::Run;
   return result;
 }

@@ -53,6 +53,7 @@ class CombinationCheck {
     forcesOfFlows();
     labels();
     times();
+    firstScans();
     outputs();
   }
 
@@ -343,15 +344,29 @@ class CombinationCheck {
       const double end = valueOr(solver->list, "Final Time", 1.0);
       if (solver->isGood && end <= start)
         mistakes_.add(node[node["Final Time"] ? "Final Time" : "Initial Time"].place(),
-                      fmt::format("{}: Final Time {} s must be after Initial Time {} s", node.path(), end, start));
+                      fmt::format("{}: Final Time {} must be after Initial Time {}", node.path(), end, start));
       if (previous != nullptr && previous->isGood && solver->isGood) {
         const double before = valueOr(previous->list, "Final Time", 1.0);
         if (std::abs(start - before) > 1.0e-9 * std::abs(before))
           mistakes_.add(node["Initial Time"] ? node["Initial Time"].place() : node.keyPlace(),
-                        fmt::format("{}: Initial Time {} s must be {} s, the Final Time of {}", node.path(), start,
-                                    before, previous->section.node.path()));
+                        fmt::format("{}: Initial Time {} must be {}, the Final Time of {}", node.path(), start, before,
+                                    previous->section.node.path()));
       }
       previous = solver;
+    }
+  }
+
+  /// Losses are 0 until the scan that they count from.
+  void firstScans() {
+    const std::vector<const CheckedSection*> solvers = check_.ofKind(Kind::SolverTimes);
+    if (solvers.empty() || !solvers.back()->isGood) return;
+    const double end = valueOr(solvers.back()->list, "Final Time", 1.0);
+    for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
+      const DeckNode node = compute->section.node["First Scan"];
+      if (!node || !compute->isGood || compute->list.get<double>("First Scan") < end) continue;
+      deck_.warnings().add(node.place(), fmt::format("{}, {} s, is not before the end of the run, {} s: the value is 0 "
+                                                     "all the time",
+                                                     node.path(), compute->list.get<double>("First Scan"), end));
     }
   }
 

@@ -348,9 +348,27 @@ class PluginCheck {
   void outputVariables(const DeckNode& output) {
     const DeckNode variables = output["Output Variables"];
     for (const auto& [name, isWanted] : variables.entries())
-      if (!isLeftOut(name, isWanted)) isKnownLabel(name, isWanted.keyPlace(), variables.path());
+      if (!isLeftOut(name, isWanted) && isKnownLabel(name, isWanted.keyPlace(), variables.path()))
+        isLabelOfResult(name, isWanted.keyPlace(), variables.path());
     for (const DeckNode& item : variables.items())
-      if (item.isScalar()) isKnownLabel(item.text(), item.place(), variables.path());
+      if (item.isScalar() && isKnownLabel(item.text(), item.place(), variables.path()))
+        isLabelOfResult(item.text(), item.place(), variables.path());
+  }
+
+  /// Whose entries call their results otherwise, the class of a compute yields nothing.
+  void isLabelOfResult(const std::string& label, const std::string& place, const std::string& path) {
+    std::vector<std::string> results;
+    for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
+      const DeckNode result = compute->section.node["Output Label"];
+      if (result.isScalar() && result.text() == label) return;
+      if (withUnderscores(compute->section.plugin) != withUnderscores(label)) continue;
+      if (!result.isScalar()) return;
+      results.push_back(result.text());
+    }
+    if (results.empty() || usedLabels_.count(label) != 0 || driverLabels_.count(label) != 0) return;
+    (deck_.isPeridigmDeck() ? deck_.warnings() : mistakes_)
+        .add(place, path + ": \"" + label + "\" is a class of computes, whose results are called " +
+                        quotedList(results) + " here; name what is to be written");
   }
 
   /// Peridigm leaves out what it knows and no block of the deck provides; in a lenient reading so do we with all else.

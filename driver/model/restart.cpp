@@ -65,7 +65,8 @@ std::set<std::string> fieldLabels(Model& model) {
   return labels;
 }
 
-Restart::Restart(Model& model, const std::string& fileName, const std::string& deck) : fileName_(fileName) {
+Restart::Restart(Model& model, const std::string& fileName, const std::string& deck, std::string timeUnit)
+    : fileName_(fileName), timeUnit_(std::move(timeUnit)) {
   const auto ofDeck = fieldsOfTheDeck(model);
   checkpoint_ = readCheckpoint(model, fileName);
   for (const DeckDifference& difference : deckDifferences(deck, checkpoint_.deck)) {
@@ -77,10 +78,11 @@ Restart::Restart(Model& model, const std::string& fileName, const std::string& d
   for (const auto& [label, values] : ofDeck) std::copy(values.begin(), values.end(), model.field(label));
 }
 
-std::string Restart::name() const { return fmt::format("\"{}\" (t = {} s)", fileName_, time()); }
+std::string Restart::name() const { return fmt::format("\"{}\" (t = {} {})", fileName_, time(), timeUnit_); }
 
 std::vector<std::string> Restart::notes() const {
-  std::vector<std::string> lines = {fmt::format("going on from step {} (t = {:g} s) of {}", step(), time(), fileName_)};
+  std::vector<std::string> lines = {
+      fmt::format("going on from step {} (t = {:g} {}) of {}", step(), time(), timeUnit_, fileName_)};
   if (!isSameDeck_) lines.emplace_back("note: the deck is not the one that wrote this checkpoint:");
   for (const std::string& difference : differences_) lines.push_back("note:   " + difference);
   for (const std::string& label : startsAfresh_)
@@ -94,9 +96,9 @@ bool Restart::isReached(double end, double margin) const {
 
 void Restart::refuseAsOver(const Stage& last) const {
   throw RunError(
-      fmt::format("{} lies at or beyond the end of the last increment ({}, Final Time {} s): nothing is left "
+      fmt::format("{} lies at or beyond the end of the last increment ({}, Final Time {} {}): nothing is left "
                   "to run; set a later Final Time",
-                  name(), last.section, last.endTime));
+                  name(), last.section, last.endTime, timeUnit_));
 }
 
 std::size_t Restart::findStage(const std::vector<Stage>& stages, const std::set<std::string>& ofPlugins,
@@ -104,9 +106,9 @@ std::size_t Restart::findStage(const std::vector<Stage>& stages, const std::set<
   const Stage& first = stages.front();
   if (!isReached(first.startTime, sameInStage * (first.endTime - first.startTime)))
     throw RunError(
-        fmt::format("{} lies before the Initial Time of {}, {} s; set it to that of the run that wrote the "
+        fmt::format("{} lies before the Initial Time of {}, {} {}; set it to that of the run that wrote the "
                     "checkpoint",
-                    name(), first.section, first.startTime));
+                    name(), first.section, first.startTime, timeUnit_));
   std::size_t s = 0;
   const auto isOver = [&](const Stage& stage) {
     return isReached(stage.endTime, sameInStage * (stage.endTime - stage.startTime));
@@ -144,11 +146,11 @@ void Restart::requireFields(const Stage& stage, std::set<std::string> needed) co
 void Restart::requireState(const Stage& stage) const {
   if (stage.name != checkpoint_.solver)
     throw RunError(
-        fmt::format("{} was written by the solver \"{}\", but {} ({} to {} s) has \"{}\". Go on with \"{}\", "
-                    "or let {} end at {} s and give \"{}\" a section of its own that begins there "
+        fmt::format("{} was written by the solver \"{}\", but {} ({} to {} {}) has \"{}\". Go on with \"{}\", "
+                    "or let {} end at {} {} and give \"{}\" a section of its own that begins there "
                     "(Initial Time: {})",
-                    name(), checkpoint_.solver, stage.section, stage.startTime, stage.endTime, stage.name,
-                    checkpoint_.solver, stage.section, time(), stage.name, time()));
+                    name(), checkpoint_.solver, stage.section, stage.startTime, stage.endTime, timeUnit_, stage.name,
+                    checkpoint_.solver, stage.section, time(), timeUnit_, stage.name, time()));
   const std::set<std::string> wanted = namesOf(stage.solver->restartState()), found = namesOf(checkpoint_.state);
   if (wanted == found) return;
   const std::set<std::string> lacking = without(wanted, found), surplus = without(found, wanted);

@@ -14,9 +14,9 @@ namespace pd {
 class Restart {
  public:
   /// Reads `fileName` into the model; where its materials, conditions or bonds are not those of this deck, what
-  /// plug-ins make of the deck stays. `deck`: text of the resolved deck. Throws RunError as readCheckpoint() does.
-  /// Collective.
-  Restart(Model& model, const std::string& fileName, const std::string& deck);
+  /// plug-ins make of the deck stays. `deck`: text of the resolved deck; `timeUnit`: of its times, for messages. Throws
+  /// RunError as readCheckpoint() does. Collective.
+  Restart(Model& model, const std::string& fileName, const std::string& deck, std::string timeUnit);
 
   int step() const { return checkpoint_.step; }
   double time() const { return checkpoint_.time; }
@@ -45,7 +45,7 @@ class Restart {
   [[noreturn]] void refuseAsOver(const Stage& last) const;
   std::string name() const;
 
-  std::string fileName_;
+  std::string fileName_, timeUnit_;
   Checkpoint checkpoint_;
   std::vector<std::string> differences_;
   std::set<std::string> startsAfresh_;  ///< labels of fields

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
+#include "../deck/sections.hpp"
 #include "../discretization/discretization.hpp"
 #include "collective.hpp"
 #include "rates.hpp"
-#include "restart.hpp"
 
 namespace pd {
 
@@ -63,6 +64,19 @@ void RunSetup::start() {
   model->adoptState();
 }
 
+Resumed RunSetup::resume(const std::string& checkpoint, const std::string& resolvedDeck) {
+  Restart restart(*model, checkpoint, resolvedDeck, timeUnitOf(stages));
+  const std::size_t stage = restart.findStage(stages, ofPlugins, ofConditions);
+  try {
+    for (const std::string& label : advancedFields) model->requireFinite(label, restart.step());
+  } catch (const RunError& error) {
+    throw RunError(fmt::format("\"{}\" is damaged: {}", checkpoint, error.what()));
+  }
+  conditions->resume(restart.time());
+  model->adoptState();
+  return {std::move(restart), stage};
+}
+
 void fillHostFields(Model& model, const BoundaryConditions& conditions, double t) {
   if (model.hasField("Time")) *model.field("Time") = t;
   const char* const label = "External_Force_Density";
@@ -95,35 +109,43 @@ bool rehearsePart(const std::string& what, Mistakes& mistakes, const Work& work)
 
 }  // namespace
 
-void rehearse(const Deck& deck, const Communicator& comm) {
+std::vector<std::string> rehearse(const Deck& deck, const Communicator& comm, const std::string& checkpoint) {
   RunSetup setup(deck, comm, std::make_unique<Output>(deck, comm, true));
   const std::string ofRun = deck.fileName() + ": the start of the run";
   Mistakes mistakes;
+  std::optional<Resumed> resumed;
   rehearsePart(ofRun, mistakes, [&] {
     setup.initialize();
-    setup.start();
+    if (checkpoint.empty())
+      setup.start();
+    else
+      resumed.emplace(setup.resume(checkpoint, resolvedDeck(deck)));
   });
   mistakes.report();
   const auto evaluate = [&] { setup.output->evaluate(*setup.model, 0); };
   const bool isMeasured = rehearsePart(ofRun, mistakes, evaluate);
-  const Stage& first = setup.stages.front();
+  const std::size_t s = resumed ? resumed->stage : 0;
+  const Stage& first = setup.stages[s];
   Simulation simulation = setup.simulation();
-  double end = first.startTime;
+  const double start = resumed ? resumed->restart.startTime(first) : first.startTime;
+  double end = start;
   const bool isReady = rehearsePart(first.place, mistakes, [&] {
     first.solver->initialize(simulation);
+    if (resumed) resumed->restart.setState(*first.solver);
     const int n = first.solver->numberOfIncrements(simulation, first.startTime, first.endTime);
-    if (n > 0) end = first.solver->incrementEnd(1, n, first.startTime, first.endTime);
+    const int done = resumed ? resumed->restart.incrementsDone(first, n, s + 1 == setup.stages.size()) : 0;
+    if (n > done) end = first.solver->incrementEnd(done + 1, n, first.startTime, first.endTime);
   });
   // A solver may have told them more, as which points are fluid.
   if (isReady && isMeasured) rehearsePart(ofRun, mistakes, evaluate);
   for (const std::string& warning : setup.output->warnings()) deck.warnings().add("", warning);
-  if (isReady && end > first.startTime)
-    rehearsePart(first.place, mistakes,
-                 [&] { first.solver->rehearse(simulation, first.startTime, end - first.startTime); });
+  if (isReady && end > start)
+    rehearsePart(first.place, mistakes, [&] { first.solver->rehearse(simulation, start, end - start); });
   // Later solvers start from what the first one makes: what they refuse of the model alone is known.
-  for (std::size_t k = 1; isReady && k < setup.stages.size(); ++k)
+  for (std::size_t k = s + 1; isReady && k < setup.stages.size(); ++k)
     rehearsePart(setup.stages[k].place, mistakes, [&] { setup.stages[k].solver->initialize(simulation); });
   mistakes.report();
+  return resumed ? resumed->restart.notes() : std::vector<std::string>();
 }
 
 }  // namespace pd

@@ -8,10 +8,17 @@
 #include <vector>
 
 #include "error_norms.hpp"
+#include "restart.hpp"
 #include "simulation.hpp"
 #include "stage.hpp"
 
 namespace pd {
+
+/// A run that goes on.
+struct Resumed {
+  Restart restart;
+  std::size_t stage;  ///< that goes on, or begins
+};
 
 struct RunSetup {
   /// Reads the mesh, makes all plug-ins and allocates their fields. Throws DeckError. Collective.
@@ -23,6 +30,9 @@ struct RunSetup {
   /// Prescribed values of the start: the state from which the first solver goes on. Throws RunError where a value is
   /// not finite.
   void start();
+  /// In place of start(): the state of a checkpoint. `resolvedDeck`: text of this deck. Throws RunError where the run
+  /// cannot go on from it.
+  Resumed resume(const std::string& checkpoint, const std::string& resolvedDeck);
 
   std::unique_ptr<Model> model;
   std::vector<Stage> stages;
@@ -36,9 +46,10 @@ struct RunSetup {
 /// For output and computes that ask for the fields; solvers keep times and forces of their own.
 void fillHostFields(Model& model, const BoundaryConditions& conditions, double t);
 
-/// Goes as far as a run does before its first step, and writes nothing. Throws DeckError with what a run would refuse
-/// until then. The deck has been checked by itself. Collective.
-void rehearse(const Deck& deck, const Communicator& comm);
+/// Goes as far as a run does before its first step, or its first from the time of a checkpoint where one is given, and
+/// writes nothing. Returns what the log of a run that goes on would begin with. Throws DeckError with what a run would
+/// refuse until then. The deck has been checked by itself. Collective.
+std::vector<std::string> rehearse(const Deck& deck, const Communicator& comm, const std::string& checkpoint = "");
 
 }  // namespace pd
 

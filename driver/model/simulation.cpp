@@ -9,7 +9,6 @@
 #include "../solvers/event_solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "collective.hpp"
-#include "restart.hpp"
 #include "run_setup.hpp"
 
 namespace pd {
@@ -200,29 +199,20 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
   setup.initialize();
   const std::vector<std::string> notes = model.notes();
   for (const std::string& note : notes) output.log(note);
-  if (const auto* events = dynamic_cast<const EventSolver*>(setup.stages.front().solver.get()))
-    output.setTimeUnit(events->timeUnit());
-  std::optional<Restart> restart;
-  std::size_t firstStage = 0;
+  output.setTimeUnit(timeUnitOf(setup.stages));
+  std::optional<Resumed> resumed;
   if (options.restartFile.empty()) {
     setup.start();
     output.begin(0, resolved);
     output.write(model, 0, 0, setup.stages.front().startTime, false);
   } else {
-    restart.emplace(model, options.restartFile, resolved);
-    firstStage = restart->findStage(setup.stages, setup.ofPlugins, setup.ofConditions);
-    try {
-      for (const std::string& label : setup.advancedFields) model.requireFinite(label, restart->step());
-    } catch (const RunError& error) {
-      throw RunError(fmt::format("\"{}\" is damaged: {}", options.restartFile, error.what()));
-    }
-    setup.conditions->resume(restart->time());
-    model.adoptState();
-    for (const std::string& note : restart->notes()) output.log(note);
-    output.begin(restart->step() + 1, resolved);
+    resumed.emplace(setup.resume(options.restartFile, resolved));
+    for (const std::string& note : resumed->restart.notes()) output.log(note);
+    output.begin(resumed->restart.step() + 1, resolved);
   }
 
-  const double end = Run(setup, comm, resolved).execute(restart ? &*restart : nullptr, firstStage);
+  const double end =
+      Run(setup, comm, resolved).execute(resumed ? &resumed->restart : nullptr, resumed ? resumed->stage : 0);
 
   std::vector<std::string> summary = notes;
   for (const Stage& stage : setup.stages)

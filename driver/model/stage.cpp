@@ -1,5 +1,6 @@
 #include "stage.hpp"
 
+#include "../solvers/event_solver.hpp"
 #include "solver_sections.hpp"
 
 namespace pd {
@@ -40,6 +41,11 @@ std::vector<Stage> createStages(const Deck& deck) {
   if (stages.empty() && mistakes.empty()) mistakes.add(deck.fileName(), "the deck has no section Solver");
   mistakes.report();
   return stages;
+}
+
+std::string timeUnitOf(const std::vector<Stage>& stages) {
+  const auto* events = dynamic_cast<const EventSolver*>(stages.front().solver.get());
+  return events == nullptr ? "s" : events->timeUnit();
 }
 
 }  // namespace pd

@@ -22,6 +22,9 @@ struct Stage {
 /// Throws DeckError with all mistakes.
 std::vector<Stage> createStages(const Deck& deck);
 
+/// What the times of a run are counted in, as its first solver has it: s, or cycles.
+std::string timeUnitOf(const std::vector<Stage>& stages);
+
 }  // namespace pd
 
 #endif

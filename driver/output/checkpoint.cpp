@@ -248,7 +248,7 @@ Checkpoint readCheckpoint(Model& model, const std::string& fileName) {
   checkpoint.solver = file.textAttribute("/", "solver");
   if (checkpoint.step < 0 || !std::isfinite(checkpoint.time))
     throw RunError(
-        fmt::format("\"{}\" is damaged: it is of step {} and t = {} s", fileName, checkpoint.step, checkpoint.time));
+        fmt::format("\"{}\" is damaged: it is of step {} and t = {}", fileName, checkpoint.step, checkpoint.time));
   checkpoint.deck = readText(file, "deck");
   checkpoint.state = readSolverState(file, fileName);
   requireSameMesh(file, model, order, fileName);

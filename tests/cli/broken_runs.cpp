@@ -209,7 +209,7 @@ std::vector<Broken> brokenRuns() {
        {"deck.yaml:53:3: condition \"Charge\": the normals of its points do not cancel: they sum to 0.75 of the area"}},
       {"TimesReversed",
        {{"Final Time: 10.0", "Final Time: -1.0"}},
-       {"deck.yaml:62:15: Solver: Final Time -1 s must be after Initial Time 0 s"}},
+       {"deck.yaml:62:15: Solver: Final Time -1 must be after Initial Time 0"}},
       {"NoFinalTime",
        {{"  Final Time: 10.0\n", ""}},
        {"deck.yaml:60:1: Solver lacks \"Final Time\" (a number in s): Time at which this solver ends."}},
@@ -276,7 +276,7 @@ std::vector<Broken> brokenRuns() {
       {"SecondSolverTime",
        {{"Compute Class Parameters:",
          "Solver2:\n  Initial Time: 11.0\n  Final Time: 20.0\n  Diffusion: {}\nCompute Class Parameters:"}},
-       {"deck.yaml:72:17: Solver2: Initial Time 11 s must be 10 s, the Final Time of Solver"}},
+       {"deck.yaml:72:17: Solver2: Initial Time 11 must be 10, the Final Time of Solver"}},
       {"ComputeClass",
        {{"Reaction_Force\n", "Reaction_Farce\n"}},
        {"deck.yaml:73:20: unknown Compute Class \"Reaction_Farce\" in Compute Class Parameters/Pulling Force (did you "
@@ -307,6 +307,10 @@ std::vector<Broken> brokenRuns() {
          "    Compute Class: Block_Data\n    Block: block_7\n    Variable: Displacement\n    Calculation Type: Sum\n"}},
        {"deck.yaml:74:12: Compute Class Parameters/Pulling Force/Block: there is no block \"block_7\" (did you mean "
         "\"block_1\"?); there are: \"block_1\""}},
+      {"OutputOfAClass",
+       {{"Reaction_Force\n    Node Set: Right Node Set\n", "Crack_Length\n"}, {"Pulling_Force]", "Crack_Length]"}},
+       {"deck.yaml:78:59: Output/Output Variables: \"Crack_Length\" is a class of computes, whose results are called "
+        "\"Pulling_Force\" here; name what is to be written"}},
       {"OutputVariable",
        {{"Displacement, Damage,", "Displacment, Damage,"}},
        {"deck.yaml:79:22: Output/Output Variables: nothing in this deck provides \"Displacment\" (did you mean "

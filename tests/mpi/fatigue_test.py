@@ -61,6 +61,10 @@ class Springs(SceneTest):
         for label, values in history.items():
             np.testing.assert_array_equal(resumed.history()[label], values, err_msg=label)
         np.testing.assert_array_equal(resumed.field("Displacement"), displacement)
+        over = self.run_deck(deck, arguments=["--check", "--restart", "early.checkpoint.h5", "--set",
+                                              "Solver/Final Time=1.0"])
+        self.assertEqual(over.code, 2, over.text)
+        self.assertRegex(over.text, r"cycles\) lies at or beyond the end of the last increment .*Final Time 1 cycles\)")
 
 
 class FatigueThatScatters(Fatigue):
