@@ -165,7 +165,7 @@ void SpringTangent::takeUpDamage() {
   std::vector<const double*> ofPoint(static_cast<std::size_t>(model_.nOwned()), nullptr);
   for (std::size_t k = 0; k < changed.size(); ++k) ofPoint[static_cast<std::size_t>(changed[k])] = bondsOf[k];
   network_.setDamage(changed, [&](int point) { return ofPoint[static_cast<std::size_t>(point)]; });
-  if (isBody_) collectively(model_.comm(), [&] { requireWholeBonds(); });
+  if (isBody_) requireWholeBonds(changed);
   std::sort(changed.begin(), changed.end());
   stiffness_.refresh(changed);
   changedSince_.insert(changedSince_.end(), changed.begin(), changed.end());
@@ -177,10 +177,17 @@ void SpringTangent::takeUpDamage() {
 }
 
 /// Each end gives half of a bond's force: what one damage model breaks and another does not keeps a half, which no
-/// spring of two ends has. Bonds to other ranks have a spring for each end.
-void SpringTangent::requireWholeBonds() const {
-  const auto [i, j] = network_.brokenFromOneEnd();
-  if (i < 0) return;
+/// spring of two ends has, nor one for each end, as bonds to other ranks have. Collective.
+void SpringTangent::requireWholeBonds(const std::vector<int>& changed) const {
+  const bool hasOthers = model_.comm().size() > 1 || !model_.discretization().symmetry.empty();
+  const auto across = hasOthers ? network_.brokenFromOtherSide(model_.comm(), changed) : std::pair<int, int>{-1, -1};
+  const auto [i, j] = network_.brokenFromOneEnd().first < 0 ? across : network_.brokenFromOneEnd();
+  collectively(model_.comm(), [&, broken = i, whole = j] {
+    if (broken >= 0) refuseHalfBond(broken, whole);
+  });
+}
+
+void SpringTangent::refuseHalfBond(int i, int j) const {
   const auto placeOf = [&](int point) {
     const double* x = &model_.discretization().x[3 * static_cast<std::size_t>(point)];
     return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", x[0], x[1], x[2]);

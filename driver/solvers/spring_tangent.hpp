@@ -62,7 +62,9 @@ class SpringTangent {
  private:
   static SpringNetwork networkOf(Model& model);
   void takeUpDamage();
-  void requireWholeBonds() const;
+  void requireWholeBonds(const std::vector<int>& changed) const;
+  /// Throws RunError: point i has broken its bond to j, which has not.
+  [[noreturn]] void refuseHalfBond(int i, int j) const;
   void refreshSmoother();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.

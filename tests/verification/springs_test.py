@@ -101,6 +101,30 @@ class Refusals(SceneTest):
             self.assertEqual(result.code, 2, result.text)
             self.assertIn("without a matrix", result.text)
 
+    def test_bonds_that_one_end_alone_has_broken(self):
+        # Pulled apart, the left half breaks its bonds to the right one, which keeps them; on two ranks these are bonds
+        # between the ranks, and beside a plane of symmetry bonds to images, too.
+        points = lattice([0.03, 0.024], SPACING)
+        self.write_mesh(points, SPACING**2 * THICKNESS, block=np.where(points[:, 0] < 15e-3, 1, 2))
+        deck = plate_deck(
+            3.2 * SPACING, THICKNESS, GLASS,
+            conditions={"Left Node Set": {"Expression": "x < 3.3e-3"}, "Right Node Set": {"Expression": "x > 26.7e-3"},
+                        "Hold": {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Value": 0.0},
+                        "Keep": {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Coordinate": "y",
+                                 "Value": 0.0},
+                        "Pull": {"Type": "Prescribed Displacement", "Node Set": "Right Node Set", "Value": "3e-5*t"}},
+            solver={"QuasiStatic": {"Load Steps": 2, "Kinematics": "Small Strain"}},
+            output={"Output Variables": ["Displacement"]})
+        limit = {"Damage Model": "Critical Stretch", "Critical Stretch": 8.0e-4}
+        deck["Damage Models"] = {"Weak": limit, "Strong": {**limit, "Critical Stretch": 1.0}}
+        deck["Blocks"]["Body"]["Damage Model"] = "Weak"
+        deck["Blocks"]["Other"] = {**deck["Blocks"]["Body"], "Block Names": "block_2", "Damage Model": "Strong"}
+        for ranks in (1, 2):
+            result = self.run_deck(deck, ranks=ranks)
+            self.assertEqual(result.code, 3, result.text)
+            self.assertIn("has broken its bond to that at", result.text)
+            self.assertIn("Kinematics: Finite", result.text)
+
 
 if __name__ == "__main__":
     unittest.main()

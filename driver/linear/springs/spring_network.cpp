@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <unordered_map>
 #include <utility>
 
 namespace pd {
@@ -382,6 +383,40 @@ std::pair<int, int> SpringNetwork::findBrokenFromOneEnd(const std::vector<int>& 
       const int* back = std::lower_bound(neighbors(j), end, i);
       if (back != end && *back == i && alive(j, static_cast<int>(back - neighbors(j))) > 0.0F) return {i, j};
     }
+  }
+  return {-1, -1};
+}
+
+int SpringNetwork::nUnbroken(int point, int globalId) const {
+  int n = 0;
+  for (int k = 0; k < nNeighbors(point); ++k)
+    if (globalIdOf(neighbors(point)[k]) == globalId && alive(point, k) > 0.0F) ++n;
+  return n;
+}
+
+std::pair<int, int> SpringNetwork::brokenFromOtherSide(const Communicator& comm,
+                                                       const std::vector<int>& changed) const {
+  std::vector<double> broken;  // ids of the end that has broken it and of the other, bonds left between them
+  for (const int i : changed) {
+    if (!isDamaged(i)) continue;
+    for (int k = 0; k < nNeighbors(i); ++k) {
+      const int j = neighbors(i)[k];
+      if (j < points_.nOwned || alive(i, k) > 0.0F) continue;
+      for (const int value : {globalIdOf(i), globalIdOf(j), nUnbroken(i, globalIdOf(j))}) broken.push_back(value);
+    }
+  }
+  broken = comm.gather(broken);
+  if (broken.empty()) return {-1, -1};
+  std::unordered_map<int, int> owned;
+  for (int i = 0; i < points_.nOwned; ++i) owned.emplace(globalIdOf(i), i);
+  for (std::size_t at = 0; at < broken.size(); at += 3) {
+    const int i = static_cast<int>(broken[at]);
+    const auto other = owned.find(static_cast<int>(broken[at + 1]));
+    if (other == owned.end() || nUnbroken(other->second, i) <= static_cast<int>(broken[at + 2])) continue;
+    const int j = other->second;
+    const int* ghost = std::find_if(neighbors(j), neighbors(j) + nNeighbors(j),
+                                    [&](int point) { return point >= points_.nOwned && globalIdOf(point) == i; });
+    return {*ghost, j};
   }
   return {-1, -1};
 }

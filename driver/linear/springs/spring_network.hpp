@@ -137,6 +137,9 @@ class SpringNetwork {
   /// Two owned points of which one has broken their bond and the other has not, since the last setDamage(); {-1, -1}:
   /// none. A spring is broken as a whole, as the one end has it that it is kept with.
   std::pair<int, int> brokenFromOneEnd() const { return brokenFromOneEnd_; }
+  /// The same of bonds to points of other ranks, and to images: a ghost or an image that has broken its bond to an
+  /// owned point of this rank, and that. `changed`: those of the last setDamage(). Collective.
+  std::pair<int, int> brokenFromOtherSide(const Communicator& comm, const std::vector<int>& changed) const;
 
   const Discretization& points() const { return points_; }
   int dimension() const { return points_.dimension; }
@@ -189,6 +192,10 @@ class SpringNetwork {
  private:
   struct Row;
   class RowReader;
+  /// Of the point, or of the one that an image mirrors.
+  int globalIdOf(int point) const { return points_.globalIds[static_cast<std::size_t>(points_.sourceOf(point))]; }
+  /// Unbroken bonds of the owned point to a point with this global id, or to images of it.
+  int nUnbroken(int point, int globalId) const;
   void add(SpringList& list, int i, int j, float unbroken, const SpringConstants<double>& c) const {
     list.add(i, j, unbroken, c, shape_);
   }
