@@ -21,9 +21,9 @@ class ExternalWork : public TabledCompute, public NeedsLoads {
     FieldHandle lastDisplacement, lastLoad, work;
     explicit Fields(const Teuchos::ParameterList& parameters) {
       const auto label = parameters.get<std::string>("Output Label");
-      lastDisplacement =
-          writes(pd::fields::pointVector(label + "_Last_Displacement", "m", "Displacement at the last evaluation."));
-      lastLoad = writes(pd::fields::pointVector(label + "_Last_Load", "N/m3", "Load at the last evaluation."));
+      lastDisplacement = writes(
+          pd::fields::pointVector(label + "_Last_Displacement", "m", "Displacement at the last evaluation.").state());
+      lastLoad = writes(pd::fields::pointVector(label + "_Last_Load", "N/m3", "Load at the last evaluation.").state());
       work = writes(pd::fields::globalScalar(label, "J", "Work of the loads since the start."));
     }
   };

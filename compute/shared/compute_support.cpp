@@ -39,10 +39,13 @@ Vector3 vectorOf(const Teuchos::ParameterList& parameters, const std::string& pr
   return result;
 }
 
+bool isVectorGiven(const Teuchos::ParameterList& parameters, const std::string& prefix) {
+  return parameters.isParameter(prefix + " X") || parameters.isParameter(prefix + " Y") ||
+         parameters.isParameter(prefix + " Z");
+}
+
 Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string& prefix) {
-  bool isGiven = false;
-  for (const char* axis : {" X", " Y", " Z"}) isGiven = isGiven || parameters.isParameter(prefix + axis);
-  if (!isGiven) return {1.0, 0.0, 0.0};
+  if (!isVectorGiven(parameters, prefix)) return {1.0, 0.0, 0.0};
   Vector3 result = vectorOf(parameters, prefix);
   const double length = std::sqrt(dot(result, result.data()));
   if (length == 0.0) throw std::invalid_argument("\"" + prefix + " X, Y, Z\" must not all be zero");

@@ -61,6 +61,8 @@ void declareVector(ParameterDeclarations& declarations, const std::string& prefi
                    const std::string& meaning);
 /// The vector of those keys; what is not given is zero.
 Vector3 vectorOf(const Teuchos::ParameterList& parameters, const std::string& prefix);
+/// Whether any of them is given.
+bool isVectorGiven(const Teuchos::ParameterList& parameters, const std::string& prefix);
 /// As vectorOf, scaled to length one; the x axis where no key is given. Throws std::invalid_argument for zero length.
 Vector3 directionOf(const Teuchos::ParameterList& parameters, const std::string& prefix);
 

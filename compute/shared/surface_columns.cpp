@@ -52,6 +52,7 @@ SurfaceColumns::SurfaceColumns(const Teuchos::ParameterList& parameters, const C
       points_(parameters, globalData),
       metal_(parameters),
       into_(directionOf(parameters, "Into")),
+      hasDirection_(isVectorGiven(parameters, "Into")),
       axes_(axesAcross(into_)),
       width_(parameters.isParameter("Column Width") ? parameters.get<double>("Column Width") : 0.0),
       isDeepest_(parameters.get<std::string>("Measure") == "Deepest"),
@@ -65,26 +66,43 @@ void SurfaceColumns::initialize(const Blocks& blocks, const Epetra_Comm& comm) {
   findMembers(blocks, comm);
 }
 
-/// From the points of the node set on all ranks.
-void SurfaceColumns::findColumns(const Blocks& blocks, const Epetra_Comm& comm) {
-  std::vector<double> coordinates, low(3, infinity), high(3, -infinity);
-  PointSelection().forEach(blocks, [&](std::size_t b, int id) {
+SurfaceColumns::Box SurfaceColumns::boxAround(const PointSelection& selection, const Blocks& blocks,
+                                              const Epetra_Comm& comm) const {
+  Box box{std::vector<double>(3, infinity), std::vector<double>(3, -infinity)};
+  selection.forEach(blocks, [&](std::size_t b, int id) {
     const double* x = view((*blocks)[b], fields_.modelCoordinates) + 3 * id;
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], x[k]);
-      high[k] = std::max(high[k], x[k]);
+      box.low[k] = std::min(box.low[k], x[k]);
+      box.high[k] = std::max(box.high[k], x[k]);
     }
   });
+  return {minOverRanks(comm, box.low), maxOverRanks(comm, box.high)};
+}
+
+/// A surface that runs along x as the body does, and not across it, is not one into which x leads: the default would
+/// make a few long columns of it, in silence.
+void SurfaceColumns::requireDirection(const Box& body, const Box& surface) const {
+  const bool runsAlong = surface.length(0) > 0.5 * body.length(0);
+  const bool isThin = surface.length(1) < 0.5 * body.length(1) || surface.length(2) < 0.5 * body.length(2);
+  if (runsAlong && isThin)
+    throw std::invalid_argument("node set \"" + nodeSet_ +
+                                "\" runs along x, the direction into the metal where none is given; give \"Into X\", "
+                                "\"Into Y\" or \"Into Z\"");
+}
+
+/// From the points of the node set on all ranks.
+void SurfaceColumns::findColumns(const Blocks& blocks, const Epetra_Comm& comm) {
+  std::vector<double> coordinates;
   points_.forEach(blocks, [&](std::size_t b, int id) {
     const Place2 across = acrossOf(view((*blocks)[b], fields_.modelCoordinates) + 3 * id);
     coordinates.insert(coordinates.end(), across.begin(), across.end());
   });
-  low = minOverRanks(comm, low);
-  high = maxOverRanks(comm, high);
+  const Box body = boxAround(PointSelection(), blocks, comm);
   // Coordinates of meshes have six digits or more.
-  for (std::size_t k = 0; k < 3; ++k) tolerance_ = std::max(tolerance_, 1e-6 * (high[k] - low[k]));
+  for (std::size_t k = 0; k < 3; ++k) tolerance_ = std::max(tolerance_, 1e-6 * body.length(k));
   coordinates = gatherFromRanks(comm, coordinates);
   if (coordinates.empty()) throw std::invalid_argument("node set \"" + nodeSet_ + "\" has no points");
+  if (!hasDirection_) requireDirection(body, boxAround(points_, blocks, comm));
   std::vector<Place2> places;
   for (std::size_t i = 0; i < coordinates.size(); i += 2) places.push_back({coordinates[i], coordinates[i + 1]});
   layout_ = width_ > 0.0 ? ColumnLayout::bins(places, width_) : ColumnLayout(places, tolerance_);

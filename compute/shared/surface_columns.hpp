@@ -65,6 +65,13 @@ class SurfaceColumns {
   struct Layer;  ///< points of a column that are equally far along
   Place2 acrossOf(const double* x) const { return {dot(axes_[0], x), dot(axes_[1], x)}; }
   void findColumns(const Blocks& blocks, const Epetra_Comm& comm);
+  struct Box {
+    std::vector<double> low, high;  ///< m, along x, y and z
+    double length(std::size_t axis) const { return high[axis] - low[axis]; }
+  };
+  /// Of points that `selection` has, on all ranks.
+  Box boxAround(const PointSelection& selection, const Blocks& blocks, const Epetra_Comm& comm) const;
+  void requireDirection(const Box& body, const Box& surface) const;
   void findMembers(const Blocks& blocks, const Epetra_Comm& comm);
   void findMetal(const Blocks& blocks, const Epetra_Comm& comm) const;
   std::vector<Layer> findLayers(const Blocks& blocks, const Epetra_Comm& comm) const;
@@ -79,6 +86,7 @@ class SurfaceColumns {
   PointSelection points_;
   DissolvedMetal metal_;
   Vector3 into_;
+  bool hasDirection_;            ///< given, not the default
   std::array<Vector3, 2> axes_;  ///< across it
   double width_;                 ///< of columns, m; 0: one a point
   bool isDeepest_;

@@ -86,10 +86,11 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const D
     const FieldTable fields = fieldsIn(*entry.compute);
     for (const FieldUse& use : fields.uses()) {
       if (isMadeOfState(use.field.label)) entry.fieldsOfState.insert(use.field.label);
+      const bool isWritten = use.access != FieldAccess::Reads;
+      entry.keepsEvaluations = entry.keepsEvaluations || (use.field.isState && isWritten);
       if (use.field.relation != PeridigmNS::PeridigmField::GLOBAL) continue;
       // What has steps is state that the compute keeps or that this host gives it, no result.
       const bool hasSteps = use.field.temporal != PeridigmNS::PeridigmField::CONSTANT;
-      const bool isWritten = use.access != FieldAccess::Reads;
       const bool mayBeWritten = fieldTableOf(*entry.compute) == nullptr && !hasSteps;
       (isWritten || mayBeWritten ? entry.writes : entry.reads).insert(use.field.label);
       entry.keepsEvaluations = entry.keepsEvaluations || (hasSteps && isWritten);

@@ -211,6 +211,9 @@ TEST_F(Slab, PitsOfARowAreCountedApart) {
   parameters.set("Deeper Than", 5.5);
   EXPECT_EQ(body.run("Pit_Count", parameters), 0.0);
   EXPECT_EQ(body.run("Pit_Depth", parameters), 0.0);
+  List withoutDirection(parameters);
+  withoutDirection.remove("Into Y");  // x is along the surface
+  EXPECT_TRUE(says(complaint([&] { body.run("Pit_Count", withoutDirection); }), "runs along x"));
   parameters.set<std::string>("Node Set", "Electrolyte");
   parameters.set("Into Y", -1.0);
   EXPECT_TRUE(says(complaint([&] { body.run("Pit_Count", parameters); }), "no metal lies behind"));
