@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "plugins.hpp"
+#include "run_notes.hpp"
 #include "tip_ring.hpp"
 #include "whole_body.hpp"
 
 namespace pd {
 
-class JIntegral : public TabledCompute {
+class JIntegral : public TabledCompute, public RunNotes {
  public:
   struct Fields : TipFields {
     FieldHandle energyReleaseRate;
@@ -28,6 +29,9 @@ class JIntegral : public TabledCompute {
   const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { ring_.requireTip(blocks->front(), fields_.tip); }
   int compute(Blocks blocks) const override;
+  std::vector<std::string> runNotes() const override {
+    return ring_.notes(parameters_.get<std::string>("Output Label"));
+  }
 
  private:
   double contribution(const Tensor& gradientOfPart, int copy, const HookesLaw& law, const double* x,
@@ -74,6 +78,7 @@ double JIntegral::contribution(const Tensor& gradientOfPart, int copy, const Hoo
 
 int JIntegral::compute(Blocks blocks) const {
   const TipRing::Tip tip = ring_.tip(blocks->front(), fields_);
+  ring_.watchCover(blocks, fields_, *whole_, tip, *epetraComm);
   double sum = 0.0;
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "plugins.hpp"
+#include "run_notes.hpp"
 #include "tip_ring.hpp"
 #include "whole_body.hpp"
 
@@ -42,7 +43,7 @@ std::array<double, 4> williamsGradient(int mode, double x, double y, double kapp
 
 }  // namespace
 
-class StressIntensity : public TabledCompute {
+class StressIntensity : public TabledCompute, public RunNotes {
  public:
   struct Fields : TipFields {
     FieldHandle intensities;
@@ -58,6 +59,9 @@ class StressIntensity : public TabledCompute {
   const Fields& fields() const override { return fields_; }
   void initialize(Blocks blocks) override { ring_.requireTip(blocks->front(), fields_.tip); }
   int compute(Blocks blocks) const override;
+  std::vector<std::string> runNotes() const override {
+    return ring_.notes(parameters_.get<std::string>("Output Label"));
+  }
 
  private:
   /// What a copy of a point adds to E' M/2 of both modes, per volume and thickness.
@@ -123,6 +127,7 @@ std::array<double, 2> StressIntensity::contribution(const Tensor& deformationGra
 
 int StressIntensity::compute(Blocks blocks) const {
   const TipRing::Tip tip = ring_.tip(blocks->front(), fields_);
+  ring_.watchCover(blocks, fields_, *whole_, tip, *epetraComm);
   std::vector<double> sums(2, 0.0);
   for (PeridigmNS::Block& block : *blocks) {
     const double* volume = view(block, fields_.volume);

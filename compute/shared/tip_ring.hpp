@@ -2,9 +2,11 @@
 #ifndef PD_TIP_RING_HPP
 #define PD_TIP_RING_HPP
 
+#include <optional>
 #include <string>
 
 #include "tip_place.hpp"
+#include "whole_body.hpp"
 
 namespace pd {
 
@@ -19,9 +21,17 @@ class TipRing : public TipPlace {
   double slope(double radius) const { return -1.0 / ((outerRadius_ - innerRadius_) * radius); }
   bool isPlaneStress() const { return isPlaneStress_; }
 
+  /// Looks, for each tip until there is one, for a place where the body does not fill the ring. Collective.
+  void watchCover(const Blocks& blocks, const TipFields& fields, const WholeBody& whole, const Tip& tip,
+                  const Epetra_Comm& comm) const;
+  /// What watchCover() has found, for RunNotes; `label`: of the compute's result.
+  std::vector<std::string> notes(const std::string& label) const;
+
  private:
   double innerRadius_, outerRadius_;
   bool isPlaneStress_;
+  mutable std::optional<Vector3> watched_;  ///< the tip for which the cover was looked at last
+  mutable std::string gap_;
 };
 
 }  // namespace pd

@@ -1,4 +1,4 @@
-// The J-integral of bonds over a rectangle, on lattices of springs.
+// The J-integral of bonds over a rectangle, on lattices of springs; what rectangles and rings of J are to lie in.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -104,10 +104,10 @@ TEST_F(NonlocalJ, IsTheEnergyReleaseRateOverAnyRectangle) {
   }
 }
 
-/// What is noted of a body in a square from -30 to 30 without the points of `isGone`, with the crack to the origin
-/// along x and the rectangle `ahead`, `behind`, `above` of it.
-std::string noteOf(const std::function<bool(const Point&)>& isGone, std::array<double, 3> sides, double angle = 0.0,
-                   Point tip = {0.0, 0.0, 0.0}) {
+/// What the compute notes of a body in a square from -30 to 30 without the points of `isGone`, with the crack to the
+/// tip along x.
+std::string noteOf(const char* className, Teuchos::ParameterList parameters,
+                   const std::function<bool(const Point&)>& isGone, double angle, Point tip) {
   std::vector<Point> points;
   const double c = std::cos(angle), s = std::sin(angle);
   for (const Point& p : lattice(90, 90, 1, 1.0, {-44.4, -44.7, 0.0})) {
@@ -119,17 +119,23 @@ std::string noteOf(const std::function<bool(const Point&)>& isGone, std::array<d
   options.volumes.assign(points.size(), thickness);
   SmallBody body(points, options);
   body.block().setMaterialModel(Teuchos::rcp(new Springs(body, options.horizon)));
-  Teuchos::ParameterList parameters;
   parameters.set("Thickness", thickness);
-  parameters.set("Ahead", sides[0]);
-  parameters.set("Behind", sides[1]);
-  parameters.set("Above", sides[2]);
   parameters.set("Tip X", tip[0]);
   parameters.set("Tip Y", tip[1]);
-  const auto compute = makeCompute(body, "Nonlocal_J_Integral", parameters);
+  const auto compute = makeCompute(body, className, parameters);
   compute->compute(body.blocks());
   const std::vector<std::string> notes = dynamic_cast<const pd::RunNotes&>(*compute).runNotes();
   return notes.empty() ? "" : notes.front();
+}
+
+/// `sides`: ahead, behind and above of the rectangle.
+std::string noteOf(const std::function<bool(const Point&)>& isGone, std::array<double, 3> sides, double angle = 0.0,
+                   Point tip = {0.0, 0.0, 0.0}) {
+  Teuchos::ParameterList parameters;
+  parameters.set("Ahead", sides[0]);
+  parameters.set("Behind", sides[1]);
+  parameters.set("Above", sides[2]);
+  return noteOf("Nonlocal_J_Integral", parameters, isGone, angle, tip);
 }
 
 TEST(RectangleOfJ, IsToBeFilledByTheBody) {
@@ -146,6 +152,30 @@ TEST(RectangleOfJ, IsToBeFilledByTheBody) {
     EXPECT_NE(noteOf(nothing, {16.0, 16.0, 16.0}, angle, {20.0, 0.0, 0.0}), "");
     EXPECT_NE(noteOf(hole, {18.0, 16.0, 16.0}, angle), "");
     EXPECT_EQ(noteOf(hole, {4.0, 16.0, 16.0}, angle), "");
+  }
+}
+
+TEST(RingOfJ, IsToBeFilledByTheBody) {
+  const auto noteOfRing = [](double inner, double outer, const std::function<bool(const Point&)>& isGone, double angle,
+                             Point tip = {0.0, 0.0, 0.0}) {
+    Teuchos::ParameterList parameters;
+    parameters.set("Inner Radius", inner);
+    parameters.set("Outer Radius", outer);
+    return noteOf("J_Integral", parameters, isGone, angle, tip);
+  };
+  const auto nothing = [](const Point&) { return false; };
+  const auto hole = [](const Point& x) { return std::hypot(x[0] - 10.0, x[1] - 8.0) < 5.0; };
+  const auto notch = [](const Point& x) { return x[0] < -5.0 && std::abs(x[1]) < 4.0; };
+  const auto strip = [](const Point& x) { return std::abs(x[1]) > 10.0; };
+  for (const double angle : {0.0, 0.35}) {
+    EXPECT_EQ(noteOfRing(8.0, 16.0, nothing, angle), "");
+    EXPECT_EQ(noteOfRing(6.0, 9.0, nothing, angle), "");
+    EXPECT_EQ(noteOfRing(8.0, 16.0, strip, angle), "");
+    EXPECT_EQ(noteOfRing(10.0, 20.0, notch, angle), "");
+    EXPECT_NE(noteOfRing(8.0, 16.0, nothing, angle, {20.0, 0.0, 0.0}), "");
+    EXPECT_NE(noteOfRing(8.0, 16.0, nothing, angle, {-20.0, 0.0, 0.0}), "");
+    EXPECT_NE(noteOfRing(10.0, 18.0, hole, angle), "");
+    EXPECT_EQ(noteOfRing(4.0, 7.0, hole, angle), "");
   }
 }
 
