@@ -108,8 +108,10 @@ struct CorrosionDissolution::Views {
     ph = fields.ph.ifIn(dataManager);
     blockId = fields.blockId.ifIn(dataManager);
   }
-  /// Share of the surface near a liquid point that no film covers.
-  double open(int j) const { return film == nullptr ? 1.0 : 1.0 - film[j]; }
+  /// Share of the surface of a phase near a liquid point that no film covers.
+  double open(int j, const SolidPhases::Phase& phase) const {
+    return film == nullptr ? 1.0 : 1.0 - phase.filmShare * film[j];
+  }
 };
 
 /// Of rings; 1 without them.
@@ -290,8 +292,8 @@ void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, c
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     forSolid([&](int i) { cache.currentSum[0][i] = 0.0; });
     for (const int j : phases.sources())
-      cache.current[0][j] =
-          (1.0 - views.salt[j]) * views.open(j) * phases_[p].currentDensity.at(views.concentration[j]).current;
+      cache.current[0][j] = (1.0 - views.salt[j]) * views.open(j, phases_[p]) *
+                            phases_[p].currentDensity.at(views.concentration[j]).current;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
                             cache.current[0], cache.currentSum[0]);
     const double perCurrent = 1.0 / (chargeNumber_ * faraday * phases_[p].solidConcentration);
@@ -330,13 +332,14 @@ void CorrosionDissolution::findAreas(Cache& cache, const Views& views) const {
 bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) const {
   bool dissolves = false;
   double total = 0.0, current = 0.0, rate = 0.0, slope = 0.0;
-  const double bare = 1.0 - views.salt[j], open = views.open(j);
+  const double bare = 1.0 - views.salt[j];
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
     const double area = cache.area[p][0][j];
     double flux = phases_[p].pace * views.demand[j];
     if (bare != 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
+      const double open = views.open(j, phases_[p]);
       flux += bare * open * perCurrent * i.current;
       current += area * bare * open * i.current;
       rate += area * open * perCurrent * i.current;

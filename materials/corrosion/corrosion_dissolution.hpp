@@ -8,12 +8,12 @@
 // at walls and b of slanting fronts (phase_geometry.hpp), and the flux of metal ions from the surface near liquid point
 // j,
 //   Q_j = (1 - S_j) (1 - F_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
-// S: share of the surface under salt, F: under a film (of a condition on Film_Coverage), B: further flux that a solver
-// asks for; i and C_solid of the phase that the solid
-// end belongs to. Where phases meet, each gives of B what its pace is (solid_phases.hpp). A plane front passes Q
-// exactly (a trial calibration has c of its own and b = 1). A solid point becomes liquid at C_sat and takes that much
-// with it, hence the last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri &
-// Bobaru, Electrochim. Acta 401 (2022) 139512.
+// S: share of the surface under salt, F: under a film (of a condition on Film_Coverage, times the Phase Film Share), B:
+// further flux that a solver asks for; i, C_solid and F of the phase that the solid end belongs to. Where phases meet,
+// each gives of B what its pace is (solid_phases.hpp). A plane front passes Q exactly (a trial calibration has c of its
+// own and b = 1). A solid point becomes liquid at C_sat and takes that much with it, hence the last factor: the front
+// then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022)
+// 139512.
 //
 // In a body of revolution (kernels/rings.hpp) volumes in these sums are those of the plane, d has the share of the
 // rings, and a solid ring loses what it would in the plane, so that its front moves as there; the liquid one gains

@@ -29,6 +29,10 @@ void SolidPhases::declareParameters(ParameterDeclarations& declare) {
                  "Of each of these blocks: a number or an expression as Current Density is.")
       .of({"C", "pH"});
   declare.reals("Phase Solid Concentrations", "mol/m3", "Of each of these blocks; by default Solid Concentration.");
+  declare.reals("Phase Film Shares", "1",
+                "Of each of these blocks: the share, 0 to 1, of a film (Film Coverage) that it bears; by default 1. A "
+                "phase of 0 dissolves as if there were none.");
+  declare.needs("Phase Film Shares", {"Phase Blocks"});
   declare.needs("Phase Blocks", {"Phase Current Densities"});
   declare.needs("Phase Current Densities", {"Phase Blocks"});
   declare.needs("Phase Solid Concentrations", {"Phase Blocks"});
@@ -40,19 +44,26 @@ SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation
   if (params.isParameter("Phase Blocks")) {
     const auto& blocks = params.get<Teuchos::Array<std::string>>("Phase Blocks");
     const auto& currents = params.get<Teuchos::Array<std::string>>("Phase Current Densities");
-    Teuchos::Array<double> concentrations(blocks.size(), solid);
-    if (params.isParameter("Phase Solid Concentrations"))
-      concentrations = params.get<Teuchos::Array<double>>("Phase Solid Concentrations");
-    if (currents.size() != blocks.size() || concentrations.size() != blocks.size())
-      throw std::invalid_argument(owner +
-                                  ": \"Phase Current Densities\" and \"Phase Solid Concentrations\" need one "
-                                  "value for each of \"Phase Blocks\"");
+    const auto given = [&](const char* key, double otherwise) {
+      return params.isParameter(key) ? params.get<Teuchos::Array<double>>(key)
+                                     : Teuchos::Array<double>(blocks.size(), otherwise);
+    };
+    const Teuchos::Array<double> concentrations = given("Phase Solid Concentrations", solid);
+    const Teuchos::Array<double> filmShares = given("Phase Film Shares", 1.0);
+    for (const auto size : {currents.size(), concentrations.size(), filmShares.size()})
+      if (size != blocks.size())
+        throw std::invalid_argument(owner +
+                                    ": \"Phase Current Densities\", \"Phase Solid Concentrations\" and \"Phase Film "
+                                    "Shares\" need one value for each of \"Phase Blocks\"");
+    for (const double share : filmShares)
+      if (!(share >= 0.0 && share <= 1.0))
+        throw std::invalid_argument(owner + ": \"Phase Film Shares\" lie between 0 and 1");
     for (int p = 0; p < blocks.size(); ++p) {
       Teuchos::ParameterList own(params);
       own.remove("Current Density Table", false);
       own.set("Current Density", currents[p]);
       phases_.push_back({numberOf(blocks[p], owner), CurrentDensity(own, saturation, owner + ", phase " + blocks[p]),
-                         concentrations[p]});
+                         concentrations[p], filmShares[p]});
     }
   }
   double fastest = 0.0;

@@ -17,6 +17,7 @@ class SolidPhases {
     int block;  ///< number of the block of the mesh; -1: every other
     CurrentDensity currentDensity;
     double solidConcentration;  ///< mol/m3
+    double filmShare = 1.0;     ///< of what Film_Coverage covers of a surface, what it covers of this phase
     /// Current density at saturation over that of the fastest phase; at least 1e-6.
     double pace = 1.0;
   };

@@ -47,6 +47,29 @@ class Layers(PhasesTest):
         for one, two in zip(*results):
             np.testing.assert_allclose(one, two, rtol=1e-9, atol=1e-9)
 
+    def test_films_on_phases(self):
+        # A phase that bears half of a film that covers all: twice the current is as if there were none.
+        self.make_lattice([24e-6], [-7e-6])
+        self.write_mesh(self.x, self.volume, 2)
+        current, atoms = float(STEEL["Current Density"]), STEEL["Solid Concentration"]
+        results = []
+        for film in (True, False):
+            metal = {**STEEL, "Current Density": repr(2 * current if film else current)}
+            deck = self.phases_deck(1, metal, [(2, 2 * current if film else current, atoms)], 20.0, 4)
+            if film:
+                deck["Materials"]["Metal"]["Phase Film Shares"] = [0.5]
+                deck["Boundary Conditions"] |= {
+                    "All Node Set": {"Expression": "x < 1"},
+                    "Film": {"Type": "Film Coverage", "Node Set": "All Node Set", "Value": 1.0}}
+            results.append(self.solve(deck))
+        self.assertGreater(results[0].history()["Dissolved"][-1], 2 * SPACING)
+        np.testing.assert_allclose(results[0].field("Concentration"), results[1].field("Concentration"), rtol=1e-7,
+                                   atol=1e-4)
+        deck["Materials"]["Metal"]["Phase Film Shares"] = [1.5]
+        refused = self.run_deck(deck)
+        self.assertEqual(refused.code, 2, refused.text)
+        self.assertIn("lie between 0 and 1", refused.text)
+
     def test_front_passes_from_layer_to_layer(self):
         # 12 um of steel, then twice the current and 0.7 of the atoms: 2/0.7 times as fast. The dissolution range is 1.5
         # spacings, in which the second layer dissolves beside the first.
