@@ -210,11 +210,18 @@ double SteadyFlow::takeStep(Simulation& simulation, const std::vector<double>& c
 }
 
 void SteadyFlow::giveUp(double t, int iterations, double change, const std::string& why) const {
+  // Of what has divergence, as beside corners at which the velocities of walls jump: lap v - 2/3 grad div v in a plane,
+  // - 1/2 in space (flow_weights.hpp).
+  const char* const ofKernel = law_->viscousKernel == kernels::ViscousKernel::Transverse
+                                   ? "; \"Viscous Kernel: Transverse\" damps velocities that have divergence with a "
+                                     "third of the viscosity (a half "
+                                     "in space): take Laplacian, or points near enough that this number is below 3"
+                                   : "";
   throw RunError(fmt::format(
       "Steady Flow: load step {} (t = {:.6g} s): {} after {} Newton steps, the last of which changed the velocity by "
       "{:.3g} of the largest one; rho |v| h/mu of the spacing h is {:.3g}. Let velocities grow over several Load Steps "
-      "(\"Velocity\" as a function of t), or refine; beyond some Reynolds number there is no steady flow",
-      nLoadSteps_, t, why, iterations, change, equations_->largestCellReynolds()));
+      "(\"Velocity\" as a function of t), or refine; beyond some Reynolds number there is no steady flow{}",
+      nLoadSteps_, t, why, iterations, change, equations_->largestCellReynolds(), ofKernel));
 }
 
 void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
