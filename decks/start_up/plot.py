@@ -145,6 +145,9 @@ def draw_vortices():
         axes[2].loglog(steps, norm(name, "u"), "o", label=f"Sound Speed {speed} m/s, velocity")
         axes[2].loglog(steps, norm(name, "p"), "s", color=axes[2].lines[-1].get_color(), label=f"{speed}, pressure")
         print(f"sound speed {speed}: {steps} steps, u {norm(name, 'u'):.2e}, p {norm(name, 'p'):.2e}")
+    for speed in (30, 60):
+        name = f"vortices_64_sound_{speed}"
+        print(f"64 points, sound speed {speed}: u {norm(name, 'u'):.2e}, p {norm(name, 'p'):.2e}")
     axes[2].set_xlabel("steps")
     axes[2].set_ylabel("relative error at t = 4 s (L2)")
     axes[2].legend(fontsize=6)

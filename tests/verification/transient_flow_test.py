@@ -55,10 +55,13 @@ class TransientFlow(SceneTest):
 
     # Walls that start, and forces
 
-    def couette(self, spacing, kind, time=0.05, viscosity=1.0):
+    def couette(self, spacing, kind, time=0.05, viscosity=1.0, walls=None):
         """Error of the velocity between walls, one of which has moved since t = 0, against the series."""
         points = self.lattice((0.8, 1.0), spacing, kind)
-        result = self.solve(self.deck(spacing, self.channel(0.8, lid=1.0), viscosity, {"Sound Speed": 10.0}, time))
+        deck = self.deck(spacing, self.channel(0.8, lid=1.0), viscosity, {"Sound Speed": 10.0}, time)
+        if walls:
+            deck["Materials"]["Fluid"]["Walls"] = walls
+        result = self.solve(deck)
         inside = result.field("Fluid") == 1.0
         y, velocity = points[inside, 1], result.field("Velocity")[inside]
         n = np.arange(1, 60)[:, None]
@@ -71,6 +74,13 @@ class TransientFlow(SceneTest):
             coarse, fine = self.couette(0.1, kind), self.couette(0.05, kind)
             self.assertLess(fine, 4e-3, kind)
             self.assertGreater(np.log2(coarse / fine), least, kind)
+
+    def test_reflected_points(self):
+        # Those beyond a wall that moves have twice its velocity less the mirrored one; of second order, and coarser.
+        for kind in ("along", "turned"):
+            coarse, fine = (self.couette(spacing, kind, walls="Reflected Points") for spacing in (0.1, 0.05))
+            self.assertLess(fine, 2e-2, kind)
+            self.assertGreater(np.log2(coarse / fine), 1.0, kind)
 
     def test_a_force_that_starts(self):
         # u = f/(2 mu) y (1 - y) - sum over odd n of 4 f/(mu n^3 pi^3) exp(-n^2 pi^2 nu t) sin(n pi y)
