@@ -83,7 +83,7 @@ def _grains(options):
         excess = f": {share / expected:.3g} times their share of the volume" if expected > 0 else ""
         warnings.append(f"boundaries are thinner than the spacing of {mean_spacing:.4g} m and were made one point thick"
                         + excess)
-    if options.size < 4 * mean_spacing:
+    if 0 < options.width and options.size < 4 * mean_spacing:
         warnings.append("grains are smaller than four spacings: hardly anything of them is left between boundaries")
     if options.grains:
         grains.write_grains(made, chosen, len(points), options.grains)
