@@ -14,6 +14,7 @@ constexpr std::size_t mostRows = 8;
 /// Of what a whole half row has: below the first it is beyond a side of the body, where nothing is to be. A half is
 /// open below the second part of what the other one has, which such a side may cut as well.
 constexpr double leastOfHalves = 0.4, leastOfAHalf = 0.5;
+constexpr double leastBesideANotch = 0.75;  ///< of a half row, for the body to be whole there
 constexpr double leastOfQ = 0.5;     ///< rows in which q is less are too short to be judged
 constexpr double leastFilled = 0.2;  ///< of a row that is beyond no side
 
@@ -61,7 +62,7 @@ std::optional<std::array<double, 2>> RingCover::gap(const Epetra_Comm& comm) con
     }
     if (ahead < leastOfAHalf * most) return placeIn(row, 1.0);
     isOpenBehind[row] = behind < leastOfAHalf * most ? 1 : 0;
-    isWholeBehind[row] = 1 - isOpenBehind[row];
+    isWholeBehind[row] = behind >= leastBesideANotch * most ? 1 : 0;
   }
   const auto isSet = [](char flag) { return flag != 0; };
   for (std::size_t row = 0; row < nRows(); ++row) {
