@@ -308,9 +308,11 @@ std::vector<Broken> brokenRuns() {
        {"deck.yaml:74:12: Compute Class Parameters/Pulling Force/Block: there is no block \"block_7\" (did you mean "
         "\"block_1\"?); there are: \"block_1\""}},
       {"OutputOfAClass",
-       {{"Reaction_Force\n    Node Set: Right Node Set\n", "Crack_Length\n"}, {"Pulling_Force]", "Crack_Length]"}},
+       {{"Reaction_Force\n    Node Set: Right Node Set\n    Output Label: Pulling_Force\n",
+         "Crack_Length\n    Output Label: Way\n"},
+        {"Pulling_Force]", "Crack_Length]"}},
        {"deck.yaml:78:59: Output/Output Variables: \"Crack_Length\" is a class of computes, whose results are called "
-        "\"Pulling_Force\" here; name what is to be written"}},
+        "\"Way\" here; name what is to be written"}},
       {"OutputVariable",
        {{"Displacement, Damage,", "Displacment, Damage,"}},
        {"deck.yaml:79:22: Output/Output Variables: nothing in this deck provides \"Displacment\" (did you mean "
