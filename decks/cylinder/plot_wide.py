@@ -12,7 +12,7 @@ from pdplot_lib.results import Results, read_history  # noqa: E402
 from scipy.interpolate import griddata  # noqa: E402
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-SPACING = 0.1
+SPACING = 1 / 14
 
 
 def fluid(name):
