@@ -29,17 +29,35 @@ def flows(name):
                .split()[0])
 
 
-def round_wire(t):
-    """Loss, in %, of a wire in cross flow, by the correlation of Churchill & Bernstein (1977) at each radius."""
-    diffusivity, speed, viscosity, ratio = 1e-9, 0.047, 1e-6, 14302 / (71508 - 14302)
-    radius = [40e-6]
+RADIUS, DIFFUSIVITY, SPEED, VISCOSITY = 40e-6, 1e-9, 0.047, 1e-6  # m, m2/s, m/s, m2/s
+
+
+def correlation(radius):
+    """The Sherwood number of a wire in cross flow (Churchill & Bernstein 1977)."""
+    reynolds, schmidt = SPEED * 2 * radius / VISCOSITY, VISCOSITY / DIFFUSIVITY
+    return 0.3 + 0.62 * reynolds**0.5 * schmidt**(1 / 3) / (1 + (0.4 / schmidt)**(2 / 3))**0.25 * (
+        1 + (reynolds / 282000)**0.625)**0.8
+
+
+def layer(name):
+    """The Sherwood number of layer.yaml."""
+    return -read_history(folder / f"{name}.csv")["Lost"][-1] / (np.pi * RADIUS) * 2 * RADIUS / DIFFUSIVITY
+
+
+def of_layers():
+    """The Sherwood number over the radius, by those of the whole wire and of half of its diameter."""
+    whole, half = layer("layer"), layer("layer_thin")
+    return lambda radius: whole * (radius / RADIUS)**np.log2(whole / half)
+
+
+def round_wire(t, sherwood):
+    """Loss, in %, of a wire in cross flow whose Sherwood number is that of its radius at all times."""
+    ratio = 14302 / (71508 - 14302)
+    radius = [RADIUS]
     for dt in np.diff(t):
         r = max(radius[-1], 1e-9)
-        reynolds, schmidt = speed * 2 * r / viscosity, viscosity / diffusivity
-        sherwood = 0.3 + 0.62 * reynolds**0.5 * schmidt**(1 / 3) / (1 + (0.4 / schmidt)**(2 / 3))**0.25 * (
-            1 + (reynolds / 282000)**0.625)**0.8
-        radius.append(max(r - dt * ratio * sherwood * diffusivity / (2 * r), 0.0))
-    return 100 * (1 - (np.array(radius) / 40e-6)**2)
+        radius.append(max(r - dt * ratio * sherwood(r) * DIFFUSIVITY / (2 * r), 0.0))
+    return 100 * (1 - (np.array(radius) / RADIUS)**2)
 
 
 def draw_transport():
@@ -49,9 +67,15 @@ def draw_transport():
         axis.plot(history["time"], history["Relative_Volume_Loss"], style, label=f"points {spacing} µm apart")
         print(f"transport, {spacing} um: " + ", ".join(
             f"{np.interp(t, history['time'], history['Relative_Volume_Loss']):.1f} % at {t} s" for t in (0.02, 0.04, 0.06, 0.08)))
-    t = np.linspace(0, 0.3, 3001)
-    print("round wire: " + ", ".join(f"{np.interp(at, t, round_wire(t)):.1f} % at {at} s" for at in (0.04, 0.08, 0.2)))
-    axis.plot(t, round_wire(t), "k--", linewidth=0.8, label="Churchill & Bernstein, round wire")
+    print("Sherwood numbers: " + ", ".join(f"{name} {layer(name):.2f}" for name in ("layer", "layer_thin", "layer_upwind"))
+          + f"; of the correlation {correlation(RADIUS):.2f}, {correlation(RADIUS / 2):.2f}")
+    t = np.linspace(0, 0.8, 8001)
+    for label, sherwood, style in (("layer resolved (layer.yaml), round wire", of_layers(), "C3-"),
+                                   ("Churchill & Bernstein, round wire", correlation, "k--")):
+        loss = round_wire(t, sherwood)
+        print(f"{label}: " + ", ".join(f"{np.interp(at, t, loss):.1f} % at {at} s" for at in (0.04, 0.1, 0.2))
+              + f", all of it in {t[np.argmax(loss >= 100)]:.2f} s")
+        axis.plot(t, loss, style, linewidth=0.9, label=label)
     axis.set(xlabel="time (s)", ylabel="volume loss (%)", title="surface always saturated")
     axis.legend(fontsize=8)
     save(figure, "transport.png")
