@@ -36,6 +36,13 @@ coarse=(--quiet --set "Discretization/Input Mesh File=grains_coarse.txt" --set "
 "$pdrun" "$here/grains.yaml" "${coarse[@]}" --set "Output/Output Filename=grains_coarse"
 "$pdrun" "$here/grains.yaml" "${coarse[@]}" --set "Materials/Wire/Phase Current Densities=[4.6, 4.6]" \
   --set "Output/Output Filename=grains_alone"
+# The layer at a surface that is always saturated: of the whole wire, of half of its diameter (half of the velocity is the same
+# for both of its numbers), and with upwind ends.
+"$pdmesh" grid box --quiet --spacing 4e-6 --size 992e-6 416e-6 --origin -416e-6 0 -o "$here/layer.txt"
+"$pdrun" "$here/layer.yaml" --quiet
+"$pdrun" "$here/layer.yaml" --quiet --set "Output/Output Filename=layer_thin" \
+  --set "Boundary Conditions/Far/Velocity=['0.0235*(1 + 300e-6/(2*pi)*x/(x^2 + y^2))', '0.0235*300e-6/(2*pi)*y/(x^2 + y^2)']"
+"$pdrun" "$here/layer.yaml" --quiet --set "Output/Output Filename=layer_upwind" --set "Materials/Ions/Upwind Share=1"
 "$here/plot_grains.py" "$results"
 "$here/plot.py" "$results"
 [[ -z "$(command -v ffmpeg)" ]] || "$here/plot_film.py" "$results"
@@ -54,13 +61,6 @@ saturated=(--set "Materials/Wire/Saturation Concentration=14302" --set "Material
 until=(--set "Solver/Final Time=0.3" --set "Solver/Staggered/Load Steps=30")
 of_pin transport_10.6 pin_10.6 10.625e-6 "${saturated[@]}" "${until[@]}"
 of_pin transport_7.1 pin_7.1 7.0833333e-6 "${saturated[@]}" "${until[@]}"
-# The layer at such a surface, resolved: of the whole wire, of half of its diameter (half of the velocity is the same
-# for both of its numbers), and with upwind ends.
-"$pdmesh" grid box --quiet --spacing 4e-6 --size 992e-6 416e-6 --origin -416e-6 0 -o "$here/layer.txt"
-"$pdrun" "$here/layer.yaml" --quiet
-"$pdrun" "$here/layer.yaml" --quiet --set "Output/Output Filename=layer_thin" \
-  --set "Boundary Conditions/Far/Velocity=['0.0235*(1 + 300e-6/(2*pi)*x/(x^2 + y^2))', '0.0235*300e-6/(2*pi)*y/(x^2 + y^2)']"
-"$pdrun" "$here/layer.yaml" --quiet --set "Output/Output Filename=layer_upwind" --set "Materials/Ions/Upwind Share=1"
 # When the flow is found anew: after 5 % of the wire, in each load step, or when the drag should have changed.
 flow="Solver/Staggered/Solvers/Flow/When"
 for part in 0.1 0.02 0.005; do

@@ -94,6 +94,11 @@ class Histories(CorrosionTest):
         for label in HISTORIES:
             np.testing.assert_array_equal(rest[label], whole[label], label)
 
+    def test_a_scan_after_the_end_is_told_of(self):
+        late = self.run_deck(self.deck(5.0, 8, "late"), arguments=["--check"])
+        self.assertEqual(late.code, 0, late.text)
+        self.assertIn("Since/First Scan, 6 s, is not before the end of the run, 5 s", late.text)
+
 
 if __name__ == "__main__":
     unittest.main()
