@@ -77,9 +77,12 @@ void check(const RunOptions& options, const Communicator& comm) {
 /// Throws DeckError on more than one rank: the runs of a study are processes of their own.
 void performStudy(const CommandLine& commandLine, const Communicator& comm) {
   if (comm.size() > 1) throw DeckError("pdrun: a study times runs of one process each; start it without mpirun");
-  Study study = readStudy(commandLine.studyFile, commandLine.options.overrides);
+  Mistakes mistakes;
+  Study study = readStudy(commandLine.studyFile, commandLine.options.overrides, mistakes);
   const bool isRun = commandLine.action == CommandLine::Action::Study;
-  checkStudy(study, comm, !isRun);
+  checkStudy(study, comm, !isRun, mistakes);
+  mistakes.sort(commandLine.studyFile);
+  mistakes.report();
   checkStudyResults(study, commandLine.options.outputFolder);
   if (isRun) return runStudy(study, commandLine.options.outputFolder, commandLine.options.isQuiet);
   print(comm, stdout, commandLine.studyFile + ": no mistakes found, " + std::to_string(study.runs.size()) + " runs");

@@ -16,10 +16,11 @@ namespace {
 
 class StudyCheck {
  public:
-  StudyCheck(Study& study, const Communicator& comm, bool withMeshes)
-      : study_(study), comm_(comm), withMeshes_(withMeshes) {}
+  StudyCheck(Study& study, const Communicator& comm, bool withMeshes, Mistakes& mistakes)
+      : study_(study), comm_(comm), withMeshes_(withMeshes), mistakes_(mistakes) {}
 
   void run() {
+    if (study_.deckFile.empty()) return;  // which is a mistake by itself
     for (StudyRun& run : study_.runs) {
       try {
         const Deck deck = Deck::read(study_.deckFile, textsOf(run.overrides));
@@ -29,7 +30,6 @@ class StudyCheck {
         for (const std::string& line : placedLines(error, run.overrides)) add(line, run);
       }
     }
-    mistakes_.report();
   }
 
  private:
@@ -103,12 +103,14 @@ class StudyCheck {
   Study& study_;
   const Communicator& comm_;
   const bool withMeshes_;
-  Mistakes mistakes_;
+  Mistakes& mistakes_;
   std::set<std::string> said_, readMeshes_;
 };
 
 }  // namespace
 
-void checkStudy(Study& study, const Communicator& comm, bool withMeshes) { StudyCheck(study, comm, withMeshes).run(); }
+void checkStudy(Study& study, const Communicator& comm, bool withMeshes, Mistakes& mistakes) {
+  StudyCheck(study, comm, withMeshes, mistakes).run();
+}
 
 }  // namespace pd

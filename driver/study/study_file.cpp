@@ -45,8 +45,8 @@ StudyOverride overrideOf(const std::string& path, const DeckNode& value) {
 
 class StudyReader {
  public:
-  StudyReader(const std::string& fileName, const std::vector<std::string>& overrides)
-      : file_(Deck::read(fileName)), overrides_(overrides) {
+  StudyReader(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes)
+      : file_(Deck::read(fileName)), overrides_(overrides), mistakes_(mistakes) {
     study_.fileName = fileName;
   }
 
@@ -59,8 +59,6 @@ class StudyReader {
     } else {
       for (const DeckNode& entry : series.items()) addSeries(entry, ++nSeries_);
     }
-    mistakes_.sort(file_.fileName());
-    mistakes_.report();
     return study_;
   }
 
@@ -82,9 +80,10 @@ class StudyReader {
     if (!list.isParameter("Deck")) return;
     study_.deckFile = file_.resolvePath(text("Deck"));
     std::error_code error;
-    if (!std::filesystem::is_regular_file(study_.deckFile, error))
-      mistakes_.add(file_["Deck"].place(),
-                    "Deck: there is no file \"" + study_.deckFile + "\" (names start at the folder of the study)");
+    if (std::filesystem::is_regular_file(study_.deckFile, error)) return;
+    mistakes_.add(file_["Deck"].place(),
+                  "Deck: there is no file \"" + study_.deckFile + "\" (names start at the folder of the study)");
+    study_.deckFile.clear();
   }
 
   void histories() {
@@ -161,7 +160,7 @@ class StudyReader {
 
   const Deck file_;
   const std::vector<std::string>& overrides_;
-  Mistakes mistakes_;
+  Mistakes& mistakes_;
   Study study_;
   int nSeries_ = 0;
 };
@@ -183,8 +182,8 @@ const ParameterDeclarations& studySeriesDeclarations() {
   return declarations;
 }
 
-Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides) {
-  return StudyReader(fileName, overrides).read();
+Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes) {
+  return StudyReader(fileName, overrides, mistakes).read();
 }
 
 }  // namespace pd

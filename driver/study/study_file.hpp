@@ -62,9 +62,10 @@ struct Study {
 const ParameterDeclarations& studyDeclarations();        ///< but for its Series
 const ParameterDeclarations& studySeriesDeclarations();  ///< an entry of Series; Overrides and Sweep hold deck paths
 
-/// Reads the study, with `overrides` (path=value) added to each run; throws DeckError with all mistakes of the file.
-/// The columns of its histories are known once its runs have been checked.
-Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides);
+/// Reads the study, with `overrides` (path=value) added to each run, and adds all mistakes of the file; what they leave
+/// can be checked further. The columns of its histories are known once its runs have been checked. Throws DeckError
+/// where the file is no YAML.
+Study readStudy(const std::string& fileName, const std::vector<std::string>& overrides, Mistakes& mistakes);
 
 }  // namespace pd
 
