@@ -103,7 +103,7 @@ class Refusals(SceneTest):
 
     def test_bonds_that_one_end_alone_has_broken(self):
         # Pulled apart, the left half breaks its bonds to the right one, which keeps them; on two ranks these are bonds
-        # between the ranks, and beside a plane of symmetry bonds to images, too.
+        # between the ranks.
         points = lattice([0.03, 0.024], SPACING)
         self.write_mesh(points, SPACING**2 * THICKNESS, block=np.where(points[:, 0] < 15e-3, 1, 2))
         deck = plate_deck(
