@@ -15,8 +15,8 @@ constexpr std::size_t mostRows = 8;
 /// open below the second part of what the other one has, which such a side may cut as well.
 constexpr double leastOfHalves = 0.4, leastOfAHalf = 0.5;
 constexpr double leastBesideANotch = 0.75;  ///< of a half row, for the body to be whole there
-constexpr double leastOfQ = 0.5;     ///< rows in which q is less are too short to be judged
-constexpr double leastFilled = 0.2;  ///< of a row that is beyond no side
+constexpr double leastOfQ = 0.5;            ///< rows in which q is less are too short to be judged
+constexpr double leastFilled = 0.2;         ///< of a row that is beyond no side
 
 }  // namespace
 
