@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <type_traits>
 #include <unordered_map>
 
@@ -260,7 +261,7 @@ class Assembly {
   };
   /// Those of all families, each of which is a list.
   struct Shares {
-    std::vector<Share> all;
+    std::deque<Share> all;
     std::vector<int> first;  ///< [points]
     Gains& of(int point, const Piece& piece) {
       int* at = &first[static_cast<std::size_t>(point)];
