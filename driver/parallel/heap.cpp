@@ -9,9 +9,22 @@
 #include <cstdlib>
 #include <fstream>
 
+#ifdef __has_feature
+#define PD_HAS_FEATURE(name) __has_feature(name)
+#else
+#define PD_HAS_FEATURE(name) 0
+#endif
+
 namespace pd {
 
 namespace {
+
+/// The address sanitizer has a heap of its own, which marks all that is taken.
+#if defined(__SANITIZE_ADDRESS__) || PD_HAS_FEATURE(address_sanitizer)
+constexpr bool isGlibcsHeap = false;
+#else
+constexpr bool isGlibcsHeap = true;
+#endif
 
 /// glibc gives large arrays back to the system as they are freed, and has the next ones as pages that the system clears
 /// and maps one by one: on a virtual machine a third of an equilibrium of 90 000 points from nothing, for a sixth more
@@ -53,9 +66,7 @@ void takeLargePages() {
 void prepareHeap() {
   if (std::getenv("MALLOC_MMAP_MAX_") != nullptr || std::getenv("MALLOC_TRIM_THRESHOLD_") != nullptr) return;
   keepFreedMemory();
-#ifndef __SANITIZE_ADDRESS__  // which has a heap of its own
-  takeLargePages();
-#endif
+  if (isGlibcsHeap) takeLargePages();
 }
 
 }  // namespace pd
