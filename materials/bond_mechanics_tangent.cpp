@@ -201,6 +201,10 @@ LinearSprings BondMechanics::springs(const Call& call, PeridigmNS::DataManager& 
   const Views views(*this, dataManager);
   LinearSprings result;
   result.family = springFamily();
+  std::size_t nBonds = 0;
+  forEachBond(call, [&](int, int, std::size_t) { ++nBonds; });
+  result.along.reserve(nBonds);
+  if (constants_.tangential != 0.0) result.across.reserve(nBonds);
   forEachBond(call, [&](int i, int j, std::size_t index) {
     const ReferenceBond bond(views.x, i, j);
     const double g = 0.5 * strength(views, bond, i, j, index) * views.volume[i] * views.volume[j] / bond.length;

@@ -84,9 +84,13 @@ void StepRecord::touch(const std::vector<int>& points) {
 }
 
 void StepRecord::touchAll() {
-  std::vector<int> all(static_cast<std::size_t>(nOwned_));
-  std::iota(all.begin(), all.end(), 0);
-  touch(all);
+  if (!growing_.empty() && !points_.empty()) return;  // begin() has
+  points_.resize(static_cast<std::size_t>(nOwned_));
+  std::iota(points_.begin(), points_.end(), 0);
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    const auto& [label, values, width] = fields_[f];
+    copies_[f].assign(values, values + static_cast<std::ptrdiff_t>(width) * nOwned_);
+  }
 }
 
 void StepRecord::takeBack() {

@@ -1,12 +1,12 @@
 #include "session.hpp"
 
 #include <hdf5.h>
-#include <malloc.h>
 
 #include <Tpetra_Core.hpp>
 #include <cstdlib>
 #include <utility>
 
+#include "heap.hpp"
 #include "launch.hpp"
 
 namespace pd {
@@ -38,19 +38,10 @@ void leaveOutGraphicsCards() { setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hw
 /// it has its name, and runs that would write the same ones keep each other out (driver/output/result_lock.hpp).
 void leaveOutFileLocks() { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0); }
 
-/// glibc gives large arrays back to the system as they are freed, and has the next ones as pages that the system clears
-/// and maps one by one: on a virtual machine a third of an equilibrium of 90 000 points from nothing, for a sixth more
-/// memory if they stay. What the user has set stays.
-void keepFreedMemory() {
-  if (std::getenv("MALLOC_MMAP_MAX_") != nullptr || std::getenv("MALLOC_TRIM_THRESHOLD_") != nullptr) return;
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-}
-
 }  // namespace
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
-  keepFreedMemory();
+  prepareHeap();
   leaveOutSharedFilePointers();
   keepToItself();
   leaveOutGraphicsCards();

@@ -65,26 +65,31 @@ void NewtonSettings::takeKinematics(const Teuchos::ParameterList& parameters, co
 
 Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
-  model.updateCoordinates();
-  if (settings_.hasSmallStrain)
-    springForce(model);
-  else
+  if (settings_.hasSmallStrain) {
+    springForce(model);  // which follows from displacements, and moves no point
+  } else {
+    model.updateCoordinates();
     model.evaluateForce(dt);
+  }
   const double *force = model.field(fields_.force), *volume = model.field("Volume");
   const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
-  residual_.assign(isHeld_.size(), 0.0);
-  std::array<double, 3> mine{}, all{};  // squares of the free, external and reaction forces
-  for (std::size_t i = 0; i < isHeld_.size(); ++i) {
-    const double external = externalForce[i] * volume[i / 3], internal = force[i] * volume[i / 3];
-    if (!isHeld_[i]) {
-      residual_[i] = internal + external;
-      mine[1] += external * external;
-    } else if (isPrescribed[i]) {
-      mine[2] += internal * internal;
+  residual_.resize(isHeld_.size());
+  // Squares by component: sums that do not wait for each other.
+  std::array<double, 3> unbalanced{}, external{}, reaction{};
+  for (std::size_t i = 0; i < isHeld_.size(); i += 3)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double load = externalForce[i + d] * volume[i / 3], internal = force[i + d] * volume[i / 3];
+      const bool isHeld = isHeld_[i + d] != 0;
+      residual_[i + d] = isHeld ? 0.0 : internal + load;
+      external[d] += isHeld ? 0.0 : load * load;
+      reaction[d] += isHeld && isPrescribed[i + d] != 0 ? internal * internal : 0.0;
     }
-  }
   leaveOutSlack(externalForce);
-  for (const double unbalanced : residual_) mine[0] += unbalanced * unbalanced;
+  for (std::size_t i = 0; i < residual_.size(); i += 3)
+    for (std::size_t d = 0; d < 3; ++d) unbalanced[d] += residual_[i + d] * residual_[i + d];
+  const auto sum = [](const std::array<double, 3>& squares) { return squares[0] + squares[1] + squares[2]; };
+  std::array<double, 3> mine{sum(unbalanced), sum(external), sum(reaction)};
+  std::array<double, 3> all{};
   model.comm().SumAll(mine.data(), all.data(), 3);
   return {std::sqrt(all[0]), std::sqrt(std::max(all[1], all[2]))};
 }
@@ -103,7 +108,32 @@ void Newton::leaveOutSlack(const std::vector<double>& externalForce) {
   }
 }
 
+bool Newton::growWithLoads(Simulation& simulation) {
+  if (!settings_.hasSmallStrain || simulation.conditions.hasExternalForce()) return false;
+  constexpr double rounding = 1e-12;
+  Model& model = simulation.model;
+  double* displacement = model.field(fields_.displacement);
+  const double* start = model.fieldAtN("Displacement");
+  double ofStart = 0.0, ofBoth = 0.0, largest = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < isHeld_.size(); ++i) {
+    if (!isHeld_[i]) continue;
+    ofStart += start[i] * start[i];
+    ofBoth += start[i] * displacement[i];
+    largest = std::max(largest, std::abs(displacement[i]));
+  }
+  ofStart = model.comm().sum(ofStart);
+  if (ofStart == 0.0) return false;
+  const double factor = model.comm().sum(ofBoth) / ofStart;
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    if (isHeld_[i]) apart = std::max(apart, std::abs(displacement[i] - factor * start[i]));
+  if (!(model.comm().max(apart) <= rounding * model.comm().max(largest))) return false;
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    if (!isHeld_[i]) displacement[i] = factor * start[i];
+  return true;
+}
+
 void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vector<double>& externalForce) {
+  if (growWithLoads(simulation)) return;
   Model& model = simulation.model;
   double* displacement = model.field(fields_.displacement);
   const double* start = model.fieldAtN("Displacement");

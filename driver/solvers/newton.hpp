@@ -111,6 +111,9 @@ class Newton {
   };
 
   Balance evaluate(Simulation& simulation, double dt, const std::vector<double>& externalForce);
+  /// Where bonds are springs, and all held displacements have grown from the start of the step by one factor, so do the
+  /// others. False where it is not so. Collective.
+  bool growWithLoads(Simulation& simulation);
   void forgetTangent();
   void leaveOutSlack(const std::vector<double>& externalForce);
   void chooseTangent(Model& model);
@@ -145,7 +148,8 @@ class Newton {
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
   std::vector<SlackDirection> slack_;    ///< of the last matrix
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;
-  double roundOff_ = 0.0;  ///< N: what rounding of coordinates alone makes of the residual
+  double farthest_ = -1.0;  ///< m: largest coordinate, when it was first looked at
+  double roundOff_ = 0.0;   ///< N: what rounding of coordinates alone makes of the residual
 };
 
 }  // namespace pd

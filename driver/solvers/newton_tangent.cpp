@@ -221,10 +221,12 @@ void Newton::makeTangent(Simulation& simulation, double dt) {
 
 /// What rounding of coordinates makes of the forces.
 void Newton::setRoundOff(Model& model, double normOfDiagonal) {
-  const double* coordinates = model.field(fields_.coordinates);
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < isHeld_.size(); ++i) farthest = std::max(farthest, std::abs(coordinates[i]));
-  roundOff_ = std::numeric_limits<double>::epsilon() * model.comm().max(farthest) * normOfDiagonal;
+  if (farthest_ < 0.0) {
+    const double* coordinates = model.field(fields_.coordinates);
+    for (std::size_t i = 0; i < isHeld_.size(); ++i) farthest_ = std::max(farthest_, std::abs(coordinates[i]));
+    farthest_ = model.comm().max(farthest_);
+  }
+  roundOff_ = std::numeric_limits<double>::epsilon() * farthest_ * normOfDiagonal;
 }
 
 void Newton::springForce(Model& model) {
@@ -236,6 +238,7 @@ void Newton::springForce(Model& model) {
 /// What materials derive from displacements beside forces follows from theirs; the forces are those of the springs
 /// again.
 void Newton::completeSmallStrain(Model& model, double dt) {
+  model.updateCoordinates();
   if (derivesFields_) {
     model.evaluateForce(dt);
     springForce(model);

@@ -20,7 +20,7 @@ namespace {
 using namespace PeridigmNS;
 
 // A coarse level is made anew after so many changes of bonds, or where conjugate gradients have become so much slower.
-constexpr int mostChanges = 40;
+constexpr int mostChanges = 80;
 constexpr double slowest = 0.65;
 // Down to this residual of a linear solve its products are made in single precision. Who asked for it has residuals of
 // its own in double precision, and solves again for what is left.
@@ -249,6 +249,7 @@ void SpringTangent::prepare() {
   refreshSmoother();
   if (isStale) {
     levels_.rebuild();
+    findNormOfDiagonal();
     nChanges_ = 0;
     freshRate_ = 0.0;
     mustRebuild_ = false;
@@ -257,10 +258,7 @@ void SpringTangent::prepare() {
 
 void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
   const int n = model_.nOwned();
-  double largest = 0.0;
-  for (int c = 0; c < x.nComponents(); ++c)
-    for (int i = 0; i < n; ++i) largest = std::max(largest, std::abs(x[c][i]));
-  largest = model_.comm().max(largest);
+  const double largest = model_.comm().max(largestSize(x, n));
   const double scale = largest > 0.0 ? largest : 1.0;
   for (int c = 0; c < x.nComponents(); ++c)
     for (int i = 0; i < n; ++i) single_[c][i] = static_cast<float>(x[c][i] / scale);
@@ -311,12 +309,7 @@ void SpringTangent::copyForceToBlocks() {
   }
 }
 
-double SpringTangent::normOfRight() const {
-  double sum = 0.0;
-  for (int c = 0; c < network_.dimension(); ++c)
-    for (int i = 0; i < model_.nOwned(); ++i) sum += right_[c][i] * right_[c][i];
-  return std::sqrt(model_.comm().sum(sum));
-}
+double SpringTangent::normOfRight() const { return std::sqrt(model_.comm().sum(dot(right_, right_, model_.nOwned()))); }
 
 LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolerance, int maximumIterations,
                                        const Product& product) {
@@ -368,7 +361,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
 }
 
 double SpringTangent::meanBondMotion(const double* displacement) const {
-  constexpr int sampleSize = 200;
+  constexpr int sampleSize = 50;
   const double* x = model_.field("Model_Coordinates");
   const auto squaredDistance = [](const double* a, const double* b) {
     double sum = 0.0;
@@ -389,13 +382,13 @@ double SpringTangent::meanBondMotion(const double* displacement) const {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-double SpringTangent::normOfDiagonal() const {
+void SpringTangent::findNormOfDiagonal() {
   const PointVector<double>& diagonal = levels_.diagonal();
   double sum = 0.0;
   for (int c = 0, at = 0; c < network_.dimension(); at += network_.dimension() - c, ++c)
     for (int i = 0; i < model_.nOwned(); ++i)
       if (!stiffness_.isHeld(i, c)) sum += diagonal[at][i] * diagonal[at][i];
-  return network_.stiffnessUnit() * std::sqrt(model_.comm().sum(sum));
+  normOfDiagonal_ = network_.stiffnessUnit() * std::sqrt(model_.comm().sum(sum));
 }
 
 }  // namespace pd

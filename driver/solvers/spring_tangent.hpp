@@ -49,11 +49,11 @@ class SpringTangent {
   LinearSolveReport solve(const double* b, double* x, double tolerance, int maximumIterations,
                           const Product& product = {});
 
-  /// |u_j - u_i|/|xi| of the unbroken bonds of some hundred points, in the mean, for displacements [3 nPoints]: how far
+  /// |u_j - u_i|/|xi| of the unbroken bonds of some fifty points, in the mean, for displacements [3 nPoints]: how far
   /// bonds have stretched and turned. Collective.
   double meanBondMotion(const double* displacement) const;
-  /// Norm of the diagonal at free degrees of freedom, N/m. Collective.
-  double normOfDiagonal() const;
+  /// Norm of the diagonal at free degrees of freedom, N/m, when the coarse level was made.
+  double normOfDiagonal() const { return normOfDiagonal_; }
 
   int nCoarseUnknowns() const { return levels_.nCoarseUnknowns(); }
   std::size_t bytes() const { return network_.bytes(); }
@@ -66,6 +66,7 @@ class SpringTangent {
   /// Throws RunError: point i has broken its bond to j, which has not.
   [[noreturn]] void refuseHalfBond(int i, int j) const;
   void refreshSmoother();
+  void findNormOfDiagonal();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.
   void applyToDisplacement();
@@ -84,6 +85,7 @@ class SpringTangent {
   std::vector<int> stalePoints_;        ///< whose springs or held degrees of freedom the smoother does not know
   std::vector<int> newlyHeld_;          ///< points held since the coarse level was last looked at
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
+  double normOfDiagonal_ = 0.0;
   int nChanges_ = 0;  ///< of bonds or held points since the coarse level was made
   /// Norm of the residual that the last solve was to leave; huge: none with these bonds.
   double expectedRest_ = std::numeric_limits<double>::max();

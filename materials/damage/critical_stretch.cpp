@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bond_family.hpp"
 #include "damage_views.hpp"
@@ -13,6 +14,8 @@ namespace pd {
 using PeridigmNS::DataManager;
 
 namespace {
+
+constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
 
 /// Do all points lie in one plane of constant z?
 bool isPlane(const double* coordinates, int nPoints) {
@@ -61,26 +64,67 @@ struct CriticalStretch::Views {
   kernels::StretchFields stretch;
 };
 
-bool CriticalStretch::findChunksToTest(const Cache& cache, const Views& views, std::vector<std::size_t>& chunks) const {
-  if (cache.slack.empty() || !std::isfinite(law_.steepest())) return false;
-  double moved2 = 0.0, changed = 0.0;
+void CriticalStretch::findApproach(Cache& cache, const Views& views) const {
+  cache.approach.resize(static_cast<std::size_t>(views.nPoints));
   for (int i = 0; i < views.nPoints; ++i) {
     double distance2 = 0.0;
     for (int d = 0; d < views.stretch.dimension; ++d) {
       const double step = views.stretch.current[d][i] - cache.testedPositions[d][i];
       distance2 += step * step;
     }
-    moved2 = std::max(moved2, distance2);
+    cache.approach[static_cast<std::size_t>(i)] = std::sqrt(distance2);
   }
-  for (int i = 0; views.stretch.coverage != nullptr && i < views.nPoints; ++i)
-    changed = std::max(changed, std::abs(cache.coverage[0][i] - cache.testedCoverage[0][i]));
-  // The last term is round-off of coordinates.
-  const double reach = 2.0 * std::sqrt(moved2) + law_.steepest() * changed * cache.longestBond;
-  const double needed = reach * (1.0 + 1e-9) + 1e-12 * cache.longestBond;
+  if (views.stretch.coverage == nullptr) return;
+  // A bond goes by the mean coverage of its ends.
+  const double perCoverage = 0.5 * law_.steepest() * cache.longestBond;
+  for (int i = 0; i < views.nPoints; ++i)
+    cache.approach[static_cast<std::size_t>(i)] +=
+        perCoverage * std::abs(cache.coverage[0][i] - cache.testedCoverage[0][i]);
+}
+
+/// A few points, at a tip or on a new face, come far nearer than all others: `near` becomes 1 for chunks that bonds of
+/// theirs lead to. Returns what the others come nearer by at most.
+double CriticalStretch::setApart(const Call& call, const Cache& cache, std::vector<char>& near) const {
+  constexpr std::size_t mostApart = 50;  // one in so many points
+  near.assign(cache.slack.size(), 0);
+  double largest = 0.0, elsewhere = 0.0;  // of points whose bonds are not in this list
+  for (std::size_t i = 0; i < cache.approach.size(); ++i) {
+    largest = std::max(largest, cache.approach[i]);
+    if (cache.chunkOf[i] == nowhere) elsewhere = std::max(elsewhere, cache.approach[i]);
+  }
+  for (const double share : {1.0 / 64.0, 1.0 / 16.0, 1.0 / 4.0}) {
+    const double most = std::max(share * largest, elsewhere);
+    const auto isApart = [&](double approach) { return approach > most; };
+    const auto n = std::count_if(cache.approach.begin(), cache.approach.end(), isApart);
+    if (static_cast<std::size_t>(n) > cache.approach.size() / mostApart) continue;
+    for (std::size_t i = 0; i < cache.approach.size(); ++i) {
+      if (!isApart(cache.approach[i])) continue;
+      const int* list = call.neighborhoodList + cache.listStart[i];
+      for (int k = 1; k <= *list; ++k)
+        if (const std::size_t chunk = cache.chunkOf[static_cast<std::size_t>(list[k])]; chunk != nowhere)
+          near[chunk] = 1;
+    }
+    return most;
+  }
+  return largest;
+}
+
+bool CriticalStretch::findChunksToTest(const Call& call, Cache& cache, const Views& views,
+                                       std::vector<std::size_t>& chunks) const {
+  if (cache.slack.empty() || !std::isfinite(law_.steepest())) return false;
+  findApproach(cache, views);
+  std::vector<char> near;
+  const double others = setApart(call, cache, near);
   constexpr double worthwhileShare = 0.25;
   const auto most = static_cast<std::size_t>(worthwhileShare * static_cast<double>(cache.slack.size()));
   for (std::size_t c = 0; c < cache.slack.size(); ++c) {
-    if (cache.slack[c] > needed) continue;
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    double own = 0.0;
+    for (int lane = 0; lane < chunk.nLanes; ++lane)
+      own = std::max(own, cache.approach[static_cast<std::size_t>(cache.neighborhood.pointIds(chunk)[lane])]);
+    // The last term is round-off of coordinates.
+    const double needed = (own + others) * (1.0 + 1e-9) + 1e-12 * cache.longestBond;
+    if (near[c] == 0 && cache.slack[c] > needed) continue;
     chunks.push_back(c);
     if (chunks.size() > most) return false;
   }
@@ -100,6 +144,16 @@ CriticalStretch::Cache& CriticalStretch::cacheOf(const Call& call, const double*
       *square = length * length;
     };
     made.reference2 = kernels::BondConstants(made.neighborhood, 1, squareOf, kernels::BondConstants::Keep::OnlyUniform);
+    made.chunkOf.assign(static_cast<std::size_t>(nPoints), nowhere);
+    for (std::size_t chunk = 0; chunk < made.neighborhood.chunks().size(); ++chunk)
+      for (int lane = 0; lane < made.neighborhood.chunks()[chunk].nLanes; ++lane)
+        made.chunkOf[static_cast<std::size_t>(made.neighborhood.pointIds(made.neighborhood.chunks()[chunk])[lane])] =
+            chunk;
+    made.listStart.assign(made.chunkOf.size(), 0);
+    for (std::size_t p = 0, at = 0; p < static_cast<std::size_t>(c.nOwned); ++p) {
+      made.listStart[static_cast<std::size_t>(c.ownedIds[p])] = at;
+      at += static_cast<std::size_t>(c.neighborhoodList[at]) + 1;
+    }
     return made;
   });
 }
@@ -121,7 +175,7 @@ void CriticalStretch::worsen(double, const Call& call, DataManager& dataManager)
       nPoints, {dimension, cache.reference2, cache.reference, cache.current, hasCoverage ? &cache.coverage : nullptr}};
 
   std::vector<std::size_t> chunks;
-  const bool testsSome = findChunksToTest(cache, views, chunks);
+  const bool testsSome = findChunksToTest(call, cache, views, chunks);
   struct Changed {
     const kernels::Chunk* chunk;
     unsigned lanes;  ///< bits

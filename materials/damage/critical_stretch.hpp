@@ -56,17 +56,23 @@ class CriticalStretch : public BondDamageModel, public StepListener {
     kernels::BondConstants reference2;
     bool isPlane = false;
     double longestBond = 0.0;
-    // What bonds looked like when all were last tested (see chunksToTest).
+    std::vector<std::size_t> chunkOf;    ///< [points] that has its bonds; of points of other lists none
+    std::vector<std::size_t> listStart;  ///< [points] in the list of neighbours
+    // What bonds looked like when all were last tested (see findChunksToTest).
     std::vector<double> slack;
     kernels::PointArrays testedPositions, testedCoverage;
+    std::vector<double> approach;  ///< [points] findApproach()
   };
   struct Views;
 
   Cache& cacheOf(const Call& call, const double* x, int nPoints) const;
-  /// Chunks with a bond that may have reached its limit since all were tested: a bond cannot have grown by more than
-  /// twice the largest displacement since, nor its critical stretch have fallen by more than the largest change of
-  /// coverage allows. Returns false where testing all again pays.
-  bool findChunksToTest(const Cache& cache, const Views& views, std::vector<std::size_t>& chunks) const;
+  /// By how much (m) a point may have brought its bonds nearer to their limits since all were tested: by how far it has
+  /// moved, and by what the change of its coverage takes from them. Both ends of a bond add up.
+  void findApproach(Cache& cache, const Views& views) const;
+  double setApart(const Call& call, const Cache& cache, std::vector<char>& near) const;
+  /// Chunks with a bond that may have reached its limit since all were tested. Returns false where testing all again
+  /// pays.
+  bool findChunksToTest(const Call& call, Cache& cache, const Views& views, std::vector<std::size_t>& chunks) const;
 
   Fields fields_;
   mutable NeighborhoodCache<Cache> caches_;

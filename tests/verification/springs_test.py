@@ -61,6 +61,28 @@ class CrackedPlate(SceneTest):
         # Strains of the latter are some 1e-7, and so is what is not linear in them; the tolerance is 1e-8.
         self.assertLess(np.max(np.abs(a - b)), 1e-6 * np.max(np.abs(b)))
 
+    def test_small_strain_grows_with_its_loads(self):
+        """Where all of them grow alike nothing is solved for anew: a load of nothing, which could be another, prevents it."""
+        nothing = {"Type": "Body Force", "Node Set": "All Node Set", "Coordinate": "x", "Value": 0.0}
+        for down in ("-1.0e-5*t", "-1.0e-5*t*t"):
+            found, solved = [], []
+            for load in (None, nothing):
+                deck = plate({"Kinematics": "Small Strain", "Load Steps": 10}, True)
+                conditions = deck["Boundary Conditions"]
+                conditions["Down"]["Value"] = down
+                conditions["All Node Set"] = {"Expression": "x > 0"}
+                if load:
+                    conditions["Nothing"] = load
+                found.append(self.solve(deck))
+                with open(self.path("result.log")) as log:
+                    words = next(line for line in log if "linear iterations" in line).split()
+                solved.append(int(words[words.index("linear") - 1]))
+            self.assertGreater(found[0].field("Damage").max(), 0.5)
+            np.testing.assert_array_equal(found[0].field("Damage"), found[1].field("Damage"))
+            u, exact = (result.field("Displacement") for result in found)
+            self.assertLess(np.max(np.abs(u - exact)), 1e-7 * np.max(np.abs(exact)))
+            (self.assertEqual if "t*t" in down else self.assertLess)(*solved)
+
     def test_small_strain_of_large_displacements_is_warned_of(self):
         # The plate is 24 mm high: a twentieth of that, and a hundredth of a percent.
         for pull, is_warned in ((1.2e-3, True), (2.4e-6, False)):

@@ -14,14 +14,7 @@ class Vectors {
  public:
   Vectors(const Communicator& comm, int nOwned) : comm_(comm), n_(nOwned) {}
 
-  double dot(const PointVector<double>& a, const PointVector<double>& b) const {
-    double sum = 0.0;
-    for (int c = 0; c < a.nComponents(); ++c) {
-      const double *x = a[c], *y = b[c];
-      for (int i = 0; i < n_; ++i) sum += x[i] * y[i];
-    }
-    return comm_.sum(sum);
-  }
+  double dot(const PointVector<double>& a, const PointVector<double>& b) const { return comm_.sum(pd::dot(a, b, n_)); }
   /// y = factor y + share x
   void combine(PointVector<double>& y, double factor, const PointVector<double>& x, double share) const {
     for (int c = 0; c < y.nComponents(); ++c) {

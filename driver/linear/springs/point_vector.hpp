@@ -31,6 +31,10 @@ class PointVector {
   std::vector<Real> values_;
 };
 
+/// Sums and largest sizes over owned points, of this rank.
+double dot(const PointVector<double>& a, const PointVector<double>& b, int nOwned);
+double largestSize(const PointVector<double>& x, int nOwned);
+
 }  // namespace pd
 
 #endif

@@ -5,44 +5,15 @@
 #include <experimental/simd>
 #include <type_traits>
 
+#include "broken_bonds.hpp"
+#include "spring_measure.hpp"
+
 namespace pd {
 
 namespace {
 
 namespace stdx = std::experimental;
 using Family = SpringNetwork::Family;
-
-/// xi x eta (Rotation) or xi.eta (Dilatation), the s of a bond, and the gradient of t.s by eta.
-template <int D, Family family>
-struct Measure {
-  static constexpr int width = family == Family::None ? 0 : (family == Family::Rotation && D == 3 ? 3 : 1);
-
-  template <class V, class W>
-  static void add(const W* xi, const V* eta, V* s) {
-    if constexpr (family == Family::Dilatation) {
-      for (int d = 0; d < D; ++d) s[0] += xi[d] * eta[d];
-    } else if constexpr (family == Family::Rotation && D == 2) {
-      s[0] += xi[0] * eta[1] - xi[1] * eta[0];
-    } else if constexpr (family == Family::Rotation && D == 3) {
-      s[0] += xi[1] * eta[2] - xi[2] * eta[1];
-      s[1] += xi[2] * eta[0] - xi[0] * eta[2];
-      s[2] += xi[0] * eta[1] - xi[1] * eta[0];
-    }
-  }
-  template <class V, class W>
-  static void addGradient(const W* xi, const V* t, V* force) {
-    if constexpr (family == Family::Dilatation) {
-      for (int d = 0; d < D; ++d) force[d] += xi[d] * t[0];
-    } else if constexpr (family == Family::Rotation && D == 2) {
-      force[0] -= xi[1] * t[0];
-      force[1] += xi[0] * t[0];
-    } else if constexpr (family == Family::Rotation && D == 3) {
-      force[0] += t[1] * xi[2] - t[2] * xi[1];
-      force[1] += t[2] * xi[0] - t[0] * xi[2];
-      force[2] += t[0] * xi[1] - t[1] * xi[0];
-    }
-  }
-};
 
 /// `isProportional`: SpringShape::acrossPerRadial is not 0.
 template <class Real, int D, Family family, bool hasAcross, bool isProportional>
@@ -60,6 +31,8 @@ class Loops {
     });
     addFamiliesOfList<true>(network_.pairs(), x, s);
     addFamiliesOfList<false>(network_.singles(), x, s);
+    for (const BrokenStretch& stretch : network_.brokenStretches())
+      BrokenBonds<Real, D, family>(network_, stretch).takeFromFamilies(x, s);
     addFamiliesOfList<true>(network_.corrections(), x, s);
     addFamiliesOfList<false>(network_.singleCorrections(), x, s);
   }
@@ -73,6 +46,8 @@ class Loops {
     });
     addForcesOfList<true>(network_.pairs(), x, t, y);
     addForcesOfList<false>(network_.singles(), x, t, y);
+    for (const BrokenStretch& stretch : network_.brokenStretches())
+      BrokenBonds<Real, D, family>(network_, stretch).takeFromForces(x, t, y);
     addForcesOfList<true>(network_.corrections(), x, t, y);
     addForcesOfList<false>(network_.singleCorrections(), x, t, y);
   }
@@ -80,7 +55,7 @@ class Loops {
  private:
   using Vector = stdx::native_simd<Real>;
   static constexpr int lanes = static_cast<int>(Vector::size());
-  using M = Measure<D, family>;
+  using M = SpringMeasure<D, family>;
   static constexpr int nStiffness = D * (D + 1) / 2;
   static constexpr std::size_t nArrays = M::width > 0 ? M::width : 1;
 

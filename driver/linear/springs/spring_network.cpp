@@ -20,6 +20,8 @@ constexpr std::size_t nRemembered = 64;
 // where springs have several constants, that eats up what they gain, but beside runs.
 constexpr int longestStrip = 2 * SpringStrip::lanes, shortestStrip = 4;
 constexpr double leastFilled = 0.55;
+// Fewer broken bonds side by side are a list's.
+constexpr int shortestStretch = 4;
 
 }  // namespace
 
@@ -48,6 +50,12 @@ struct SpringNetwork::Row {
   std::vector<int> reverse;  ///< position of this point in the neighbour's list; -1: in none on this rank
   std::vector<double> xi;    ///< [neighbours][D]
   std::vector<SpringConstants<double>> constants;
+};
+
+/// Whether all springs resist across in one proportion to what they resist along, and give half of it to either family.
+struct SpringNetwork::Proportion {
+  double ratio = 0.0;
+  bool isOne = true;
 };
 
 /// Reads the rows of points 0, 1, 2 ... one after another.
@@ -151,35 +159,36 @@ SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& poi
   const auto nOwned = static_cast<std::size_t>(points.nOwned);
   isComplete_.assign(nOwned, 0);
   aliveOfPoint_.resize(nOwned);
-  if (family_ == Family::Rotation) findProportion(comm, RowReader(*this, along, across));
+  Proportion proportion;
   if (findsRuns) {
-    findRuns(RowReader(*this, along, across));
-    findStrips(RowReader(*this, along, across));
+    findRuns(RowReader(*this, along, across), proportion);
+  } else {
+    RowReader reader(*this, along, across);
+    for (int i = 0; i < points.nOwned && family_ == Family::Rotation; ++i) look(reader.next(), proportion);
   }
+  if (family_ == Family::Rotation) {
+    const double largest = comm.max(proportion.ratio), smallest = -comm.max(-proportion.ratio);
+    if (!comm.any(!proportion.isOne || !shape_.hasAcross))
+      shape_.acrossPerRadial = largest > -smallest ? largest : smallest;
+  }
+  if (findsRuns) findStrips(RowReader(*this, along, across));
   makeLists(RowReader(*this, along, across));
 }
 
-/// Whether all springs resist across in proportion to what they resist along, and give half of it to either family.
-void SpringNetwork::findProportion(const Communicator& comm, RowReader reader) {
+void SpringNetwork::look(const Row& row, Proportion& proportion) const {
   constexpr double tolerance = 1e-12, least = 1e-3;
   const auto d = static_cast<std::size_t>(dimension());
-  double ratio = 0.0;
-  bool isOne = shape_.hasAcross;
-  for (int i = 0; i < points_.nOwned && isOne; ++i) {
-    const Row& row = reader.next();
-    for (std::size_t k = 0; k < row.constants.size() && isOne; ++k) {
-      const SpringConstants<double>& c = row.constants[k];
-      if (!c.acts()) continue;
-      double length2 = 0.0;
-      for (std::size_t a = 0; a < d; ++a) length2 += row.xi[k * d + a] * row.xi[k * d + a];
-      const double radial = c.radial * length2, bound = tolerance * std::abs(radial + c.across);
-      if (ratio == 0.0 && std::abs(radial) > least * std::abs(radial + c.across)) ratio = c.across / radial;
-      const bool isShared = neighbors(i)[k] >= points_.nOwned || std::abs(c.own - c.others) <= bound;
-      isOne = isShared && std::abs(ratio * radial - c.across) <= bound;
-    }
+  for (std::size_t k = 0; k < row.constants.size() && proportion.isOne; ++k) {
+    const SpringConstants<double>& c = row.constants[k];
+    if (!c.acts()) continue;
+    double length2 = 0.0;
+    for (std::size_t a = 0; a < d; ++a) length2 += row.xi[k * d + a] * row.xi[k * d + a];
+    const double radial = c.radial * length2, bound = tolerance * std::abs(radial + c.across);
+    if (proportion.ratio == 0.0 && std::abs(radial) > least * std::abs(radial + c.across))
+      proportion.ratio = c.across / radial;
+    const bool isShared = neighbors(row.point)[k] >= points_.nOwned || std::abs(c.own - c.others) <= bound;
+    proportion.isOne = isShared && std::abs(proportion.ratio * radial - c.across) <= bound;
   }
-  const double largest = comm.max(ratio), smallest = -comm.max(-ratio);
-  if (!comm.any(!isOne)) shape_.acrossPerRadial = largest > -smallest ? largest : smallest;
 }
 
 SpringConstants<double> SpringNetwork::constantsOf(const SpringColumns<double>& columns, std::size_t k,
@@ -246,7 +255,8 @@ void SpringNetwork::endRun(SpringRun& run, SpringPattern& pattern) {
   pattern = {};
 }
 
-void SpringNetwork::findRuns(RowReader reader) {
+/// Rows that follow a pattern are in proportion where the pattern is.
+void SpringNetwork::findRuns(RowReader reader, Proportion& proportion) {
   SpringRun run{0, 0, -1};
   SpringPattern pattern;  // of the present run, where it is new
   const auto patternOf = [&](const SpringRun& r) -> const SpringPattern& {
@@ -258,6 +268,7 @@ void SpringNetwork::findRuns(RowReader reader) {
       ++run.count;
       continue;
     }
+    if (family_ == Family::Rotation) look(row, proportion);
     endRun(run, pattern);
     if (!row.isInside || row.constants.empty()) continue;
     run = {i, 1, -1};
@@ -460,14 +471,44 @@ void SpringNetwork::addCorrection(int i, int j, float left, const SpringConstant
     add(corrections_, i, j, left - 1.0F, c);
 }
 
+float SpringNetwork::aliveTo(int point, int neighbor) const {
+  const int* end = neighbors(point) + nNeighbors(point);
+  return alive(point, static_cast<int>(std::lower_bound(neighbors(point), end, neighbor) - neighbors(point)));
+}
+
+/// A crack breaks the same bonds of one point and the next: what a loop can take away by vectors is kept so.
+void SpringNetwork::correctRun(const SpringRun& run, int first, int last) {
+  const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
+  for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
+    if (!pattern.constants[k].acts()) continue;
+    const int offset = pattern.offsets[k];
+    const auto isBroken = [&](int i) {
+      return offset > 0 && alive(i, static_cast<int>(k)) == 0.0F && isComplete(i + offset);
+    };
+    for (int i = first; i < last;) {
+      int end = i;
+      while (end < last && isBroken(end)) ++end;
+      if (end - i >= shortestStretch) {
+        brokenStretches_.push_back({i, end - i, run.pattern, static_cast<int>(k)});
+        i = end;
+        continue;
+      }
+      for (end = std::max(end, i + 1); i < end; ++i)
+        addCorrection(i, i + offset, alive(i, static_cast<int>(k)), pattern.constants[k]);
+    }
+  }
+}
+
 void SpringNetwork::makeCorrections() {
   corrections_ = singleCorrections_ = {};
-  for (const SpringRun& run : runs_) {
-    const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-    for (int i = run.first; i < run.first + run.count; ++i)
-      for (std::size_t k = 0; k < pattern.offsets.size() && isDamaged(i); ++k)
-        addCorrection(i, i + pattern.offsets[k], alive(i, static_cast<int>(k)), pattern.constants[k]);
-  }
+  brokenStretches_.clear();
+  for (const SpringRun& run : runs_)
+    for (int i = run.first; i < run.first + run.count;) {
+      int last = i;
+      while (last < run.first + run.count && isDamaged(last)) ++last;
+      if (last > i) correctRun(run, i, last);
+      i = std::max(last, i + 1);
+    }
   for (const SpringStrip& strip : strips_)
     forEachOf(
         strip, [&](int i) { return isDamaged(i); },

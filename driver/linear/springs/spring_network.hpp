@@ -112,11 +112,17 @@ struct SpringStrip {
   }
 };
 
+/// Broken bonds of consecutive points of runs over one of the offsets of their pattern, to points of larger numbers
+/// that are in runs or strips, too.
+struct BrokenStretch {
+  int first, count, pattern, neighbor;
+};
+
 /// Every bond between two owned points is here once: in the runs and strips, seen from a point that belongs to one, and
 /// else in `pairs`, which act on both ends. Between a point of neither and one of either a `single` acts on the former.
 /// A bond to a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs
-/// and strips, `corrections` take away, from both ends, and where the other end is in neither, `singleCorrections` from
-/// their rows alone.
+/// and strips, `brokenStretches` and `corrections` take away, from both ends, and where the other end is in neither,
+/// `singleCorrections` from their rows alone.
 ///
 /// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
 /// whatever it is made of.
@@ -159,6 +165,7 @@ class SpringNetwork {
   const std::vector<SpringStrip>& strips() const { return strips_; }
   const SpringList& pairs() const { return pairs_; }
   const SpringList& singles() const { return singles_; }
+  const std::vector<BrokenStretch>& brokenStretches() const { return brokenStretches_; }
   const SpringList& corrections() const { return corrections_; }
   const SpringList& singleCorrections() const { return singleCorrections_; }
   /// Whether a run or a strip has all springs of the point.
@@ -186,6 +193,10 @@ class SpringNetwork {
   /// Of those of rows that isWanted(point), in the same order. A spring is in the row of one of its ends.
   template <class IsWanted, class Visit>
   void forEachSpringIn(const IsWanted& isWanted, const Visit& visit) const;
+  /// Those of all rows; of runs and strips offset after offset, so that what one spring and the next lead from and to
+  /// lies side by side.
+  template <class Visit>
+  void forEachSpringByOffset(const Visit& visit) const;
   /// [nPoints] 1 for `points` and their neighbours.
   std::vector<char> around(const std::vector<int>& points) const;
 
@@ -203,12 +214,13 @@ class SpringNetwork {
     return static_cast<std::size_t>(points_.neighborhoodStart[static_cast<std::size_t>(point)]);
   }
   bool follows(const Row& row, const SpringPattern& pattern) const;
-  void findProportion(const Communicator& comm, RowReader reader);
+  struct Proportion;
+  void look(const Row& row, Proportion& proportion) const;
   /// Of spring k of these columns, which leads to j over xi.
   SpringConstants<double> constantsOf(const SpringColumns<double>& columns, std::size_t k,
                                       const std::array<double, 3>& xi, int j) const;
   void endRun(SpringRun& run, SpringPattern& pattern);
-  void findRuns(RowReader reader);
+  void findRuns(RowReader reader, Proportion& proportion);
   void findStrips(RowReader reader);
   void endStrip(SpringStrip& strip, std::vector<Row>& rows);
   void makeLists(RowReader reader);
@@ -225,6 +237,15 @@ class SpringNetwork {
   void setAlive(SpringList& list, int row, int point);
   void makeCorrections();
   void addCorrection(int i, int j, float left, const SpringConstants<double>& c);
+  /// Of the points of a run from `first` to before `last`.
+  void correctRun(const SpringRun& run, int first, int last);
+  template <class IsWanted, class Visit>
+  void forEachPair(const IsWanted& isWanted, const Visit& visit) const;
+  /// alive() of a neighbour that is not known by its place in the list.
+  float aliveTo(int point, int neighbor) const;
+  static SpringConstants<double> scaled(const SpringConstants<double>& c, double share) {
+    return {share * c.radial, share * c.across, share * c.own, share * c.others};
+  }
   bool areJoined(int i, int j);
   std::pair<int, int> findBrokenFromOneEnd(const std::vector<int>& changed) const;
 
@@ -240,6 +261,7 @@ class SpringNetwork {
   std::vector<SpringStrip> strips_;
   std::vector<char> isComplete_;  ///< [nOwned]
   SpringList pairs_, singles_, corrections_, singleCorrections_;
+  std::vector<BrokenStretch> brokenStretches_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
   std::vector<std::vector<float>> aliveOfPoint_;  ///< of points with damaged bonds; else empty
   bool hasKeptTogether_ = true;
@@ -264,9 +286,6 @@ void SpringNetwork::forEachOf(const SpringStrip& strip, const IsWanted& isWanted
 template <class IsWanted, class Visit>
 void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit) const {
   const auto d = static_cast<std::size_t>(dimension());
-  const auto scaled = [](const SpringConstants<double>& c, double share) {
-    return SpringConstants<double>{share * c.radial, share * c.across, share * c.own, share * c.others};
-  };
   for (const SpringRun& run : runs_) {
     const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
     for (int i = run.first; i < run.first + run.count; ++i) {
@@ -287,6 +306,11 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
       const auto xi = difference(i, j);
       visit(i, j, xi.data(), scaled(constantsOf(strip.in<double>(), at, xi, j), alive(i, k)));
     });
+  forEachPair(isWanted, visit);
+}
+
+template <class IsWanted, class Visit>
+void SpringNetwork::forEachPair(const IsWanted& isWanted, const Visit& visit) const {
   for (std::size_t r = 0; r < pairs_.rows.size(); ++r) {
     if (!isWanted(pairs_.rows[r])) continue;
     for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1]; ++k) {
@@ -296,6 +320,35 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
       visit(i, j, xi.data(), scaled(constantsOf(pairs_.in<double>(), k, xi, j), pairs_.alive[k]));
     }
   }
+}
+
+template <class Visit>
+void SpringNetwork::forEachSpringByOffset(const Visit& visit) const {
+  const auto d = static_cast<std::size_t>(dimension());
+  for (const SpringRun& run : runs_) {
+    const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
+    for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
+      if (!pattern.constants[k].acts()) continue;
+      for (int i = run.first; i < run.first + run.count; ++i) {
+        const int j = i + pattern.offsets[k];
+        if (j < i && isComplete(j)) continue;
+        const float share = alive(i, static_cast<int>(k));
+        if (share != 0.0F) visit(i, j, &pattern.xi[k * d], scaled(pattern.constants[k], share));
+      }
+    }
+  }
+  for (const SpringStrip& strip : strips_)
+    for (std::size_t offset = 0; offset < strip.offsets.size(); ++offset)
+      for (int i = strip.first; i < strip.first + strip.count; ++i) {
+        const int j = i + strip.offsets[offset];
+        const std::size_t at = strip.at(offset, i);
+        if (!strip.in<double>().acts(at) || (j < i && isComplete(j))) continue;
+        const float share = isDamaged(i) ? aliveTo(i, j) : 1.0F;
+        if (share == 0.0F) continue;
+        const auto xi = difference(i, j);
+        visit(i, j, xi.data(), scaled(constantsOf(strip.in<double>(), at, xi, j), share));
+      }
+  forEachPair([](int) { return true; }, visit);
 }
 
 }  // namespace pd

@@ -179,8 +179,11 @@ Vector3 at(const PointVector<double>& x, int point) {
   return value;
 }
 Vector3 difference(const PointVector<double>& x, int i, int j) {
-  const Vector3 a = at(x, i), b = at(x, j);
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const int d = x.nComponents();
+  return {x[0][j] - x[0][i], d > 1 ? x[1][j] - x[1][i] : 0.0, d > 2 ? x[2][j] - x[2][i] : 0.0};
+}
+Vector3 spatial(const double* xi, int dimension) {
+  return {xi[0], dimension > 1 ? xi[1] : 0.0, dimension > 2 ? xi[2] : 0.0};
 }
 double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector3 cross(const Vector3& a, const Vector3& b) {
@@ -203,8 +206,8 @@ void SpringOperator::updateResponses(const std::vector<int>& changed, const Poin
   std::vector<Vector3> s(isChanged.size());
   network_.forEachSpringIn(
       [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
-      [&](int i, int j, const double*, const SpringConstants<double>& c) {
-        const Vector3 xi = difference(network_.places<double>(), i, j), eta = difference(x, i, j);
+      [&](int i, int j, const double* inSpace, const SpringConstants<double>& c) {
+        const Vector3 xi = spatial(inSpace, network_.dimension()), eta = difference(x, i, j);
         const Vector3 bond = network_.family() == Family::Rotation ? cross(xi, eta) : Vector3{0.0, 0.0, dot(xi, eta)};
         for (std::size_t d = 0; d < 3; ++d) {
           s[static_cast<std::size_t>(i)][d] += c.own * bond[d];
@@ -239,8 +242,8 @@ void SpringOperator::updateAll(const std::vector<int>& changed, const PointVecto
   const std::vector<char> isAround = network_.around(felt);
   network_.forEachSpringIn(
       [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
-      [&](int i, int j, const double*, const SpringConstants<double>& spring) {
-        const Vector3 xi = difference(network_.places<double>(), i, j), eta = difference(x, i, j);
+      [&](int i, int j, const double* inSpace, const SpringConstants<double>& spring) {
+        const Vector3 xi = spatial(inSpace, network_.dimension()), eta = difference(x, i, j);
         const double along = spring.radial * dot(xi, eta);
         Vector3 force{};
         for (std::size_t d = 0; d < 3; ++d) force[d] = along * xi[d] + spring.across * eta[d];

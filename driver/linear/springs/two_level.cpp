@@ -200,10 +200,7 @@ void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
 }
 
 void TwoLevel::apply(const PointVector<double>& r, PointVector<double>& z) {
-  double largest = 0.0;
-  for (int c = 0; c < dimension_; ++c)
-    for (int i = 0; i < nOwned_; ++i) largest = std::max(largest, std::abs(r[c][i]));
-  largest = comm_.max(largest);
+  const double largest = comm_.max(largestSize(r, nOwned_));
   sum_.zero();
   if (largest > 0.0) {
     const double scale = 1.0 / largest;
