@@ -15,8 +15,23 @@ using kernels::Vector;
 
 namespace {
 
-/// Of ranges from 0 on, which it puts in order.
+/// Length of the union of ranges, lane by lane.
+Vector lengthOfMany(const std::vector<RangePerLane>& ranges) {
+  static thread_local std::vector<Range> ofLane;
+  Vector length = 0.0;
+  for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
+    ofLane.clear();
+    for (const RangePerLane& range : ranges)
+      if (range.low[lane] < range.high[lane]) ofLane.push_back({range.low[lane], range.high[lane]});
+    length[lane] = joined(ofLane);
+  }
+  return length;
+}
+
+/// The same of ranges from 0 on, which it puts in order.
 PD_EACH_BOND Vector lengthOfUnion(std::vector<RangePerLane>& ranges) {
+  constexpr std::size_t many = 32;  // exchanges of neighbours go as the square
+  if (ranges.size() > many) return lengthOfMany(ranges);
   sortEach(ranges);
   Vector length = 0.0, end = 0.0;
   for (const RangePerLane& range : ranges) {
