@@ -70,6 +70,7 @@ CompositeMaterial::CompositeMaterial(const Teuchos::ParameterList& given) : Mate
   }
   throwAll(combinedMaterial, contestedFields(tables));
   checkDensities();
+  checkVolumeCorrections(params);
   bringBonds();
   findSharedSums();
 }
@@ -91,6 +92,22 @@ void CompositeMaterial::checkDensities() const {
     first = &part;
     density = own;
   }
+}
+
+void CompositeMaterial::checkVolumeCorrections(const Teuchos::ParameterList& params) {
+  const auto names = params.get<Teuchos::Array<std::string>>(partsKey);
+  const auto hasCellVolume = [&](const std::string& name) { return params.sublist(name).isParameter("Cell Volume"); };
+  const auto bringer = std::find_if(names.begin(), names.end(), hasCellVolume);
+  if (bringer == names.end()) return;
+  const std::string key = "Volume Correction", beyond = "Ramp Beyond Horizon";
+  std::vector<std::string> messages;
+  for (const std::string& name : names)
+    if (params.sublist(name).isParameter(key) && params.sublist(name).get<std::string>(key) == beyond)
+      messages.push_back("\"" + name + "\" has the " + key + " " + beyond +
+                         ", for which neighbours are sought by volumes of the mesh; by the \"Cell Volume\" of \"" +
+                         *bringer + "\" these are not those of cells. Give \"" + key +
+                         ": Ramp To Horizon\" or \"None\"");
+  throwAll(combinedMaterial, messages);
 }
 
 void CompositeMaterial::bringBonds() {
@@ -330,6 +347,12 @@ bool CompositeMaterial::isAsymmetric(const std::string& label) const {
     const auto* rate = dynamic_cast<const AsymmetricRate*>(part.material.get());
     return rate != nullptr && rate->isAsymmetric(label);
   });
+}
+
+std::string CompositeMaterial::sourceOfShares() const {
+  for (const Part& part : parts_)
+    if (const auto* bringer = dynamic_cast<const ShareBringer*>(part.material.get())) return bringer->sourceOfShares();
+  return "";
 }
 
 void CompositeMaterial::stepAccepted(const Call& call, DataManager& data, double time, double dt) const {

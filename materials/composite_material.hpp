@@ -14,6 +14,7 @@
 #include "parameters.hpp"
 #include "run_notes.hpp"
 #include "separate_rates.hpp"
+#include "share_bringer.hpp"
 #include "step_listener.hpp"
 
 namespace pd {
@@ -28,12 +29,14 @@ class CompositeMaterial : public PeridigmNS::Material,
                           public SeparateRates,
                           public LinearBonds,
                           public FlowMaterial,
-                          public AsymmetricRate {
+                          public AsymmetricRate,
+                          public ShareBringer {
  public:
   static constexpr const char* partsKey = "Materials";
   static void declareParameters(ParameterDeclarations& declare);
   /// Throws std::invalid_argument where a part refuses its parameters, two parts claim one field or differ in Density,
-  /// or a part with forces knows no broken bonds beside one that dissolves.
+  /// a part with forces knows no broken bonds beside one that dissolves, or parts look beyond the horizon in a mesh of
+  /// which another one says that its volumes are not those of cells.
   explicit CompositeMaterial(const Teuchos::ParameterList& params);
 
   std::string Name() const override { return "Combined"; }
@@ -78,6 +81,7 @@ class CompositeMaterial : public PeridigmNS::Material,
 
   const FlowLaw* flowLaw() const override;
   bool isAsymmetric(const std::string& label) const override;
+  std::string sourceOfShares() const override;
 
  private:
   struct Part {
@@ -95,6 +99,8 @@ class CompositeMaterial : public PeridigmNS::Material,
   /// Null where several parts have forces, or the one has no springs.
   const LinearBonds* springPart() const;
   void checkDensities() const;
+  /// Refuses parts that look beyond the horizon by volumes of the mesh which are not those of cells.
+  static void checkVolumeCorrections(const Teuchos::ParameterList& params);
   /// Refuses parts that do not know shares of bonds.
   void requireSharesKnown() const;
   /// Bond_Damage where a part dissolves what another one loads.

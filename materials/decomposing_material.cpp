@@ -1,10 +1,12 @@
 // Cracks and voids between points as a part of a block's material: they take a part of the bonds of the others.
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "Peridigm_Material.hpp"
 #include "block_decomposition.hpp"
 #include "plugins.hpp"
+#include "share_bringer.hpp"
 
 namespace pd {
 
@@ -18,7 +20,7 @@ const std::string decomposingMaterial = "material Bond Decomposition";
 
 /// A part of Combined, which carries nothing itself and is initialized before the others. Where a deck has Cracks and
 /// Voids in its Discretization, as those of pdrun may, the host brings these fields.
-class DecomposingMaterial : public PeridigmNS::Material, public FieldUser {
+class DecomposingMaterial : public PeridigmNS::Material, public FieldUser, public ShareBringer {
  public:
   struct Fields : FieldTable {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -34,8 +36,7 @@ class DecomposingMaterial : public PeridigmNS::Material, public FieldUser {
   }
 
   explicit DecomposingMaterial(const Teuchos::ParameterList& given)
-      : Material(given),
-        decomposition_(completed<DecomposingMaterial>(given, decomposingMaterial), decomposingMaterial) {}
+      : DecomposingMaterial(completed<DecomposingMaterial>(given, decomposingMaterial), Completed()) {}
 
   std::string Name() const override { return "Bond Decomposition"; }
   double Density() const override {
@@ -46,6 +47,7 @@ class DecomposingMaterial : public PeridigmNS::Material, public FieldUser {
   double ShearModulus() const override { return 0.0; }
   const FieldTable& fields() const override { return fields_; }
   std::vector<int> FieldIds() const override { return fields_.ids(); }
+  std::string sourceOfShares() const override { return source_; }
 
   void initialize(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   DataManager& data) override {
@@ -60,7 +62,19 @@ class DecomposingMaterial : public PeridigmNS::Material, public FieldUser {
   }
 
  private:
+  struct Completed {};
+  DecomposingMaterial(const Teuchos::ParameterList& whole, Completed)
+      : Material(whole), decomposition_(whole, decomposingMaterial), source_(textOf(whole)) {}
+  /// All but the block's own horizon.
+  static std::string textOf(Teuchos::ParameterList params) {
+    params.remove("Horizon", false);
+    std::ostringstream text;
+    params.print(text);
+    return text.str();
+  }
+
   decomposition::BlockDecomposition decomposition_;
+  std::string source_;
   Fields fields_;
 };
 

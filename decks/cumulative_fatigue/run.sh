@@ -1,5 +1,5 @@
 #!/bin/bash
-# All runs and the pictures of this scene, into results/cumulative_fatigue: ten minutes or so of one core.
+# All runs and the pictures of this scene, into results/cumulative_fatigue: two minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"

@@ -34,6 +34,7 @@ class Run:
         self.move = 0.25 * self.spacing * step
         holes = np.reshape(np.array(HOLES[shape], float), (-1, 5))
         holes[:, 0] += self.move * 1e3
+        self.holes = holes
         self.plate = plate_with(holes.ravel())[0]
         results = Results(folder / f"{name}.h5")
         self.x, self.y = results.x[:, 0], results.x[:, 1]
@@ -75,6 +76,45 @@ class Run:
             np.add.at(weights, at, weight)
         isThere = weights > 0
         return places[isThere], sums[isThere] / weights[isThere]
+
+    def peak_at_rim(self):
+        """Largest strain at the rim of an ellipse, the exact one, and how far apart their places are, m. From powers 0, 1, 2 of
+        (R/(R + d))^2, R the radius of the rim and d the distance from it, as of a circle, and with them 0, 1, 2 of the distance
+        along the rim: fitted one to seven horizons away, or to three radii, to one horizon on both sides of each place."""
+        x, y, a, b, degrees = self.holes[0]
+        turn, angle = np.exp(1j * np.radians(degrees)), np.radians(np.arange(0, 360, 0.5))
+        rim = (x + 1j * y + turn * (a * np.cos(angle) + 1j * b * np.sin(angle))) * 1e-3
+        normal = turn * (b * np.cos(angle) + 1j * a * np.sin(angle))
+        normal /= np.abs(normal)
+        radius = ((a * np.sin(angle))**2 + (b * np.cos(angle))**2)**1.5 / (a * b) * 1e-3
+        exact = self.exact((rim + 1e-9 * normal).real, (rim + 1e-9 * normal).imag)
+        peak = np.argmax(exact)
+        found = {}
+        for k in np.arange(peak - 16, peak + 17) % len(angle):
+            away = (self.x + 1j * self.y - rim[k]) / normal[k]
+            near = ((away.real > self.horizon) & (away.real < min(7 * self.horizon, 2 * radius[k])) &
+                    (np.abs(away.imag) < self.horizon))
+            u, s = (radius[k] / (radius[k] + away.real[near]))**2, away.imag[near] / self.horizon
+            terms = np.column_stack([np.ones_like(u), u, u**2, s, s * u, s**2])
+            found[k] = np.sum(np.linalg.lstsq(terms, self.strain[near], rcond=None)[0][:3])
+        best = max(found, key=found.get)
+        return found[best], exact[peak], np.abs(rim[best] - rim[peak])
+
+    def between_two(self, radius, apart):
+        """Strain at the rims of two circles towards each other, from powers of (R/r_1)^2 + (R/r_2)^2 as of one, fitted one to
+        seven horizons away from both; and the exact one."""
+        x, strain = self.along(0)
+        own, other = np.abs(x - self.move + apart), np.abs(x - self.move - apart)
+        near = np.minimum(own, other) - radius
+        used = (near > self.horizon) & (near < 7 * self.horizon)
+
+        def terms(r, q):
+            return np.column_stack([np.ones_like(r)] + [(radius / r)**k + (radius / q)**k for k in (2, 4)])
+
+        found = np.linalg.lstsq(terms(own[used], other[used]), strain[used], rcond=None)[0]
+        rim = np.array([radius])
+        place = self.move + apart - radius - 1e-9
+        return (terms(rim, 2 * apart - rim) @ found)[0], self.exact(np.array([place]), np.zeros(1))[0]
 
     def at_rim(self, radius):
         """Strain at the right end of a circle, from (R/r)^2 and (R/r)^4, which the solution has, fitted one to seven
@@ -158,9 +198,22 @@ for axis, of_axis in enumerate(axes):
     of_axis.set_xlabel(("x (mm), through both centres", "y (mm), between the holes")[axis])
     of_axis.set_ylabel("strain along the load over that far away")
 figures.save_curves(figure, folder / "two_holes.png", axes)
-for name in HOLES:
-    runs = circles["Adaptive", SPACING] if name == "circle" else [Run(name, f"{name}_{step}") for step in range(5)]
+finer = {"ellipse_2 with points 0.125 mm apart": ("ellipse_2", "ellipse_fine"), "two with points 0.125 mm apart": ("two", "two_fine")}
+for name in (*HOLES, *finer):
+    shape, files = finer.get(name, (name, name))
+    spacing = 0.125 if name in finer else SPACING
+    runs = circles["Adaptive", SPACING] if name == "circle" else [Run(shape, f"{files}_{step}", spacing) for step in range(5)]
     largest = [np.max(run.strain) for run in runs]
     print(f"{name}: displacement off by {max(run.displacement_error() for run in runs):.2%}; strain one horizon away by "
           f"{max(run.strain_error() for run in runs):.2%} of its largest there; largest strain {np.mean(largest):.3f}, range "
           f"{np.ptp(largest) / np.mean(largest):.2%}")
+    if shape == "ellipse_4":
+        continue  # the radius of its rim is less than half a horizon
+    if shape == "two":
+        rims, exact = np.array([run.between_two(3e-3, 4.5e-3) for run in runs]).T
+        place = ""
+    else:
+        rims, exact, off = np.array([run.peak_at_rim() for run in runs]).T
+        place = f", its place off by {1e3 * np.max(off):.2f} mm at most"
+    print(f"  largest at the rim {np.min(rims):.3f} to {np.max(rims):.3f}, range {np.ptp(rims) / np.mean(rims):.2%}; exact "
+          f"{exact[0]:.3f}{place}")

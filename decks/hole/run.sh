@@ -31,6 +31,9 @@ for k in 0 1 2 3 4; do # the hole moves by a quarter of a spacing
   run "ellipse_flat_$k" 0.25 Adaptive "$x" 0.0 2.5 5.0 0.0
   run "ellipse_4_$k" 0.25 Adaptive "$x" 0.0 5.0 1.25 0.0
   run "two_$k" 0.25 Adaptive "$(computed "$x - 4.5")" 0.0 3.0 3.0 0.0 "$(computed "$x + 4.5")" 0.0 3.0 3.0 0.0
+  x=$(computed "$k * 0.03125") # the same with points half as far apart
+  run "ellipse_fine_$k" 0.125 Adaptive "$x" 0.0 5.0 2.5 30.0
+  run "two_fine_$k" 0.125 Adaptive "$(computed "$x - 4.5")" 0.0 3.0 3.0 0.0 "$(computed "$x + 4.5")" 0.0 3.0 3.0 0.0
   for spacing in 0.5 0.25 0.125 0.0625; do
     x=$(computed "$k * 0.25 * $spacing")
     for rule in Adaptive Intersection; do run "circle_${rule}_${spacing}_$k" "$spacing" "$rule" "$x" 0.0 5.0 5.0 0.0; done

@@ -35,7 +35,8 @@ def fate(name, height):
 
 
 KINDS = {"shares": ("tab:blue", "shares of bonds"), "lattice": ("tab:green", "cut out of the lattice"),
-         "cut": ("tab:orange", "cut out of a Gmsh mesh")}
+         "triangles": ("tab:red", "shares of bonds of triangles"), "cut": ("tab:orange", "cut out of triangles"),
+         "fine": ("tab:purple", "cut out of half as large triangles")}
 heights = sorted({int(file.stem.split("_")[1]) for file in folder.glob("shares_*.csv")})
 figure, axes = figures.plt.subplots(2, (len(heights) + 1) // 2, figsize=(13, 6.4), sharex=True, sharey=True,
                                     constrained_layout=True)
@@ -52,11 +53,12 @@ for axis, height in zip(axes.ravel(), heights):
         how, nearest = fate(f"{kind}_{height}", height)
         print(f"hole at {height} mm, {label}: {how}, {nearest:.2f} mm from the rim at the nearest; last tip "
               f"{paths[kind][-1].round(2)}, {float(rows[-1]['time']):.4g} cycles, {len(rows)} equilibria")
-    for kind in list(paths)[1:]:
-        end = min(paths["shares"][-1, 0], paths[kind][-1, 0])
+    for kind, other in ((kind, other) for kind in list(paths)[1:] for other in ("shares", "triangles")
+                        if other == "shares" or (kind == "cut" and other in paths)):
+        end = min(paths[other][-1, 0], paths[kind][-1, 0])
         x = np.linspace(START, end, 200)
-        apart = np.abs(np.interp(x, *paths["shares"].T) - np.interp(x, *paths[kind].T))
-        print(f"  {KINDS[kind][1]}: paths apart by {apart.max():.2f} mm at most, {apart[-1]:.2f} at x = {end:.1f} mm, root of "
+        apart = np.abs(np.interp(x, *paths[other].T) - np.interp(x, *paths[kind].T))
+        print(f"  {KINDS[kind][1]} and {KINDS[other][1]}: paths apart by {apart.max():.2f} mm at most, {apart[-1]:.2f} at x = {end:.1f} mm, root of "
               f"the mean square {np.sqrt(np.mean(apart**2)):.2f} mm; horizon {HORIZON} mm")
     axis.set_xlim(6, 34)
     axis.set_ylim(-3, 15)
@@ -67,6 +69,13 @@ for axis in axes[-1]:
     axis.set_xlabel("x (mm)")
 for axis in axes[:, 0]:
     axis.set_ylabel("y (mm)")
+straight = path_of("straight")
+for name in ("straight", "straight_fine"):
+    path = path_of(name)
+    print(f"triangles without a hole, {name}: the path leaves the line of the notch by {np.max(np.abs(path[:, 1])):.2f} mm up to "
+          f"x = {path[-1, 0]:.1f} mm")
+for axis in axes.ravel():
+    axis.plot(*straight.T, "--", color="0.6", linewidth=1, label="triangles without a hole")
 axes[0, 0].legend(fontsize=7, loc="lower right")
 figure.savefig(folder / "paths.png", dpi=120)
 print(folder / "paths.png")

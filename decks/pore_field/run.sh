@@ -1,5 +1,5 @@
 #!/bin/bash
-# Pores, all runs and the pictures of this scene, into results/pore_field: three minutes of one core.
+# Pores, all runs and the pictures of this scene, into results/pore_field: 70 s of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"

@@ -16,6 +16,7 @@
 #include "influence.hpp"
 #include "rates.hpp"
 #include "run_notes.hpp"
+#include "share_bringer.hpp"
 
 namespace pd {
 
@@ -109,25 +110,30 @@ Teuchos::RCP<NeighborhoodData> blockNeighborhood(const Discretization& points, i
   return Teuchos::rcp(new NeighborhoodData(std::move(owned), std::move(list)));
 }
 
-/// Refuses Cracks and Voids of materials in some of the blocks only, and those beside Cracks and Voids of the mesh.
+/// Refuses Cracks and Voids of materials that are not those of all blocks, and those beside Cracks and Voids of the
+/// mesh.
 void checkBringersOfShares(const Deck& deck, std::vector<Block>& blocks, bool isDecomposed) {
-  const auto bringsShares = [](Block& block) {
-    const FieldTable* table = fieldTableOf(*block.getMaterialModel());
-    const FieldUse* use = table == nullptr ? nullptr : table->find(fields::interactionShare().id());
-    return use != nullptr && use->access == FieldAccess::Writes;
+  const auto sourceOf = [](Block& block) {
+    const auto* bringer = dynamic_cast<const ShareBringer*>(block.getMaterialModel().get());
+    return bringer == nullptr ? std::string() : bringer->sourceOfShares();
   };
-  const auto nBringers = std::count_if(blocks.begin(), blocks.end(), bringsShares);
-  if (nBringers == 0) return;
+  const auto bringsShares = [&](Block& block) { return !sourceOf(block).empty(); };
+  const auto first = std::find_if(blocks.begin(), blocks.end(), bringsShares);
+  if (first == blocks.end()) return;
+  const std::string source = sourceOf(*first),
+                    remedy = ", so that bonds between them would differ from end to end; give all blocks the same";
   Mistakes mistakes;
   for (Block& block : blocks) {
     const std::string place = blockEntry(deck, block.getName())["Material"].place();
-    if (bringsShares(block) && isDecomposed)
+    if (!bringsShares(block))
+      mistakes.add(
+          place, "materials of other blocks have Cracks and Voids, those of " + block.getName() + " have not" + remedy);
+    else if (isDecomposed)
       mistakes.add(place, "a material of " + block.getName() +
                               " has Cracks and Voids, and Discretization has some; give all of them in one place");
-    if (!bringsShares(block))
-      mistakes.add(place, "materials of other blocks have Cracks and Voids, those of " + block.getName() +
-                              " have not, so that bonds between them would differ from end to end; give all blocks "
-                              "the same");
+    else if (sourceOf(block) != source)
+      mistakes.add(place, "a material of " + block.getName() + " has other Cracks and Voids than that of " +
+                              first->getName() + ", or the same in another order or by another rule" + remedy);
   }
   mistakes.report();
 }

@@ -23,6 +23,17 @@ inline Places inAllLanes(const Place& place) { return {place[0], place[1], place
 Box boxOf(const Corners& places);
 Box boxOf(const std::vector<Place>& places);
 
+/// By where they begin, by exchanges of neighbours.
+inline void sortEach(std::vector<RangePerLane>& ranges) {
+  for (std::size_t end = ranges.size(); end > 1; --end)
+    for (std::size_t k = 0; k + 1 < end; ++k) {
+      const RangePerLane one = ranges[k], two = ranges[k + 1];
+      const unsigned char isTurned = kernels::greaterBits(one.low, two.low);
+      ranges[k] = {kernels::choose(two.low, one.low, isTurned), kernels::choose(two.high, one.high, isTurned)};
+      ranges[k + 1] = {kernels::choose(one.low, two.low, isTurned), kernels::choose(one.high, two.high, isTurned)};
+    }
+}
+
 /// Are all places on one side of the plane through `origin`, to a tolerance in heights? `normal`: of length 1.
 bool areOnOneSide(const Corners& places, const Place& origin, const Place& normal);
 

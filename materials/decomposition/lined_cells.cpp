@@ -101,6 +101,27 @@ std::vector<SolidPart> solidParts(const LineGrid& grid, std::vector<Piece>& piec
   return result;
 }
 
+/// Whether parts of a cell are one in what is three cells wide around it.
+bool hangTogetherAround(const Cell& cell, const std::vector<const Void*>& voids, const std::vector<SolidPart>& parts) {
+  Cell around = cell;
+  for (Place& edge : around.edges) edge = plus({}, edge, 3.0);
+  const LineGrid grid(around, 0, cell.dimension == 3 ? 24 : 48);
+  std::vector<Piece> pieces = piecesOf(grid, voids);
+  joinParts(grid, voids, pieces);
+  std::vector<std::size_t> numbers;
+  for (const SolidPart& part : parts) {
+    const auto apart = [&](const Piece& piece) {
+      const double s = dot(minus(part.middle, grid.start(piece.line)), grid.step) / dot(grid.step, grid.step);
+      const Place foot = plus(grid.start(piece.line), grid.step, std::clamp(s, piece.range.low, piece.range.high));
+      return lengthOf(minus(foot, part.middle));
+    };
+    const auto nearest = std::min_element(pieces.begin(), pieces.end(),
+                                          [&](const Piece& a, const Piece& b) { return apart(a) < apart(b); });
+    numbers.push_back(partOf(pieces, static_cast<std::size_t>(nearest - pieces.begin())));
+  }
+  return std::all_of(numbers.begin(), numbers.end(), [&](std::size_t number) { return number == numbers.front(); });
+}
+
 Taken takenByAll(const LineGrid& grid, const LineMeasure& measure, const WithinCell& within) {
   const Lines lines = linesOf(grid);
   std::vector<std::vector<Range>> ofLine(lines.size());
@@ -176,18 +197,20 @@ std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Voi
   std::vector<Piece> pieces = piecesOf(grid, voids);
   joinParts(grid, voids, pieces);
   const std::vector<SolidPart> parts = solidParts(grid, pieces);
-  if (parts.size() != 2) return std::nullopt;
+  if (parts.size() < 2 || (parts.size() > 2 && hangTogetherAround(cell, voids, parts))) return std::nullopt;
   // Any direction, along no lattice: all cells of a row take the same side.
   constexpr Place above{0.29, 0.57, 0.77};
   constexpr double tie = 0.02;
-  const double more = parts[1].share - parts[0].share;
-  const bool isSecond = std::abs(more) > tie ? more > 0.0 : dot(minus(parts[1].middle, parts[0].middle), above) > 0.0;
-  const SolidPart& part = parts[isSecond ? 1 : 0];
+  const SolidPart* part = &parts.front();
+  for (const SolidPart& other : parts) {
+    const double more = other.share - part->share;
+    if (std::abs(more) > tie ? more > 0.0 : dot(minus(other.middle, part->middle), above) > 0.0) part = &other;
+  }
   std::optional<Place> nearest;
   for (const Piece& piece : pieces) {
-    if (piece.part != part.number) continue;
+    if (piece.part != part->number) continue;
     const Place place = plus(grid.start(piece.line), grid.step, 0.5 * (piece.range.low + piece.range.high));
-    if (!nearest || lengthOf(minus(place, part.middle)) < lengthOf(minus(*nearest, part.middle))) nearest = place;
+    if (!nearest || lengthOf(minus(place, part->middle)) < lengthOf(minus(*nearest, part->middle))) nearest = place;
   }
   return nearest;
 }

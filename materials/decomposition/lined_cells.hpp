@@ -55,10 +55,11 @@ std::size_t axisAlong(const Cell& cell, const Place& direction);
 double joined(std::vector<Range>& ranges);
 
 /// The place from which a cell sees its material; what it does not see does not count. That is the cell's point, but
-/// where that is in a void which parts the material of the cell in two, a place in the larger part (within 2 % of the
-/// cell as large: in that above, along one direction for all cells), so that only one face of the void holds on.
-/// Nothing where a void at the point leaves one part, or more than two, as a pore does: all counts. `voids`: those that
-/// meet it.
+/// where that is in a void which parts the material of the cell in two, a place in the larger part (of those within 2 %
+/// of the cell as large: in that above, along one direction for all cells), so that only one face of the void holds on;
+/// and so of more parts that are apart beyond the cell, too, as where slits cross. Nothing where a void at the point
+/// leaves one part, or more than two that hang together around it, as a pore does: all counts. `voids`: those that meet
+/// it.
 std::optional<Place> placeThatSees(const Cell& cell, const std::vector<const Void*>& voids);
 
 /// What of a cell's lines does not count, by a measure: what is in voids, or on the other side of a crack than the

@@ -80,17 +80,6 @@ PD_EACH_BOND Moments momentsOf(const Vector& from, const Vector& to, const std::
   return moments;
 }
 
-/// By where they begin, by exchanges of neighbours.
-void sortEach(std::vector<RangePerLane>& ranges) {
-  for (std::size_t end = ranges.size(); end > 1; --end)
-    for (std::size_t k = 0; k + 1 < end; ++k) {
-      const RangePerLane one = ranges[k], two = ranges[k + 1];
-      const unsigned char isTurned = greaterBits(one.low, two.low);
-      ranges[k] = {choose(two.low, one.low, isTurned), choose(two.high, one.high, isTurned)};
-      ranges[k + 1] = {choose(one.low, two.low, isTurned), choose(one.high, two.high, isTurned)};
-    }
-}
-
 /// Keeps of each line's range what lies in a half-space.
 PD_EACH_BOND void keepWithin(const HalfSpace& half, const Place& origin, const LinePerLane& lines,
                              RangePerLane& range) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "convex_geometry.hpp"
+
 namespace pd::decomposition {
 
 namespace stdx = kernels::stdx;
@@ -13,35 +15,30 @@ using kernels::Vector;
 
 namespace {
 
-constexpr int mostParts = 64;
-
-struct RangeOfEach {
-  Vector low, high;
-};
-
-PD_EACH_BOND Vector lengthOf(const RangeOfEach& range) { return stdx::max(range.high - range.low, Vector(0.0)); }
-PD_EACH_BOND RangeOfEach common(const RangeOfEach& a, const RangeOfEach& b) {
-  return {stdx::max(a.low, b.low), stdx::min(a.high, b.high)};
-}
-
-/// Length of the union of n ranges.
-template <int n>
-PD_EACH_BOND Vector lengthOfUnion(const RangeOfEach* ranges) {
-  if constexpr (n == 0) {
-    return 0.0;
-  } else if constexpr (n == 1) {
-    return lengthOf(ranges[0]);
-  } else {
-    RangeOfEach shared[n - 1];
-    for (int k = 0; k + 1 < n; ++k) shared[k] = common(ranges[k], ranges[n - 1]);
-    return lengthOfUnion<n - 1>(ranges) + lengthOf(ranges[n - 1]) - lengthOfUnion<n - 1>(shared);
+/// Length of the union of ranges, lane by lane.
+Vector lengthOfMany(const std::vector<RangePerLane>& ranges) {
+  static thread_local std::vector<Range> ofLane;
+  Vector length = 0.0;
+  for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
+    ofLane.clear();
+    for (const RangePerLane& range : ranges)
+      if (range.low[lane] < range.high[lane]) ofLane.push_back({range.low[lane], range.high[lane]});
+    length[lane] = joined(ofLane);
   }
+  return length;
 }
 
-double sumOfFirst(const Vector& values, int n) {
-  double sum = 0.0;
-  for (int lane = 0; lane < n; ++lane) sum += values[static_cast<std::size_t>(lane)];
-  return sum;
+/// The same of ranges from 0 on, which it puts in order.
+PD_EACH_BOND Vector lengthOfUnion(std::vector<RangePerLane>& ranges) {
+  constexpr std::size_t many = 32;  // exchanges of neighbours go as the square
+  if (ranges.size() > many) return lengthOfMany(ranges);
+  sortEach(ranges);
+  Vector length = 0.0, end = 0.0;
+  for (const RangePerLane& range : ranges) {
+    length += stdx::max(range.high - stdx::max(range.low, end), Vector(0.0));
+    end = stdx::max(end, range.high);
+  }
+  return length;
 }
 
 Vector alongOf(const HalfSpace& half, const Place& direction) {
@@ -49,9 +46,9 @@ Vector alongOf(const HalfSpace& half, const Place& direction) {
 }
 
 /// 0, 1, ...
-const std::array<double, mostParts>& numbers() {
-  static const std::array<double, mostParts> values = [] {
-    std::array<double, mostParts> result;
+const std::array<double, mostMiddles>& numbers() {
+  static const std::array<double, mostMiddles> values = [] {
+    std::array<double, mostMiddles> result;
     for (std::size_t k = 0; k < result.size(); ++k) result[k] = static_cast<double>(k);
     return result;
   }();
@@ -80,40 +77,38 @@ void Sight::turnTo(const Cell& cell, const LineGrid& grid, const LineMeasure& me
   taken_ = &taken;
   screens_ = &screens;
   for (auto& starts : lines_.start) starts.clear();
-  const std::size_t nCasts = std::max(screens.size(), low_.size()), nLines = static_cast<std::size_t>(grid_.size());
-  low_.resize(nCasts);
-  high_.resize(nCasts);
-  for (auto* bounds : {&low_, &high_})
-    for (auto& ofCast : *bounds)
-      if (ofCast.size() < nLines) ofCast.resize(nLines);
+  const auto nLines = static_cast<std::size_t>(grid_.size());
+  low_.resize(nLines);
+  high_.resize(nLines);
+  if (!measure_.counts()) {
+    if (hidden_.size() < nLines) hidden_.resize(nLines);
+    return;
+  }
+  takenMiddles_.assign(nLines, {});
+  for (int r = 0; r < grid_.size(); ++r)
+    for (int k = 0; k < taken.number(r); ++k)
+      addMiddles(taken.of(r)[k].low, taken.of(r)[k].high, takenMiddles_[static_cast<std::size_t>(r)]);
 }
 
 double Sight::seen(const Places& places, int nPlaces) {
-  nCasts_ = 0;
+  isHidden_ = false;
   for (const Screen* screen : *screens_) {
     shadow_.clear();
     if (screen->addShadow(places, cell_->center, shadow_)) {
       const Cover cover = coverOfShadow();
       if (cover == Cover::All) return 0.0;
-      if (cover == Cover::Something) castShadow();
-    } else {
-      castHidden(*screen, places);
+      if (cover == Cover::Nothing) continue;
+      castShadow();
+    } else if (!castHidden(*screen, places)) {
+      continue;
     }
+    keepHidden();
   }
-  if (nCasts_ == 0) return nPlaces * counted();
-  const double all = nPlaces * measure_.whole() * grid_.size();
-  switch (static_cast<int>(nCasts_) + taken_->most) {
-    case 1:
-      return all - sumOfFirst(takenOf<1>(), nPlaces);
-    case 2:
-      return all - sumOfFirst(takenOf<2>(), nPlaces);
-    case 3:
-      return all - sumOfFirst(takenOf<3>(), nPlaces);
-    case 4:
-      return all - sumOfFirst(takenOf<4>(), nPlaces);
-    default:
-      return all - takenBySorting(nPlaces);
-  }
+  if (!isHidden_) return nPlaces * counted();
+  const Vector unseen = measure_.counts() ? unseenMiddles() : unseenLength();
+  double sum = 0.0;
+  for (int lane = 0; lane < nPlaces; ++lane) sum += unseen[static_cast<std::size_t>(lane)];
+  return nPlaces * measure_.whole() * grid_.size() - sum;
 }
 
 /// Of what the half-spaces have in common.
@@ -131,8 +126,7 @@ Sight::Cover Sight::coverOfShadow() const {
 /// Of the half-spaces in shadow_: bounds of the part of each line that is in all of them.
 void Sight::castShadow() {
   const auto nLines = static_cast<std::size_t>(grid_.size());
-  Vector *low = low_[nCasts_].data(), *high = high_[nCasts_].data();
-  ++nCasts_;
+  Vector *low = low_.data(), *high = high_.data();
   const double whole = measure_.whole(), shift = measure_.counts() ? 0.5 : 0.0;
   std::fill(low, low + nLines, Vector(0.0));
   std::fill(high, high + nLines, Vector(whole));
@@ -158,69 +152,59 @@ void Sight::castShadow() {
   }
 }
 
-void Sight::castHidden(const Screen& screen, const Places& places) {
+bool Sight::castHidden(const Screen& screen, const Places& places) {
   if (lines_.size() == 0) lines_ = linesOf(grid_);
   const std::size_t nLines = lines_.size();
-  auto &low = low_[nCasts_], &high = high_[nCasts_];
-  if (!screen.hideFromEach(places, lines_, low.data(), high.data())) {
+  if (!screen.hideFromEach(places, lines_, low_.data(), high_.data())) {
     static thread_local std::vector<double> from, to;
     from.resize(nLines);
     to.resize(nLines);
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(kernels::lanes); ++lane) {
       screen.hide({places[0][lane], places[1][lane], places[2][lane]}, lines_, from.data(), to.data());
       for (std::size_t r = 0; r < nLines; ++r) {
-        low[r][lane] = from[r];
-        high[r][lane] = to[r];
+        low_[r][lane] = from[r];
+        high_[r][lane] = to[r];
       }
     }
   }
   const double whole = measure_.whole(), shift = measure_.counts() ? 0.5 : 0.0;
   bool hasAny = false;
   for (std::size_t r = 0; r < nLines; ++r) {
-    hasAny = hasAny || greaterBits(high[r], low[r]) != 0;
-    low[r] = whole * low[r] - shift;
-    high[r] = whole * high[r] - shift;
+    hasAny = hasAny || greaterBits(high_[r], low_[r]) != 0;
+    low_[r] = whole * low_[r] - shift;
+    high_[r] = whole * high_[r] - shift;
   }
-  if (hasAny) ++nCasts_;
+  return hasAny;
 }
 
-template <int n>
-Vector Sight::takenOf() const {
-  Vector sum = 0.0;
-  RangeOfEach ranges[n];
-  const bool counts = measure_.counts();
-  for (int r = 0; r < grid_.size(); ++r) {
-    const auto line = static_cast<std::size_t>(r);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-      if (k < nCasts_) {
-        const Vector &low = low_[k][line], &high = high_[k][line];
-        ranges[k] = {counts ? kernels::ceiling(low) : low, counts ? kernels::ceiling(high) : high};
-      } else {
-        const int at = static_cast<int>(k - nCasts_);
-        const bool isThere = at < taken_->number(r);
-        ranges[k] = {isThere ? taken_->of(r)[at].low : 0.0, isThere ? taken_->of(r)[at].high : 0.0};
-      }
-    sum += lengthOfUnion<n>(ranges);
+void Sight::keepHidden() {
+  const auto nLines = static_cast<std::size_t>(grid_.size());
+  if (measure_.counts()) {
+    if (!isHidden_) hiddenMiddles_ = takenMiddles_;
+    for (std::size_t r = 0; r < nLines; ++r)
+      addMiddles(kernels::ceiling(low_[r]), kernels::ceiling(high_[r]), hiddenMiddles_[r]);
+  } else {
+    for (std::size_t r = 0; r < nLines; ++r) {
+      if (!isHidden_) hidden_[r].clear();
+      if (greaterBits(high_[r], low_[r]) != 0) hidden_[r].push_back({low_[r], high_[r]});
+    }
   }
+  isHidden_ = true;
+}
+
+Vector Sight::unseenMiddles() const {
+  Vector sum = 0.0;
+  for (const MiddlesPerLane& set : hiddenMiddles_) sum += numberOf(set);
   return sum;
 }
 
-double Sight::takenBySorting(int nPlaces) const {
-  static thread_local std::vector<Range> ranges;
-  const bool counts = measure_.counts();
-  double sum = 0.0;
-  for (int r = 0; r < grid_.size(); ++r)
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(nPlaces); ++lane) {
-      ranges.clear();
-      if (taken_->most > 0) ranges.assign(taken_->of(r), taken_->of(r) + taken_->number(r));
-      for (std::size_t k = 0; k < nCasts_; ++k) {
-        const double low = low_[k][static_cast<std::size_t>(r)][lane],
-                     high = high_[k][static_cast<std::size_t>(r)][lane];
-        const Range range{counts ? std::ceil(low) : low, counts ? std::ceil(high) : high};
-        if (range.low < range.high) ranges.push_back(range);
-      }
-      sum += joined(ranges);
-    }
+Vector Sight::unseenLength() {
+  Vector sum = 0.0;
+  for (int r = 0; r < grid_.size(); ++r) {
+    std::vector<RangePerLane>& ranges = hidden_[static_cast<std::size_t>(r)];
+    for (int k = 0; k < taken_->number(r); ++k) ranges.push_back({taken_->of(r)[k].low, taken_->of(r)[k].high});
+    sum += lengthOfUnion(ranges);
+  }
   return sum;
 }
 

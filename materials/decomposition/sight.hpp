@@ -3,6 +3,7 @@
 #define PD_SIGHT_HPP
 
 #include "lined_cells.hpp"
+#include "middles_per_lane.hpp"
 
 namespace pd::decomposition {
 
@@ -22,24 +23,26 @@ class Sight {
  private:
   enum class Cover { Nothing, Something, All };
   Cover coverOfShadow() const;
+  /// Both find what one screen hides of the lines, in the measure, but for counts not rounded up yet.
   void castShadow();
-  void castHidden(const Screen& screen, const Places& places);
-  /// By inclusion and exclusion over n ranges a line.
-  template <int n>
-  kernels::Vector takenOf() const;
-  double takenBySorting(int nPlaces) const;
+  bool castHidden(const Screen& screen, const Places& places);
+  /// Puts it to what others hide.
+  void keepHidden();
+  /// What of the lines is hidden from each place, or taken.
+  kernels::Vector unseenMiddles() const;
+  kernels::Vector unseenLength();
 
   const Cell* cell_ = nullptr;
   LineGrid grid_;
   LineMeasure measure_{0};
   const Taken* taken_ = nullptr;
   const std::vector<const Screen*>* screens_ = nullptr;
-  std::vector<HalfSpace> shadow_;  ///< of one screen
-  Lines lines_;                    ///< where a screen needs them
-  /// What is hidden of each line from each place, in the measure but for counts not rounded up yet: [screens that hide
-  /// something][lines]
-  std::vector<std::vector<kernels::Vector>> low_, high_;
-  std::size_t nCasts_ = 0;
+  std::vector<HalfSpace> shadow_;                             ///< of one screen
+  Lines lines_;                                               ///< where a screen needs them
+  std::vector<kernels::Vector> low_, high_;                   ///< [lines] what one screen hides of each
+  std::vector<MiddlesPerLane> takenMiddles_, hiddenMiddles_;  ///< [lines]
+  std::vector<std::vector<RangePerLane>> hidden_;             ///< [lines][screens that hide something of it]
+  bool isHidden_ = false;                                     ///< something, from some place
 };
 
 }  // namespace pd::decomposition

@@ -357,6 +357,42 @@ TEST(BondDecomposition, AVoidThroughAPointLeavesOneSide) {
     }
 }
 
+/// Where two slits cross in a point its cell holds on to one of the four corners only.
+TEST(BondDecomposition, SlitsThatCrossInAPointLeaveOneCorner) {
+  for (const double turn : {0.0, 0.3, -0.7}) {
+    const auto at = [&](double s, double h) {
+      return Place{s * std::cos(turn) - h * std::sin(turn), s * std::sin(turn) + h * std::cos(turn), 0.0};
+    };
+    Forms slits;
+    slits.addPolygon({at(-9.0, -0.033), at(9.0, -0.033), at(9.0, 0.033), at(-9.0, 0.033)});
+    slits.addPolygon({at(-0.033, -9.0), at(0.033, -9.0), at(0.033, 9.0), at(-0.033, 9.0)});
+    const NearDiscontinuities near = slits.near();
+    for (const DecompositionRule& rule : {uniform(20), adaptive(1e-3)}) {
+      int nHeld = 0;
+      for (const double s : {-1.1, 1.1})
+        for (const double h : {-1.1, 1.1}) {
+          const Place other = at(s, h);
+          const double share = interactionShare(square(0.0, 0.0), square(other[0], other[1]), near, rule);
+          EXPECT_TRUE(share == 0.0 || share > 0.95) << turn;
+          nHeld += share > 0.0 ? 1 : 0;
+        }
+      EXPECT_EQ(nHeld, 1) << turn;
+    }
+  }
+}
+
+TEST(BondDecomposition, GapsInSpaceThatCrossAtAPointLeaveOneQuarter) {
+  Forms gaps;
+  gaps.addEllipsoid({{}, {{0.0, 0.0, 0.04}, {90.0, 0.0, 0.0}, {0.0, 90.0, 0.0}}});
+  gaps.addEllipsoid({{}, {{0.0, 0.0, 90.0}, {90.0, 0.0, 0.0}, {0.0, 0.04, 0.0}}});
+  int nHeld = 0;
+  for (const int y : {-1, 1})
+    for (const int z : {-1, 1})
+      nHeld += interactionShare(cube(0, 0, 0), cube(1, y, z), gaps.near(), uniform(4)) > 0.0 ? 1 : 0;
+  EXPECT_EQ(nHeld, 1);
+  EXPECT_GT(interactionShare(cube(0, 0, 0), cube(2, 0, 0), gaps.near(), uniform(4)), 0.9);
+}
+
 TEST(BondDecomposition, AGapInSpaceThroughAPointLeavesOneSide) {
   const Ellipsoid shape{{}, {{0.0, 0.0, 0.04}, {90.0, 0.0, 0.0}, {0.0, 90.0, 0.0}}};
   const auto screen = ellipsoidScreen(shape);
@@ -367,14 +403,15 @@ TEST(BondDecomposition, AGapInSpaceThroughAPointLeavesOneSide) {
   EXPECT_GT(interactionShare(cube(0, 0, 0), cube(2, 0, 0), near, uniform(4)), 0.9);
 }
 
-/// A pore at a point, whose material hangs together around it, hides none of it.
+/// A pore at a point, whose material hangs together around it, hides none of it, in the cell or beside it: of the
+/// larger one the cell has four corners.
 TEST(BondDecomposition, APoreAtAPointLeavesAllSides) {
-  const Ellipsoid shape{{0.02, 0.01, 0.0}, {{0.3, 0.0, 0.0}, {0.0, 0.3, 0.0}}};
-  const auto screen = ellipsoidScreen(shape);
-  const auto pore = ellipsoidVoid(shape);
-  const NearDiscontinuities near{{screen.get()}, {pore.get()}};
-  for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(0.0, 1.0), std::pair(0.0, -1.0)})
-    EXPECT_GT(interactionShare(square(0, 0), square(x, y), near, adaptive(1e-3)), 0.5);
+  for (const double radius : {0.3, 0.55}) {
+    Forms pore;
+    pore.addEllipsoid({{0.02, 0.01, 0.0}, {{radius, 0.0, 0.0}, {0.0, radius, 0.0}}});
+    for (const auto& [x, y] : {std::pair(1.0, 0.0), std::pair(-1.0, 0.0), std::pair(0.0, 1.0), std::pair(0.0, -1.0)})
+      EXPECT_GT(interactionShare(square(0, 0), square(x, y), pore.near(), adaptive(1e-3)), 0.3) << radius;
+  }
 }
 
 TEST(BondDecomposition, RulesForTips) {

@@ -285,8 +285,10 @@ class AsAPartOfAMaterial(PorousPlate):
                               ({"Cracks": {**edge, "Disk": disk}}, "a body has one dimension"),
                               ({"Cracks": {"Edge": {"Type": "Polyline"}}}, "Points"),
                               ({}, "at least one of"),
-                              ({"Voids": {"Pore": {**circle(0.0101, 0.01, 1e-3), "Angle": 1.0}}}, "Angle")):
+                              ({"Voids": {"Pore": {**circle(0.0101, 0.01, 1e-3), "Angle": 1.0}}}, "Angle"),
+                              ({"Cracks": edge, "Thickness": THICKNESS, "Cell Volume": 1e-9}, "has the Volume Correction Ramp Beyond")):
             deck = self.pull()
+            del deck["Materials"]["Steel"]["Volume Correction"]
             del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]
             deck["Materials"]["Gaps"] = {"Material Model": "Bond Decomposition", **gaps}
             deck["Blocks"]["Body"]["Material"] = ["Gaps", "Steel"]
@@ -304,6 +306,23 @@ class AsAPartOfAMaterial(PorousPlate):
             result = self.run_deck(deck)
             self.assertNotEqual(result.code, 0, message)
             self.assertIn(message, result.text)
+
+    def test_blocks_have_the_same(self):
+        points = self.mesh(0.0)
+        self.write_mesh(points, self.SPACING**2 * THICKNESS, block=1 + (points[:, 0] > 0.015))
+        edge = {"Type": "Polyline", "Points": [0.0, 0.0151, 0.0102, 0.0151]}
+        left = {"Material Model": "Bond Decomposition", "Thickness": THICKNESS, "Cracks": {"Edge": edge}}
+        for right, message in ((left, None), ({**left, "Rule": "Uniform"}, "a material of block_2 has other Cracks and Voids"),
+                               (None, "those of block_2 have not")):
+            deck = self.pull()
+            del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]
+            deck["Materials"].update({"Left Gaps": left, "Right Gaps": right or left})
+            deck["Blocks"]["Right"] = {**deck["Blocks"]["Body"], "Block Names": "block_2", "Horizon": 3.1 * self.SPACING,
+                                       "Material": ["Steel", "Right Gaps"] if right else "Steel"}
+            deck["Blocks"]["Body"].update({"Block Names": "block_1", "Material": ["Steel", "Left Gaps"]})
+            result = self.run_deck(deck, arguments=["--check"])
+            self.assertEqual(result.code, 0 if message is None else 2, result.text)
+            self.assertIn(message or "", result.text)
 
 
 class RoundCrack(SceneTest):

@@ -45,6 +45,32 @@ int main() {
   hydrogen.set("Damage Model", std::string("Johnson Cook"));
   expect(createMaterial(steel).is_null() && createDamageModel(hydrogen).is_null(), "other names stay the host's");
 
+  // Cracks and voids are a part of a material here.
+  Teuchos::ParameterList porous;
+  porous.set("Material Model", std::string("Combined"));
+  porous.set("Materials", Teuchos::Array<std::string>(std::vector<std::string>{"Steel", "Gaps"}));
+  porous.set("Horizon", 0.003);
+  porous.sublist("Steel") = steel;
+  porous.sublist("Steel").set("Material Model", std::string("PDHE"));
+  porous.sublist("Gaps").set("Material Model", std::string("Bond Decomposition"));
+  auto& pore = porous.sublist("Gaps").sublist("Voids").sublist("Pore");
+  pore.set("Type", std::string("Sphere"));
+  pore.set("Center", Teuchos::Array<double>(3, 0.0));
+  const auto isRefused = [&] {
+    try {
+      return createMaterial(porous).is_null();
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+  };
+  expect(isRefused(), "a sphere without a radius is refused");
+  pore.set("Radius", 1.0e-3);
+  expect(!isRefused(), "cracks and voids are registered");
+  porous.sublist("Gaps").set("Cell Volume", 1.0e-9);
+  expect(isRefused(), "neighbours beyond the horizon by volumes of material are refused");
+  porous.sublist("Steel").set("Volume Correction", std::string("Ramp To Horizon"));
+  expect(!isRefused(), "with none beyond the horizon it is right");
+
   // Expressions are read here, too, by the library that the plug-ins bring along.
   Teuchos::ParameterList electrolyte;
   electrolyte.set("Material Model", std::string("Corrosion Dissolution"));
