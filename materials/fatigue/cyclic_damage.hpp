@@ -12,6 +12,7 @@
 #include "bond_damage_model.hpp"
 #include "bond_family.hpp"
 #include "cycle_fields.hpp"
+#include "partial_writer.hpp"
 #include "run_notes.hpp"
 #include "step_listener.hpp"
 #include "tiring_points.hpp"
@@ -24,7 +25,7 @@ namespace pd {
 /// neighbour has lost `Growth Damage` of its bonds; a bond where either end is. What points lost by the start of the
 /// step counts: exchanged by precompute(). A host says how many cycles a step has, and their load (cycle_fields.hpp),
 /// or the parameters do.
-class CyclicDamage : public BondDamageModel, public RunNotes, public StepListener {
+class CyclicDamage : public BondDamageModel, public RunNotes, public StepListener, public PartialWriter {
  public:
   struct Fields : BondDamageModel::Fields {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -51,6 +52,7 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
   void precompute(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   PeridigmNS::DataManager& data) const override;
   void stepTakenBack() const override { points_.clear(); }
+  std::map<int, std::vector<BondRange>> bondsWritten(PeridigmNS::DataManager& data) const override;
 
  protected:
   /// All parameters but those of the laws.

@@ -30,6 +30,9 @@ class TiringPoints {
   /// one NP1 is N at the start of a step, but for what has been written since.
   void startFrom(const double* before, double* lost);
 
+  /// Those that find() found last: NP1 differs from N at their bonds alone.
+  const std::vector<std::size_t>& lastFound() const { return tiring_; }
+
   /// What leaves bonds away from tips alone: a strain range (`strainRange` for each part that a bond is longer or
   /// shorter by) up to `restingRange`, and a stretch (`peak` for each) below `criticalStretch`.
   struct Limits {
