@@ -242,6 +242,7 @@ bool TipWindow::takeUpPoint(int point, const double* displacement) {
 }
 
 bool TipWindow::takeUpHeld(const double* displacement) {
+  if (isHeld_ == stiffness_.held()) return true;
   for (std::size_t d = 0; d < isHeld_.size(); ++d) {
     const auto point = static_cast<int>(d / 3), component = static_cast<int>(d % 3);
     const bool isHeld = stiffness_.isHeld(point, component);
