@@ -112,14 +112,25 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
   // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken. Returns
   // whether this one breaks.
+  TiringPoints::Known* known = points.known(y, fields_.damage.length(data), cycles.range);
+  std::size_t at = 0;  // in what is known
+  // Bonds are looked at several times at the same places: their strains and rates are found once.
+  const auto once = [&](std::vector<double>* values, const auto& find) {
+    if (values == nullptr) return find();
+    double& value = (*values)[at];
+    return std::isnan(value) ? value = find() : value;
+  };
   const auto passCycles = [&](int i, int j, std::size_t bond) {
     const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
     if (!grows && isIdleElsewhere) return false;
     if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return false;
-    const double stretch = ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
+    const double stretch = once(known == nullptr ? nullptr : &known->stretches, [&] {
+      return ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
+    });
     double rate = 0.0;
     if ((stretch > 0.0 || !seesOpeningAlone_) && (grows || hasInitiation_))
-      rate = lossRate(grows, std::abs(cycles.range * stretch), i, j);
+      rate = once(known == nullptr ? nullptr : &known->rates,
+                  [&] { return lossRate(grows, std::abs(cycles.range * stretch), i, j); });
     lost[bond] += cycles.number * rate;
     if (lost[bond] < 1.0 - lifeTolerance_ && cycles.peak * stretch < criticalStretch_) {
       if (bondDamage[bond] < 1.0) worstRate[i] = std::max(worstRate[i], rate / (1.0 - lost[bond]));
@@ -139,7 +150,7 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     const std::size_t first = points.firstBond(p);
     const int i = call.ownedIds[p], count = points.nBonds(p);
     bool hasBroken = false;
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k, ++at) {
       const std::size_t bond = first + static_cast<std::size_t>(k);
       hasBroken = passCycles(i, points.neighbor(bond, p), bond) || hasBroken;
     }

@@ -18,10 +18,12 @@ constexpr double tiringShare = 0.1;
 // Points of a window: while it is made it takes 8 bytes for the square of twice as many.
 constexpr std::size_t usualPoints = 2600, mostPoints = 3600;
 // How many times farther it reaches ahead of the tip, and behind it, than to its sides.
-constexpr double aheadOfSides = 8.0, behindOfSides = 2.0;
+constexpr double aheadOfSides = 12.0, behindOfSides = 2.0;
 // It has more points than usual where it would else reach less far to its sides, and so serve few events.
 constexpr double leastReachInHorizons = 0.15;
 constexpr double longestBondInHorizons = 1.1;
+// Bonds of points that tire less than others break now and then, too, as far beside those.
+constexpr double changingBesideInHorizons = 0.35;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
 constexpr double mostStale = 3e-4;
@@ -259,7 +261,8 @@ EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted
   }
   std::sort(all.begin(), all.end());
   for (const int i : all) {
-    const bool mayChange = tiring.distance(places[static_cast<std::size_t>(i)], bond, isDirected) <= reach;
+    const bool mayChange =
+        tiring.distance(places[static_cast<std::size_t>(i)], changingBesideInHorizons * horizon, isDirected) <= reach;
     (mayChange ? found.changing : found.read).push_back(i);
   }
   return found;
