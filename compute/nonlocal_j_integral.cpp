@@ -102,13 +102,13 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialR
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
-  double ahead_, behind_, above_, below_;       ///< m
-  double longestBond_ = 0.0;                    ///< m
-  std::vector<Families> families_;              ///< [blocks]
+  double ahead_, behind_, above_, below_;                    ///< m
+  double longestBond_ = 0.0;                                 ///< m
+  std::vector<Families> families_;                           ///< [blocks]
   mutable std::vector<std::optional<Surroundings>> around_;  ///< [blocks] once they have been asked for
-  mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
-  mutable std::optional<Vector3> watched_;      ///< the tip for which the cover was looked at last
-  mutable std::string gap_;                     ///< what there is to note
+  mutable std::vector<LinearSprings> springs_;               ///< [blocks] once they have been asked for
+  mutable std::optional<Vector3> watched_;                   ///< the tip for which the cover was looked at last
+  mutable std::string gap_;                                  ///< what there is to note
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -195,8 +195,7 @@ const NonlocalJIntegral::Surroundings& NonlocalJIntegral::around(const Blocks& b
   PeridigmNS::Block& block = (*blocks)[b];
   const double* x = view(block, fields_.modelCoordinates);
   // Three bonds: two to either side of the sides, and a spacing.
-  const double reach =
-      std::hypot(std::max(ahead_, behind_), std::max(above_, below_)) + 3.0 * longestBond_ + margin;
+  const double reach = std::hypot(std::max(ahead_, behind_), std::max(above_, below_)) + 3.0 * longestBond_ + margin;
   const auto isAround = [&](int i) { return squaredDistance(x + 3 * i, tip.place) <= reach * reach; };
   Surroundings found{tip.place, {}, {}};
   for (int i = 0; i < fields_.volume.length(*block.getDataManager()); ++i)
@@ -213,7 +212,8 @@ void NonlocalJIntegral::markRead(const Blocks& blocks, std::vector<char>& isRead
     const double *x = view((*blocks)[b], fields_.modelCoordinates), *volume = view((*blocks)[b], fields_.volume);
     for (const int i : around(blocks, b, tip).points) {
       const double spacing = std::sqrt(volume[i] / place_.thickness());
-      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing) isRead[static_cast<std::size_t>(i)] = 1;
+      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing)
+        isRead[static_cast<std::size_t>(i)] = 1;
     }
   }
 }
@@ -226,9 +226,9 @@ NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(const Blocks& blocks, std::s
   Sides sides;
   sides.inside.resize(static_cast<std::size_t>(fields_.volume.length(*block.getDataManager())));
   for (const int i : near.points)
-    sides.inside[static_cast<std::size_t>(i)] =
-        isNearASide(x + 3 * i, tip) ? insideOf(x + 3 * i, volume[i], tip)
-                                    : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0};
+    sides.inside[static_cast<std::size_t>(i)] = isNearASide(x + 3 * i, tip)
+                                                    ? insideOf(x + 3 * i, volume[i], tip)
+                                                    : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0};
   for (const std::size_t p : near.families) {
     const int i = families_[b].id(p);
     const Inside& own = sides.inside[static_cast<std::size_t>(i)];

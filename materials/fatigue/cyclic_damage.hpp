@@ -124,9 +124,8 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
     if (!grows && isIdleElsewhere) return false;
     if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return false;
-    const double stretch = once(known == nullptr ? nullptr : &known->stretches, [&] {
-      return ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
-    });
+    const double stretch = once(known == nullptr ? nullptr : &known->stretches,
+                                [&] { return ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0; });
     double rate = 0.0;
     if ((stretch > 0.0 || !seesOpeningAlone_) && (grows || hasInitiation_))
       rate = once(known == nullptr ? nullptr : &known->rates,

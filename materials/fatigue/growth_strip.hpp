@@ -71,9 +71,9 @@ class GrowthStrip {
   std::vector<LatticeBond> lattice_;
   int reach_ = 0, nRows_, nColumns_, firstColumn_;
   double poisson_, strainUnit_ = 0.0, frameStrain_ = 0.0, bondsOfAPoint_ = 0.0;
-  std::vector<double> farAhead_;  ///< [rows] displacement along y far ahead of the crack
-  std::vector<double> nBroken_;   ///< [points]
-  std::vector<char> isNear_;      ///< [points] as pointsNear() last found it; empty: never
+  std::vector<double> farAhead_;   ///< [rows] displacement along y far ahead of the crack
+  std::vector<double> nBroken_;    ///< [points]
+  std::vector<char> isNear_;       ///< [points] as pointsNear() last found it; empty: never
   std::vector<std::size_t> worn_;  ///< points that have lost bonds since
   // Of bonds that may break. Their unknowns are counted among those of all such bonds.
   std::vector<Bond> bonds_;

@@ -19,8 +19,8 @@ struct BondRange {
 class PartialWriter {
  public:
   virtual ~PartialWriter() = default;
-  /// Of two-step bond fields, by id, that no other plug-in writes: the bonds at which NP1 may differ from N by what this
-  /// one has done since N was last made of NP1. A field that is left out may differ anywhere.
+  /// Of two-step bond fields, by id, that no other plug-in writes: the bonds at which NP1 may differ from N by what
+  /// this one has done since N was last made of NP1. A field that is left out may differ anywhere.
   virtual std::map<int, std::vector<BondRange>> bondsWritten(PeridigmNS::DataManager& data) const = 0;
 };
 

@@ -64,16 +64,16 @@ void SpringDiagonal::findOwn(const std::vector<char>& isWanted, const std::vecto
     for (std::size_t i = 0; i < isWanted.size(); ++i)
       if (isWanted[i] != 0) diagonal[c][i] = 0.0;
   // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
-  stiffness_.network().forEachSpringIn(
-      [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
-      [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-        for (const int point : {i, j}) {
-          if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
-          for (int a = 0, at = 0; a < d; ++a)
-            for (int b = a; b < d; ++b, ++at)
-              diagonal[at][point] += c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
-        }
-      });
+  stiffness_.network().forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+                                       [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+                                         for (const int point : {i, j}) {
+                                           if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
+                                           for (int a = 0, at = 0; a < d; ++a)
+                                             for (int b = a; b < d; ++b, ++at)
+                                               diagonal[at][point] +=
+                                                   c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
+                                         }
+                                       });
 }
 
 /// Adds what ghosts and images hold to the points that they stand for.

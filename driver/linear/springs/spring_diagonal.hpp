@@ -16,7 +16,8 @@ class SpringDiagonal {
   void find(const std::vector<int>& points, PointVector<double>& diagonal);
 
  private:
-  void findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround, PointVector<double>& diagonal) const;
+  void findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
+               PointVector<double>& diagonal) const;
   void sumOverCopies(const std::vector<int>& points, PointVector<double>& diagonal) const;
 
   const SpringOperator& stiffness_;

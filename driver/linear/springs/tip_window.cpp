@@ -40,7 +40,10 @@ std::string TipWindow::obstacle(const SpringOperator& stiffness) {
 
 TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& read, const std::vector<int>& changing,
                      const double* displacement)
-    : stiffness_(stiffness), dimension_(stiffness.network().dimension()), points_(read), nRead_(static_cast<int>(read.size())) {
+    : stiffness_(stiffness),
+      dimension_(stiffness.network().dimension()),
+      points_(read),
+      nRead_(static_cast<int>(read.size())) {
   points_.insert(points_.end(), changing.begin(), changing.end());
   const SpringNetwork& network = stiffness.network();
   const auto n = static_cast<std::size_t>(network.points().nOwned);
@@ -164,9 +167,7 @@ int TipWindow::unknownOf(int point, int component) const {
                                 static_cast<std::size_t>(component)];
 }
 
-bool TipWindow::hasColumns(int point) const {
-  return placeOf_[static_cast<std::size_t>(point)] >= nRead_;
-}
+bool TipWindow::hasColumns(int point) const { return placeOf_[static_cast<std::size_t>(point)] >= nRead_; }
 
 double TipWindow::Change::elongation(const double* unknowns) const {
   double sum = 0.0;

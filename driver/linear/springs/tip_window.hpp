@@ -12,11 +12,11 @@
 namespace pd {
 
 /// The stiffness of a body condensed onto the points of a window, as columns of its inverse G: once, at the cost of a
-/// factor of the whole. A spring that breaks, a support that is lost or added is one column of G each; the displacements
-/// of the window's points are then those of the whole body in equilibrium, exactly (Woodbury's formula), at the cost of
-/// a few products. Every so many columns are worked into G. Points that are only read have rows of G, and no columns:
-/// nothing may change there. For springs along their bonds alone, in one piece, under loads and prescribed
-/// displacements that stay as they are.
+/// factor of the whole. A spring that breaks, a support that is lost or added is one column of G each; the
+/// displacements of the window's points are then those of the whole body in equilibrium, exactly (Woodbury's formula),
+/// at the cost of a few products. Every so many columns are worked into G. Points that are only read have rows of G,
+/// and no columns: nothing may change there. For springs along their bonds alone, in one piece, under loads and
+/// prescribed displacements that stay as they are.
 class TipWindow {
  public:
   /// Why there can be none for such springs; empty where there can.

@@ -17,8 +17,9 @@ namespace {
 constexpr double tiringShare = 0.1;
 // Points of a window: while it is made it takes 8 bytes for the square of twice as many.
 constexpr std::size_t usualPoints = 2600, mostPoints = 3600;
-// How many times farther it reaches ahead of the tip, and behind it, than to its sides.
-constexpr double aheadOfSides = 12.0, behindOfSides = 2.0;
+// How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
+// look around the tip in directions that turn with it.
+constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 2.0;
 // It has more points than usual where it would else reach less far to its sides, and so serve few events.
 constexpr double leastReachInHorizons = 0.15;
 constexpr double longestBondInHorizons = 1.1;
@@ -190,6 +191,7 @@ using Place = std::array<double, 2>;
 
 struct Box {
   Place low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  bool isEmpty() const { return low[0] > high[0]; }
   void add(const Place& place) {
     for (std::size_t c = 0; c < 2; ++c) {
       low[c] = std::min(low[c], place[c]);
@@ -198,9 +200,9 @@ struct Box {
   }
   /// By which the box would have to grow to its sides to reach a place, `margin` beside it: it then grows by so many
   /// times as much ahead and behind.
-  double distance(const Place& place, double margin, bool isDirected) const {
-    const double ahead = (place[0] - high[0] - margin) / (isDirected ? aheadOfSides : 1.0);
-    const double behind = (low[0] - place[0] - margin) / (isDirected ? behindOfSides : 1.0);
+  double distance(const Place& place, double margin, const Place& aheadAndBehind) const {
+    const double ahead = (place[0] - high[0] - margin) / aheadAndBehind[0];
+    const double behind = (low[0] - place[0] - margin) / aheadAndBehind[1];
     return std::max({0.0, ahead, behind, low[1] - place[1] - margin, place[1] - high[1] - margin});
   }
 };
@@ -245,11 +247,12 @@ EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted
     if (wanted.isRead[i] != 0) read.add(places[i]);
   }
   const double bond = longestBondInHorizons * horizon;
+  const Place growth =
+      isDirected ? Place{read.isEmpty() ? aheadOfSides : aheadWhereRead, behindOfSides} : Place{1.0, 1.0};
   std::vector<std::pair<double, int>> byDistance;
   for (std::size_t i = 0; i < n; ++i)
-    byDistance.emplace_back(
-        std::min(tiring.distance(places[i], bond, isDirected), read.distance(places[i], 0.0, isDirected)),
-        static_cast<int>(i));
+    byDistance.emplace_back(std::min(tiring.distance(places[i], bond, growth), read.distance(places[i], 0.0, growth)),
+                            static_cast<int>(i));
   std::sort(byDistance.begin(), byDistance.end());
   Places found;
   double reach = 0.0;
@@ -262,7 +265,7 @@ EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted
   std::sort(all.begin(), all.end());
   for (const int i : all) {
     const bool mayChange =
-        tiring.distance(places[static_cast<std::size_t>(i)], changingBesideInHorizons * horizon, isDirected) <= reach;
+        tiring.distance(places[static_cast<std::size_t>(i)], changingBesideInHorizons * horizon, growth) <= reach;
     (mayChange ? found.changing : found.read).push_back(i);
   }
   return found;
