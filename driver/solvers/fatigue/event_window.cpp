@@ -16,7 +16,7 @@ namespace {
 // A point tires where its worst bond loses life at no less than this part of the rate of the worst of all.
 constexpr double tiringShare = 0.1;
 // Points of a window: while it is made it takes 8 bytes for the square of twice as many.
-constexpr std::size_t usualPoints = 2600, mostPoints = 3600;
+constexpr std::size_t usualPoints = 1700, usualWhereRead = 2600, mostPoints = 3600;
 // How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
 // look around the tip in directions that turn with it.
 constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 2.0;
@@ -254,11 +254,12 @@ EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted
     byDistance.emplace_back(std::min(tiring.distance(places[i], bond, growth), read.distance(places[i], 0.0, growth)),
                             static_cast<int>(i));
   std::sort(byDistance.begin(), byDistance.end());
+  const std::size_t usual = read.isEmpty() ? usualPoints : usualWhereRead;
   Places found;
   double reach = 0.0;
   std::vector<int> all;
   for (const auto& [distance, point] : byDistance) {
-    if (distance > 0.0 && all.size() >= (distance > leastReachInHorizons * horizon ? usualPoints : mostPoints)) break;
+    if (distance > 0.0 && all.size() >= (distance > leastReachInHorizons * horizon ? usual : mostPoints)) break;
     reach = distance;
     all.push_back(point);
   }
