@@ -70,7 +70,7 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialR
 
  private:
   struct Inside {
-    double share, slope;  ///< q; 1/m, its derivative along d
+    double share = 0.0, slope = 0.0;  ///< q; 1/m, its derivative along d
   };
   using Slopes = std::vector<Vector3>;  ///< [points of a block] u_,d; no number where it is not known
   /// The points of a block, and owned ones of them that count.
@@ -79,12 +79,19 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialR
     std::vector<Family> beside;   ///< with a bond whose ends are not equally far inside
     std::vector<Family> between;  ///< the same, and where q falls along d
   };
+  /// Of a block: what the rectangle and what is beside it may be about, while the tip is near a place.
+  struct Surroundings {
+    Vector3 centre{};
+    std::vector<int> points;            ///< local ids, rising
+    std::vector<std::size_t> families;  ///< of the owned ones
+  };
+  const Surroundings& around(const Blocks& blocks, std::size_t b, const TipPlace::Tip& tip) const;
   Inside insideOf(const double* x, double volume, const TipPlace::Tip& tip) const;
   /// m, from the sides of the rectangle: less than 0 inside.
   double beyondSides(const double* x, const TipPlace::Tip& tip) const;
   /// Whether q may be another at the point or at one of its neighbours than where the rectangle's inside or outside is.
   bool isNearASide(const double* x, const TipPlace::Tip& tip) const;
-  Sides sidesIn(PeridigmNS::Block& block, const Families& families, const TipPlace::Tip& tip) const;
+  Sides sidesIn(const Blocks& blocks, std::size_t b, const TipPlace::Tip& tip) const;
   std::vector<Slopes> slopesBeside(const Blocks& blocks, const std::vector<Sides>& sides,
                                    const TipPlace::Tip& tip) const;
   /// Notes where the body does not fill the rectangle, the first time. Collective.
@@ -95,12 +102,13 @@ class NonlocalJIntegral : public TabledCompute, public RunNotes, public PartialR
   DeformationGradients gradients_;
   Fields fields_;
   TipPlace place_;
-  double ahead_, behind_, above_, below_;       ///< m
-  double longestBond_ = 0.0;                    ///< m
-  std::vector<Families> families_;              ///< [blocks]
-  mutable std::vector<LinearSprings> springs_;  ///< [blocks] once they have been asked for
-  mutable std::optional<Vector3> watched_;      ///< the tip for which the cover was looked at last
-  mutable std::string gap_;                     ///< what there is to note
+  double ahead_, behind_, above_, below_;                    ///< m
+  double longestBond_ = 0.0;                                 ///< m
+  std::vector<Families> families_;                           ///< [blocks]
+  mutable std::vector<std::optional<Surroundings>> around_;  ///< [blocks] once they have been asked for
+  mutable std::vector<LinearSprings> springs_;               ///< [blocks] once they have been asked for
+  mutable std::optional<Vector3> watched_;                   ///< the tip for which the cover was looked at last
+  mutable std::string gap_;                                  ///< what there is to note
 };
 
 void NonlocalJIntegral::declareParameters(ParameterDeclarations& declarations) {
@@ -146,6 +154,7 @@ void NonlocalJIntegral::initialize(Blocks blocks) {
   }
   longest = longestBond_ = maxOverRanks(*epetraComm, longest);
   springs_.clear();
+  around_.clear();
   families_ = Families::of(*blocks);
   if (std::min({ahead_, behind_, above_, below_}) < longest)
     throw std::invalid_argument(
@@ -174,31 +183,57 @@ bool NonlocalJIntegral::isNearASide(const double* x, const TipPlace::Tip& tip) c
   return std::abs(beyondSides(x, tip)) <= 2.0 * longestBond_;  // of a bond, and of a spacing, which is shorter
 }
 
+/// Few of many points: they are sought anew once the tip has moved by some bonds.
+const NonlocalJIntegral::Surroundings& NonlocalJIntegral::around(const Blocks& blocks, std::size_t b,
+                                                                 const TipPlace::Tip& tip) const {
+  const double margin = 4.0 * longestBond_;
+  const auto squaredDistance = [](const double* x, const Vector3& place) {
+    return (x[0] - place[0]) * (x[0] - place[0]) + (x[1] - place[1]) * (x[1] - place[1]);
+  };
+  around_.resize(blocks->size());
+  if (around_[b] && squaredDistance(tip.place.data(), around_[b]->centre) < margin * margin) return *around_[b];
+  PeridigmNS::Block& block = (*blocks)[b];
+  const double* x = view(block, fields_.modelCoordinates);
+  // Three bonds: two to either side of the sides, and a spacing.
+  const double reach = std::hypot(std::max(ahead_, behind_), std::max(above_, below_)) + 3.0 * longestBond_ + margin;
+  const auto isAround = [&](int i) { return squaredDistance(x + 3 * i, tip.place) <= reach * reach; };
+  Surroundings found{tip.place, {}, {}};
+  for (int i = 0; i < fields_.volume.length(*block.getDataManager()); ++i)
+    if (isAround(i)) found.points.push_back(i);
+  for (std::size_t p = 0; p < families_[b].size(); ++p)
+    if (isAround(families_[b].id(p))) found.families.push_back(p);
+  return around_[b].emplace(std::move(found));
+}
+
 /// The points beside the sides, and their neighbours.
 void NonlocalJIntegral::markRead(const Blocks& blocks, std::vector<char>& isRead) const {
   const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
-  for (PeridigmNS::Block& block : *blocks) {
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    for (std::size_t i = 0; i < isRead.size(); ++i) {
+  for (std::size_t b = 0; b < blocks->size(); ++b) {
+    const double *x = view((*blocks)[b], fields_.modelCoordinates), *volume = view((*blocks)[b], fields_.volume);
+    for (const int i : around(blocks, b, tip).points) {
       const double spacing = std::sqrt(volume[i] / place_.thickness());
-      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing) isRead[i] = 1;
+      if (std::abs(beyondSides(x + 3 * i, tip)) <= 2.0 * longestBond_ + spacing)
+        isRead[static_cast<std::size_t>(i)] = 1;
     }
   }
 }
 
-NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(PeridigmNS::Block& block, const Families& families,
+NonlocalJIntegral::Sides NonlocalJIntegral::sidesIn(const Blocks& blocks, std::size_t b,
                                                     const TipPlace::Tip& tip) const {
+  PeridigmNS::Block& block = (*blocks)[b];
   const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
+  const Surroundings& near = around(blocks, b, tip);
   Sides sides;
-  const auto nPoints = static_cast<std::size_t>(fields_.volume.length(*block.getDataManager()));
-  for (std::size_t i = 0; i < nPoints; ++i)
-    sides.inside.push_back(isNearASide(x + 3 * i, tip) ? insideOf(x + 3 * i, volume[i], tip)
-                                                       : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0});
-  for (std::size_t p = 0; p < families.size(); ++p) {
-    const int i = families.id(p);
+  sides.inside.resize(static_cast<std::size_t>(fields_.volume.length(*block.getDataManager())));
+  for (const int i : near.points)
+    sides.inside[static_cast<std::size_t>(i)] = isNearASide(x + 3 * i, tip)
+                                                    ? insideOf(x + 3 * i, volume[i], tip)
+                                                    : Inside{beyondSides(x + 3 * i, tip) < 0.0 ? 1.0 : 0.0, 0.0};
+  for (const std::size_t p : near.families) {
+    const int i = families_[b].id(p);
     const Inside& own = sides.inside[static_cast<std::size_t>(i)];
     if (!isNearASide(x + 3 * i, tip)) continue;
-    const Family family = families[p];
+    const Family family = families_[b][p];
     const auto differs = [&](int j) { return sides.inside[static_cast<std::size_t>(j)].share != own.share; };
     const bool isBeside = std::any_of(family.neighbors, family.neighbors + family.n, differs);
     if (isBeside) sides.beside.push_back(family);
@@ -265,11 +300,10 @@ void NonlocalJIntegral::watchCover(const Blocks& blocks, const TipPlace::Tip& ti
   if (!gap_.empty() || watched_ == tip.place) return;
   watched_ = tip.place;
   RectangleCover cover(ahead_, behind_, above_, below_, longestBond_);
-  for (PeridigmNS::Block& block : *blocks) {
-    const double *x = view(block, fields_.modelCoordinates), *volume = view(block, fields_.volume);
-    const auto points = block.getNeighborhoodData();
-    for (int p = 0; p < points->NumOwnedPoints(); ++p) {
-      const int i = points->OwnedIDs()[p];
+  for (std::size_t b = 0; b < blocks->size(); ++b) {
+    const double *x = view((*blocks)[b], fields_.modelCoordinates), *volume = view((*blocks)[b], fields_.volume);
+    for (const std::size_t p : around(blocks, b, tip).families) {
+      const int i = families_[b].id(p);
       const auto [a, b] = fromTip(x + 3 * i, tip);
       cover.add(a, b, volume[i] / place_.thickness());
     }
@@ -295,9 +329,9 @@ int NonlocalJIntegral::compute(Blocks blocks) const {
   const TipPlace::Tip tip = place_.tip(blocks->front(), fields_);
   watchCover(blocks, tip);
   std::vector<Sides> sides;
-  for (PeridigmNS::Block& block : *blocks) {
-    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf(block));
-    sides.push_back(sidesIn(block, families_[sides.size()], tip));
+  for (std::size_t b = 0; b < blocks->size(); ++b) {
+    if (springs_.size() < blocks->size()) springs_.push_back(SpringState::springsOf((*blocks)[b]));
+    sides.push_back(sidesIn(blocks, b, tip));
   }
   const std::vector<Slopes> slopes = slopesBeside(blocks, sides, tip);
   double sum = 0.0;

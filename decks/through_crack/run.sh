@@ -1,5 +1,5 @@
 #!/bin/bash
-# All runs and the picture of this scene, into results/through_crack: five minutes or so of one core.
+# All runs and the picture of this scene, into results/through_crack: two minutes or so of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"

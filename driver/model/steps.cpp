@@ -4,6 +4,7 @@
 
 #include "for_each_plugin.hpp"
 #include "model.hpp"
+#include "partial_writer.hpp"
 #include "step_listener.hpp"
 
 namespace pd {
@@ -18,6 +19,26 @@ void tellAccepted(const Plugin& plugin, Block& block, double time, double dt) {
   if (points->NumOwnedPoints() == 0) return;
   tellStepAccepted(plugin, {points->NumOwnedPoints(), points->OwnedIDs(), points->NeighborhoodList()},
                    *block.getDataManager(), time, dt);
+}
+
+/// DataManager::updateBondState(), but for bonds that have not been written.
+void acceptBonds(const PartialWriter& writer, DataManager& data) {
+  const auto written = writer.bondsWritten(data);
+  for (const int id : data.getFieldIds()) {
+    const FieldSpec spec = FieldManager::self().getFieldSpec(id);
+    if (spec.relation != PeridigmField::BOND || spec.temporal != PeridigmField::TWO_STEP) continue;
+    const auto before = data.getData(id, PeridigmField::STEP_N), now = data.getData(id, PeridigmField::STEP_NP1);
+    const auto parts = written.find(id);
+    if (before == now) continue;
+    if (parts == written.end()) {
+      *before = *now;
+      continue;
+    }
+    double *to = nullptr, *from = nullptr;
+    before->ExtractView(&to);
+    now->ExtractView(&from);
+    for (const BondRange& bonds : parts->second) std::copy(from + bonds.first, from + bonds.last, to + bonds.first);
+  }
 }
 
 void tellTakenBack(Block& block) {
@@ -62,7 +83,10 @@ void Model::takeBackStep() {
 
 void Model::acceptStep(double time, double dt) {
   shared_->updatePointState();
-  for (Block& block : *blocks_) block.getDataManager()->updateBondState();
+  for (Block& block : *blocks_) {
+    const auto* writer = dynamic_cast<const PartialWriter*>(block.getDamageModel().get());
+    writer == nullptr ? block.getDataManager()->updateBondState() : acceptBonds(*writer, *block.getDataManager());
+  }
   for (Block& block : *blocks_) {
     if (hasCalledMaterials_) tellAccepted(*block.getMaterialModel(), block, time, dt);
     if (hasCalledDamage_ && !block.getDamageModel().is_null()) tellAccepted(*block.getDamageModel(), block, time, dt);

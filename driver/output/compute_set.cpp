@@ -105,7 +105,31 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const D
         globalLabels_.push_back(spec.label);
     }
   });
+  entry.followsFromState = followsFromState(entry);
   entries_.push_back(entry);
+}
+
+/// A table says all that it reads, of the whole body values of earlier ones that do so, too; of displacements those of
+/// a few points.
+bool ComputeSet::followsFromState(const Entry& entry) const {
+  const bool readsPoints = dynamic_cast<const PartialReader*>(entry.compute.get()) != nullptr;
+  if (fieldTableOf(*entry.compute) == nullptr || !entry.isGlobal || entry.keepsEvaluations ||
+      (entry.looksAtDisplacements && !readsPoints))
+    return false;
+  return std::all_of(entry.reads.begin(), entry.reads.end(), [&](const std::string& label) {
+    const std::vector<const Entry*> makers = makersOf(label);
+    return !makers.empty() && makers.back()->followsFromState;
+  });
+}
+
+void ComputeSet::stateIsSettled() {
+  isSettled_ = true;
+  isKnown_.clear();
+}
+
+void ComputeSet::stateHasChanged() {
+  isSettled_ = false;
+  isKnown_.clear();
 }
 
 bool ComputeSet::hasClass(const std::string& name) const {
@@ -188,12 +212,18 @@ std::vector<std::string> ComputeSet::newNotes() {
 void ComputeSet::evaluate(Model& model, bool onlyGlobal) const {
   const Timers::Scope timer(model.timers(), "computes");
   for (const Entry& entry : entries_)
-    if (entry.isDue(onlyGlobal)) orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
+    if (entry.isDue(onlyGlobal)) evaluate(model, entry);
 }
 
 void ComputeSet::evaluate(Model& model, const std::string& label) const {
   const Timers::Scope timer(model.timers(), "computes");
-  for (const Entry* entry : makersOf(label)) orAbort(model.comm(), [&] { entry->compute->compute(model.blocks()); });
+  for (const Entry* entry : makersOf(label)) evaluate(model, *entry);
+}
+
+void ComputeSet::evaluate(Model& model, const Entry& entry) const {
+  const bool isKept = isSettled_ && entry.followsFromState;
+  if (isKept && !isKnown_.insert(&entry).second) return;
+  orAbort(model.comm(), [&] { entry.compute->compute(model.blocks()); });
 }
 
 }  // namespace pd

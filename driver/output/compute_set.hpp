@@ -24,6 +24,10 @@ class ComputeSet {
   /// Hands the node sets and the whole body to the computes and initialises them. Throws DeckError. Collective.
   void initialize(Model& model);
 
+  /// Mesh, bonds and displacements stay as they are until the state changes: values for the whole body that follow from
+  /// these alone are evaluated once.
+  void stateIsSettled();
+  void stateHasChanged();
   /// Evaluates all computes, or only those that yield values for the whole body. Collective.
   void evaluate(Model& model, bool onlyGlobal) const;
   /// Evaluates the one that makes this value, and those whose values for the whole body that one reads. Collective.
@@ -57,12 +61,17 @@ class ComputeSet {
     std::set<std::string> fieldsOfState;
     std::set<std::string> reads, writes;  ///< values for the whole body
     bool keepsEvaluations = false;        ///< what one finds, for the next
+    bool followsFromState = false;        ///< from mesh, bonds and displacements alone, as others that it reads do
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
   std::vector<const Entry*> makersOf(const std::string& label) const;
+  bool followsFromState(const Entry& entry) const;
+  void evaluate(Model& model, const Entry& entry) const;
   void add(const std::string& className, const DeckNode& node, const Deck& deck, const Communicator& comm);
 
   std::vector<Entry> entries_;
+  bool isSettled_ = false;
+  mutable std::set<const Entry*> isKnown_;  ///< whose values are those of the settled state
   std::set<std::string> notes_;
   std::vector<std::string> globalLabels_;
   class SymmetricBody;

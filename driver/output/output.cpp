@@ -252,6 +252,7 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
     self.isOpen = true;
   }
   const auto [areFieldsDue, isAnyDue] = self.evaluateDue(model, step, isLast);
+  stateHasChanged();
   if (!isAnyDue) return;
   const Timers::Scope timer(model.timers(), "output");
   for (OutputFiles& files : self.files) files.write(model, step, time, isLast);
@@ -260,6 +261,9 @@ void Output::write(Model& model, int step, int, double time, bool isLast) {
       if (self.log) self.log->requireWritten();
     });
 }
+
+void Output::stateIsSettled() { implementation_->computes->stateIsSettled(); }
+void Output::stateHasChanged() { implementation_->computes->stateHasChanged(); }
 
 void Output::evaluate(Model& model, int step) { implementation_->evaluateDue(model, step, false); }
 

@@ -43,6 +43,10 @@ class Output {
   /// everything.
   void write(Model& model, int step, int nSteps, double time, bool isLast);
 
+  /// Mesh, bonds and displacements stay as they are up to the next write(), or until the state is said to have changed:
+  /// values for the whole body that follow from these alone are evaluated once.
+  void stateIsSettled();
+  void stateHasChanged();
   /// Evaluates the computes that write() would, and writes nothing.
   void evaluate(Model& model, int step);
   /// Evaluates the computes of whole bodies, whether or not they are due, and writes nothing.

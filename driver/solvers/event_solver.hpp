@@ -10,7 +10,8 @@ namespace pd {
 /// may end the run. (As a part of Staggered it goes on to the end that it is asked for.)
 class EventSolver : public Solver {
  public:
-  /// Advances from t to the next event, or to `end` where none comes before. Returns the time reached.
+  /// Advances from t to the next event, or to `end` where none comes before. Returns the time reached. May have told
+  /// the output that the state is settled.
   virtual double advanceToEvent(Simulation& simulation, double t, double end) = 0;
   /// Why there is nothing left to do; empty where there is. The run then ends with this increment.
   virtual std::string reasonToStop() const = 0;
@@ -23,7 +24,10 @@ class EventSolver : public Solver {
 
   void advance(Simulation& simulation, double t, double dt) override {
     const double end = t + dt;
-    while (t < end && reasonToStop().empty()) t = advanceToEvent(simulation, t, end);
+    while (t < end && reasonToStop().empty()) {
+      t = advanceToEvent(simulation, t, end);
+      simulation.output.stateHasChanged();
+    }
     if (!fieldsAreComplete()) completeFields(simulation, t);
   }
 };

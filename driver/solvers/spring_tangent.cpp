@@ -212,8 +212,7 @@ bool SpringTangent::keepsTogether() {
 }
 
 void SpringTangent::refreshSmoother() {
-  if (model_.comm().any(!stalePoints_.empty()))
-    levels_.refreshSmoother(stiffness_.isDistributed() ? allPoints() : stalePoints_);
+  if (model_.comm().any(!stalePoints_.empty())) levels_.refreshSmoother(stalePoints_);
   stalePoints_.clear();
 }
 

@@ -100,6 +100,17 @@ TiringPoints& CyclicDamage::pointsOf(const Call& call, DataManager& data) const 
   return points_.insert_or_assign(&data, TiringPoints(call)).first->second;
 }
 
+std::map<int, std::vector<BondRange>> CyclicDamage::bondsWritten(DataManager& data) const {
+  const auto found = points_.find(&data);
+  if (found == points_.end()) return {};
+  std::vector<BondRange> bonds;
+  for (const std::size_t p : found->second.lastFound()) {
+    const std::size_t first = found->second.firstBond(p);
+    bonds.push_back({first, first + static_cast<std::size_t>(found->second.nBonds(p))});
+  }
+  return {{fields_.lostLife.id(), bonds}};
+}
+
 void CyclicDamage::requirePrecompute(double dt, const Call& call, DataManager& data) const {
   if (prepared_.erase(&data) != 0) return;
   if (hasGrowth_ && fields_.damage.length(data) != call.nOwned)

@@ -12,6 +12,7 @@
 #include "bond_damage_model.hpp"
 #include "bond_family.hpp"
 #include "cycle_fields.hpp"
+#include "partial_writer.hpp"
 #include "run_notes.hpp"
 #include "step_listener.hpp"
 #include "tiring_points.hpp"
@@ -24,7 +25,7 @@ namespace pd {
 /// neighbour has lost `Growth Damage` of its bonds; a bond where either end is. What points lost by the start of the
 /// step counts: exchanged by precompute(). A host says how many cycles a step has, and their load (cycle_fields.hpp),
 /// or the parameters do.
-class CyclicDamage : public BondDamageModel, public RunNotes, public StepListener {
+class CyclicDamage : public BondDamageModel, public RunNotes, public StepListener, public PartialWriter {
  public:
   struct Fields : BondDamageModel::Fields {
     FieldHandle modelCoordinates = reads(pd::fields::modelCoordinates());
@@ -51,6 +52,7 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
   void precompute(const double dt, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                   PeridigmNS::DataManager& data) const override;
   void stepTakenBack() const override { points_.clear(); }
+  std::map<int, std::vector<BondRange>> bondsWritten(PeridigmNS::DataManager& data) const override;
 
  protected:
   /// All parameters but those of the laws.
@@ -110,14 +112,24 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
   // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken. Returns
   // whether this one breaks.
+  TiringPoints::Known* known = points.known(y, fields_.damage.length(data), cycles.range);
+  std::size_t at = 0;  // in what is known
+  // Bonds are looked at several times at the same places: their strains and rates are found once.
+  const auto once = [&](std::vector<double>* values, const auto& find) {
+    if (values == nullptr) return find();
+    double& value = (*values)[at];
+    return std::isnan(value) ? value = find() : value;
+  };
   const auto passCycles = [&](int i, int j, std::size_t bond) {
     const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
     if (!grows && isIdleElsewhere) return false;
     if (lost[bond] >= 1.0 || (noFailure != nullptr && (noFailure[i] != 0.0 || noFailure[j] != 0.0))) return false;
-    const double stretch = ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0;
+    const double stretch = once(known == nullptr ? nullptr : &known->stretches,
+                                [&] { return ReferenceBond(y, i, j).length / ReferenceBond(x, i, j).length - 1.0; });
     double rate = 0.0;
     if ((stretch > 0.0 || !seesOpeningAlone_) && (grows || hasInitiation_))
-      rate = lossRate(grows, std::abs(cycles.range * stretch), i, j);
+      rate = once(known == nullptr ? nullptr : &known->rates,
+                  [&] { return lossRate(grows, std::abs(cycles.range * stretch), i, j); });
     lost[bond] += cycles.number * rate;
     if (lost[bond] < 1.0 - lifeTolerance_ && cycles.peak * stretch < criticalStretch_) {
       if (bondDamage[bond] < 1.0) worstRate[i] = std::max(worstRate[i], rate / (1.0 - lost[bond]));
@@ -137,7 +149,7 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     const std::size_t first = points.firstBond(p);
     const int i = call.ownedIds[p], count = points.nBonds(p);
     bool hasBroken = false;
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k, ++at) {
       const std::size_t bond = first + static_cast<std::size_t>(k);
       hasBroken = passCycles(i, points.neighbor(bond, p), bond) || hasBroken;
     }

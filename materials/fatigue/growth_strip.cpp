@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pd {
@@ -173,6 +174,7 @@ void GrowthStrip::breakBond(std::size_t bond) {
   isBroken_[bond] = 1;
   nBroken_[broken.from] += broken.count;
   if (broken.to != broken.from) nBroken_[broken.to] += broken.count;
+  worn_.insert(worn_.end(), {broken.from, broken.to});
   const Measure& measure = measures_[bond];
   std::vector<double> moved;  // by a pair of forces along the bond
   for (const std::vector<double>& row : compliance_) moved.push_back(measure.of(row));
@@ -187,18 +189,23 @@ void GrowthStrip::breakBond(std::size_t bond) {
   }
 }
 
-std::vector<char> GrowthStrip::pointsNear(double damage) const {
-  std::vector<char> near(nBroken_.size(), 0);
-  for (int column = 0; column < nColumns_; ++column)
-    for (int row = 0; row < nRows_; ++row) {
-      if (nBroken_[point(column, row)] < damage * bondsOfAPoint_) continue;
-      near[point(column, row)] = 1;
-      for (const LatticeBond& bond : lattice_) {
-        const int toColumn = column + bond.x, toRow = row + bond.y < 0 ? -1 - row - bond.y : row + bond.y;
-        if (toColumn >= 0 && toColumn < nColumns_ && toRow < nRows_) near[point(toColumn, toRow)] = 1;
-      }
+const std::vector<char>& GrowthStrip::pointsNear(double damage) {
+  if (isNear_.empty()) {
+    isNear_.assign(nBroken_.size(), 0);
+    worn_.resize(nBroken_.size());
+    std::iota(worn_.begin(), worn_.end(), std::size_t(0));
+  }
+  for (const std::size_t p : worn_) {
+    if (nBroken_[p] < damage * bondsOfAPoint_) continue;
+    isNear_[p] = 1;
+    const int column = static_cast<int>(p) / nRows_, row = static_cast<int>(p) % nRows_;
+    for (const LatticeBond& bond : lattice_) {
+      const int toColumn = column + bond.x, toRow = row + bond.y < 0 ? -1 - row - bond.y : row + bond.y;
+      if (toColumn >= 0 && toColumn < nColumns_ && toRow < nRows_) isNear_[point(toColumn, toRow)] = 1;
     }
-  return near;
+  }
+  worn_.clear();
+  return isNear_;
 }
 
 int GrowthStrip::nColumnsOpen() const {

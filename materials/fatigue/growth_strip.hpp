@@ -29,8 +29,8 @@ class GrowthStrip {
   double stretch(std::size_t bond) const { return measures_[bond].of(u_); }
   bool isBroken(std::size_t bond) const { return isBroken_[bond] != 0; }
   void breakBond(std::size_t bond);
-  /// [points] 1 where a point or one of its neighbours has lost that part of its bonds.
-  std::vector<char> pointsNear(double damage) const;
+  /// [points] 1 where a point or one of its neighbours has lost that part of its bonds: the same part in all calls.
+  const std::vector<char>& pointsNear(double damage);
   bool hasEndIn(const std::vector<char>& points, std::size_t bond) const {
     return points[bonds_[bond].from] != 0 || points[bonds_[bond].to] != 0;
   }
@@ -71,8 +71,10 @@ class GrowthStrip {
   std::vector<LatticeBond> lattice_;
   int reach_ = 0, nRows_, nColumns_, firstColumn_;
   double poisson_, strainUnit_ = 0.0, frameStrain_ = 0.0, bondsOfAPoint_ = 0.0;
-  std::vector<double> farAhead_;  ///< [rows] displacement along y far ahead of the crack
-  std::vector<double> nBroken_;   ///< [points]
+  std::vector<double> farAhead_;   ///< [rows] displacement along y far ahead of the crack
+  std::vector<double> nBroken_;    ///< [points]
+  std::vector<char> isNear_;       ///< [points] as pointsNear() last found it; empty: never
+  std::vector<std::size_t> worn_;  ///< points that have lost bonds since
   // Of bonds that may break. Their unknowns are counted among those of all such bonds.
   std::vector<Bond> bonds_;
   std::vector<Measure> measures_;

@@ -42,11 +42,11 @@ Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate&
   double cycles = 0.0, atFirst = 0.0;
   Growth growth;
   while (true) {
-    const std::vector<char> nearTip = strip.pointsNear(trial.growthDamage);
+    const std::vector<char>& nearTip = strip.pointsNear(trial.growthDamage);
     double next = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < n; ++b) {
-      const bool wears = !strip.isBroken(b) && strip.stretch(b) > 0.0 && strip.hasEndIn(nearTip, b);
-      rate[b] = wears ? law(strip.stretch(b) / unit) : 0.0;
+      const double stretch = strip.isBroken(b) || !strip.hasEndIn(nearTip, b) ? 0.0 : strip.stretch(b);
+      rate[b] = stretch > 0.0 ? law(stretch / unit) : 0.0;
       if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
     }
     if (!std::isfinite(next)) return {};

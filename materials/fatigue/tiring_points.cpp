@@ -70,6 +70,7 @@ void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
   if (nearTip_.size() == static_cast<std::size_t>(nPoints) && std::equal(nearTip_.begin(), nearTip_.end(), nearTip))
     return;
   nearTip_.assign(nearTip, nearTip + nPoints);
+  tipsHaveChanged_ = true;
   isBesideTip_.assign(static_cast<std::size_t>(nOwned_), 0);
   for (std::size_t p = 0; p < isBesideTip_.size(); ++p) {
     bool isBeside = nearTip[ownedIds_[p]] != 0.0;
@@ -77,6 +78,28 @@ void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
       isBeside = nearTip[neighbor(bond, p)] != 0.0;
     isBesideTip_[p] = isBeside ? 1 : 0;
   }
+}
+
+TiringPoints::Known* TiringPoints::known(const double* y, int nPoints, double strainRange) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (tiring_.size() > static_cast<std::size_t>(nOwned_) / mostReaching) return nullptr;
+  const auto nPlaces = 3 * static_cast<std::size_t>(nPoints);
+  const bool isSame = !tipsHaveChanged_ && knownPoints_ == tiring_ && knownPlaces_.size() == nPlaces &&
+                      std::equal(knownPlaces_.begin(), knownPlaces_.end(), y);
+  if (isSame && strainRange == knownRange_) return &known_;
+  knownRange_ = strainRange;
+  if (isSame) {
+    std::fill(known_.rates.begin(), known_.rates.end(), nothing);
+    return &known_;
+  }
+  knownPoints_ = tiring_;
+  knownPlaces_.assign(y, y + nPlaces);
+  tipsHaveChanged_ = false;
+  std::size_t count = 0;
+  for (const std::size_t p : tiring_) count += firstBond_[p + 1] - firstBond_[p];
+  known_.stretches.assign(count, nothing);
+  known_.rates.assign(count, nothing);
+  return &known_;
 }
 
 /// Since all were looked at no bond has stretched by more than twice the largest displacement over its length. Returns

@@ -30,6 +30,17 @@ class TiringPoints {
   /// one NP1 is N at the start of a step, but for what has been written since.
   void startFrom(const double* before, double* lost);
 
+  /// Those that find() found last: NP1 differs from N at their bonds alone.
+  const std::vector<std::size_t>& lastFound() const { return tiring_; }
+
+  /// Of the bonds of the points found last, one after another: what a caller has found out of them, and NaN. It is kept
+  /// as long as places `y` [3 nPoints] and tips are the same, the rates as long as `strainRange` is, too.
+  struct Known {
+    std::vector<double> stretches, rates;
+  };
+  /// Null where the points are so many that what is known of them would take more memory than it is worth.
+  Known* known(const double* y, int nPoints, double strainRange);
+
   /// What leaves bonds away from tips alone: a strain range (`strainRange` for each part that a bond is longer or
   /// shorter by) up to `restingRange`, and a stretch (`peak` for each) below `criticalStretch`.
   struct Limits {
@@ -62,6 +73,12 @@ class TiringPoints {
   std::vector<double> largest_;     ///< [points] largest |stretch| of a bond then
   double shortestBond_ = 0.0;       ///< m
   int nCallsToWait_ = 0;            ///< before the next look
+
+  Known known_;
+  std::vector<std::size_t> knownPoints_;  ///< whose bonds those are
+  std::vector<double> knownPlaces_;       ///< [3 nPoints]
+  double knownRange_ = 0.0;
+  bool tipsHaveChanged_ = true;  ///< since then
 
   const double *before_ = nullptr, *lost_ = nullptr;
   std::vector<std::size_t> tiring_;  ///< whose bonds NP1 may differ from N at

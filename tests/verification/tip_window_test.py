@@ -52,9 +52,10 @@ class TipWindow(SceneTest):
         square = lattice([WIDTH, HEIGHT], SPACING, origin=[0.0, -HEIGHT / 2])
         jittered = square.copy()
         jittered[:, :2] += SPACING * np.random.default_rng(3).uniform(-0.2, 0.2, (len(square), 2))
-        turned, _ = lattice_points((0.0, -HEIGHT / 2), (WIDTH, HEIGHT / 2), "turned_20", 3 * SPACING, THICKNESS)
-        turned = np.column_stack([turned, 0 * turned[:, 0]])
-        for name, points in (("square", square), ("jittered", jittered), ("turned", turned)):
+        turned, triangles = (lattice_points((0.0, -HEIGHT / 2), (WIDTH, HEIGHT / 2), name, 3 * SPACING, THICKNESS)[0]
+                             for name in ("turned_20", "triangles"))
+        turned, triangles = (np.column_stack([points, 0 * points[:, 0]]) for points in (turned, triangles))
+        for name, points in (("square", square), ("jittered", jittered), ("turned", turned), ("triangles", triangles)):
             with self.subTest(name):
                 self.compare(self.deck(points=points))
 

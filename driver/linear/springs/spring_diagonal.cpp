@@ -30,50 +30,67 @@ std::array<double, 6> turned(const Symmetry::Matrix& m, int dimension, const dou
   return result;
 }
 
+}  // namespace
+
+SpringDiagonal::SpringDiagonal(const SpringOperator& stiffness) : stiffness_(stiffness) {
+  if (!stiffness.isDistributed()) return;
+  const SpringNetwork& network = stiffness.network();
+  const Discretization& points = network.points();
+  own_ = PointVector<double>(points.nPoints, points.dimension * (points.dimension + 1) / 2);
+  for (int i = 0; i < points.nOwned; ++i)
+    if (std::any_of(network.neighbors(i), network.neighbors(i) + network.nNeighbors(i),
+                    [&](int j) { return j >= points.nOwned; }))
+      border_.push_back(i);
+}
+
+void SpringDiagonal::find(const std::vector<int>& points, PointVector<double>& diagonal) {
+  const SpringNetwork& network = stiffness_.network();
+  std::vector<char> isWanted(static_cast<std::size_t>(network.points().nPoints), 0);
+  for (const int i : points) isWanted[static_cast<std::size_t>(i)] = 1;
+  std::vector<char> isAround = network.around(points);
+  if (!stiffness_.isDistributed()) return findOwn(isWanted, isAround, diagonal);
+  // Springs of changed points end at ghosts and images: of these all are found.
+  std::fill(isWanted.begin() + network.points().nOwned, isWanted.end(), 1);
+  for (const int i : border_) isAround[static_cast<std::size_t>(i)] = 1;
+  findOwn(isWanted, isAround, own_);
+  sumOverCopies(points, diagonal);
+}
+
+/// What the springs around them that this rank has hold at the points that are wanted.
+void SpringDiagonal::findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
+                             PointVector<double>& diagonal) const {
+  const int d = stiffness_.network().dimension();
+  for (int c = 0; c < diagonal.nComponents(); ++c)
+    for (std::size_t i = 0; i < isWanted.size(); ++i)
+      if (isWanted[i] != 0) diagonal[c][i] = 0.0;
+  // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
+  stiffness_.network().forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
+                                       [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+                                         for (const int point : {i, j}) {
+                                           if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
+                                           for (int a = 0, at = 0; a < d; ++a)
+                                             for (int b = a; b < d; ++b, ++at)
+                                               diagonal[at][point] +=
+                                                   c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
+                                         }
+                                       });
+}
+
 /// Adds what ghosts and images hold to the points that they stand for.
-void sumOverCopies(const SpringOperator& stiffness, PointVector<double>& diagonal) {
-  const Discretization& points = stiffness.network().points();
-  const int width = diagonal.nComponents();
+void SpringDiagonal::sumOverCopies(const std::vector<int>& wanted, PointVector<double>& diagonal) const {
+  const Discretization& points = stiffness_.network().points();
+  const int width = own_.nComponents();
   std::vector<double> values(static_cast<std::size_t>(points.nPoints) * static_cast<std::size_t>(width));
   const auto at = [&](int point) { return &values[static_cast<std::size_t>(point) * static_cast<std::size_t>(width)]; };
   for (int point = 0; point < points.nPoints; ++point) {
     std::array<double, 6> own{};
-    for (int c = 0; c < width; ++c) own[static_cast<std::size_t>(c)] = diagonal[c][point];
+    for (int c = 0; c < width; ++c) own[static_cast<std::size_t>(c)] = own_[c][point];
     if (points.isImage(point)) own = turned(points.symmetry.matrix(points.copyOf(point)), points.dimension, own.data());
     for (int c = 0; c < width; ++c) at(points.sourceOf(point))[c] += own[static_cast<std::size_t>(c)];
   }
-  stiffness.exchange().exportAdd(values.data(), width, std::nullopt);
-  for (int point = 0; point < points.nOwned; ++point)
+  stiffness_.exchange().exportAdd(values.data(), width, std::nullopt);
+  for (const int point : wanted)
     for (int c = 0; c < width; ++c) diagonal[c][point] = at(point)[c];
-}
-
-}  // namespace
-
-void findSpringDiagonal(const SpringOperator& stiffness, const std::vector<int>& points,
-                        PointVector<double>& diagonal) {
-  const SpringNetwork& network = stiffness.network();
-  const int d = network.dimension();
-  const auto nPoints = static_cast<std::size_t>(network.points().nPoints);
-  // Ghosts and images bring what other ranks and the points that they mirror have found.
-  const bool findsAll = stiffness.isDistributed();
-  std::vector<char> isWanted(nPoints, findsAll ? 1 : 0), isAround = isWanted;
-  if (findsAll) diagonal.zero();
-  if (!findsAll) isAround = network.around(points);
-  for (const int i : points) {
-    isWanted[static_cast<std::size_t>(i)] = 1;
-    for (int c = 0; c < diagonal.nComponents(); ++c) diagonal[c][i] = 0.0;
-  }
-  // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
-  network.forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
-                          [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-                            for (const int point : {i, j}) {
-                              if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
-                              for (int a = 0, at = 0; a < d; ++a)
-                                for (int b = a; b < d; ++b, ++at)
-                                  diagonal[at][point] += c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
-                            }
-                          });
-  if (stiffness.isDistributed()) sumOverCopies(stiffness, diagonal);
 }
 
 std::vector<SpringOperator::Addition> stiffeningOfLoosePoints(const SpringOperator& stiffness,

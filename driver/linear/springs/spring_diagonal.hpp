@@ -6,10 +6,25 @@
 
 namespace pd {
 
-/// Writes `diagonal` [D (D + 1)/2][nPoints] at `points`, or everywhere where ranks or images share it: the upper
-/// triangles of the diagonal blocks of K without its families, complete at owned points, in units of the network.
-/// Collective.
-void findSpringDiagonal(const SpringOperator& stiffness, const std::vector<int>& points, PointVector<double>& diagonal);
+/// The upper triangles of the diagonal blocks of K without its families, in units of the network.
+class SpringDiagonal {
+ public:
+  /// Refers to the stiffness.
+  explicit SpringDiagonal(const SpringOperator& stiffness);
+  /// Writes `diagonal` [D (D + 1)/2][nPoints] at the owned `points`, rising: all of them at first, then those whose
+  /// springs have changed. Collective.
+  void find(const std::vector<int>& points, PointVector<double>& diagonal);
+
+ private:
+  void findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
+               PointVector<double>& diagonal) const;
+  void sumOverCopies(const std::vector<int>& points, PointVector<double>& diagonal) const;
+
+  const SpringOperator& stiffness_;
+  // Where ranks or images share points:
+  std::vector<int> border_;  ///< owned points with a neighbour that is none
+  PointVector<double> own_;  ///< what this rank's springs hold, at ghosts and images, too
+};
 
 /// A point that hangs on too few springs (one, or some in a line) can move along some direction without force. What is
 /// to be added to the diagonal of `points`, so that they cannot: a little of their own stiffness.

@@ -30,6 +30,7 @@ class SpringOperator {
 
   const SpringNetwork& network() const { return network_; }
   bool isHeld(int point, int component) const { return isHeld_[static_cast<std::size_t>(3 * point + component)] != 0; }
+  const std::vector<char>& held() const { return isHeld_; }  ///< [3 nOwned]
   const std::vector<Addition>& additions() const { return additions_; }
   bool isDistributed() const { return isDistributed_; }
   const PointExchange& exchange() const { return exchange_; }

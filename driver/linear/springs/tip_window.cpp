@@ -38,8 +38,13 @@ std::string TipWindow::obstacle(const SpringOperator& stiffness) {
   return "";
 }
 
-TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& points, const double* displacement)
-    : stiffness_(stiffness), dimension_(stiffness.network().dimension()), points_(points) {
+TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& read, const std::vector<int>& changing,
+                     const double* displacement)
+    : stiffness_(stiffness),
+      dimension_(stiffness.network().dimension()),
+      points_(read),
+      nRead_(static_cast<int>(read.size())) {
+  points_.insert(points_.end(), changing.begin(), changing.end());
   const SpringNetwork& network = stiffness.network();
   const auto n = static_cast<std::size_t>(network.points().nOwned);
   placeOf_.assign(n, -1);
@@ -59,7 +64,9 @@ TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& po
     for (int c = 0; c < dimension_; ++c) {
       const bool isHeld = stiffness.isHeld(i, c);
       unknownOf_.push_back(isHeld ? -1 : nUnknowns_++);
-      if (!isHeld) base_.push_back(displacement[3 * i + c]);
+      if (isHeld) continue;
+      base_.push_back(displacement[3 * i + c]);
+      if (!hasColumns(i)) firstColumn_ = nUnknowns_;
     }
   now_ = base_;
   remember();
@@ -129,15 +136,28 @@ void TipWindow::condense() {
   SchurComplement complement = schurComplement(matrix, kept, order);
   trouble_ = complement.trouble;
   if (!trouble_.empty()) return;
-  inverse_ = std::move(complement.values);
+  invert(std::move(complement.values));
+}
+
+/// The last columns of the inverse of S = L L^T: those of L^-1 have entries in their own rows alone.
+void TipWindow::invert(std::vector<double> s) {
   int info = 0;
-  const Lapack lapack;
-  lapack.POTRF('L', nUnknowns_, inverse_.data(), nUnknowns_, &info);
-  if (info == 0) lapack.POTRI('L', nUnknowns_, inverse_.data(), nUnknowns_, &info);
-  if (info != 0) trouble_ = "the stiffness is not positive definite";
-  const auto n = static_cast<std::size_t>(nUnknowns_);
-  for (std::size_t c = 0; c < n; ++c)
-    for (std::size_t r = c + 1; r < n; ++r) inverse_[r * n + c] = inverse_[c * n + r];
+  Lapack().POTRF('L', nUnknowns_, s.data(), nUnknowns_, &info);
+  if (info != 0) {
+    trouble_ = "the stiffness is not positive definite";
+    return;
+  }
+  const int nColumns = nUnknowns_ - firstColumn_;
+  const auto n = static_cast<std::size_t>(nUnknowns_), first = static_cast<std::size_t>(firstColumn_);
+  inverse_.assign(static_cast<std::size_t>(nColumns) * n, 0.0);
+  for (std::size_t c = 0; first + c < n; ++c) inverse_[c * n + first + c] = 1.0;
+  const auto solve = [&](Teuchos::ETransp transposed, int from) {
+    const auto at = static_cast<std::size_t>(from);
+    Blas().TRSM(Teuchos::LEFT_SIDE, Teuchos::LOWER_TRI, transposed, Teuchos::NON_UNIT_DIAG, nUnknowns_ - from, nColumns,
+                1.0, &s[at * n + at], nUnknowns_, &inverse_[at], nUnknowns_);
+  };
+  solve(Teuchos::NO_TRANS, firstColumn_);
+  solve(Teuchos::TRANS, 0);
 }
 
 int TipWindow::unknownOf(int point, int component) const {
@@ -146,6 +166,8 @@ int TipWindow::unknownOf(int point, int component) const {
                    : unknownOf_[static_cast<std::size_t>(place) * static_cast<std::size_t>(dimension_) +
                                 static_cast<std::size_t>(component)];
 }
+
+bool TipWindow::hasColumns(int point) const { return placeOf_[static_cast<std::size_t>(point)] >= nRead_; }
 
 double TipWindow::Change::elongation(const double* unknowns) const {
   double sum = 0.0;
@@ -161,7 +183,7 @@ void TipWindow::add(const Change& change) {
   double* column = &columns_[changes_.size() * n];
   for (std::size_t k = 0; k < change.unknown.size(); ++k) {
     if (change.unknown[k] < 0) continue;
-    const double* from = &inverse_[static_cast<std::size_t>(change.unknown[k]) * n];
+    const double* from = &inverse_[static_cast<std::size_t>(change.unknown[k] - firstColumn_) * n];
     for (std::size_t r = 0; r < n; ++r) column[r] += change.factor[k] * from[r];
   }
   changes_.push_back(change);
@@ -186,13 +208,16 @@ void TipWindow::breakSpring(int i, int j, double change, const double* displacem
   add(spring);
 }
 
-void TipWindow::supportUnknown(int unknown, double flexibility, double place) {
+/// False where something must not change.
+bool TipWindow::supportUnknown(int unknown, double flexibility, double place) {
+  if (unknown < firstColumn_) return false;
   Change support;
   support.unknown[0] = unknown;
   support.factor[0] = 1.0;
   support.flexibility = flexibility;
   support.rest = place;
   add(support);
+  return true;
 }
 
 double TipWindow::stiffnessOf(int i, int j) const {
@@ -209,7 +234,7 @@ bool TipWindow::takeUpPoint(int point, const double* displacement) {
     const float before = seen[static_cast<std::size_t>(k)], after = network.alive(point, k);
     if (before == after) continue;
     // Springs break as a whole.
-    if (!contains(other) || after != 0.0F || before != 1.0F) return false;
+    if (!hasColumns(point) || !hasColumns(other) || after != 0.0F || before != 1.0F) return false;
     seen[static_cast<std::size_t>(k)] = after;
     const double stiffness = stiffnessOf(point, other);
     if (point < other && stiffness != 0.0) breakSpring(point, other, -stiffness, displacement);
@@ -218,14 +243,14 @@ bool TipWindow::takeUpPoint(int point, const double* displacement) {
 }
 
 bool TipWindow::takeUpHeld(const double* displacement) {
+  if (isHeld_ == stiffness_.held()) return true;
   for (std::size_t d = 0; d < isHeld_.size(); ++d) {
     const auto point = static_cast<int>(d / 3), component = static_cast<int>(d % 3);
     const bool isHeld = stiffness_.isHeld(point, component);
     if (isHeld == (isHeld_[d] != 0)) continue;
     const int unknown = component < dimension_ ? unknownOf(point, component) : -1;
-    if (!isHeld || unknown < 0) return false;
+    if (!isHeld || !supportUnknown(unknown, 0.0, displacement[d])) return false;
     isHeld_[d] = 1;
-    supportUnknown(unknown, 0.0, displacement[d]);
   }
   return true;
 }
@@ -239,10 +264,9 @@ bool TipWindow::takeUpAdditions(const double* displacement) {
   const auto change = [&](const SpringOperator::Addition& addition, double value) {
     if (value == 0.0) return true;
     const int unknown = unknownOf(addition.point, addition.component);
-    if (unknown < 0) return false;
-    if (!stiffness_.isHeld(addition.point, addition.component))
-      supportUnknown(unknown, 1.0 / value, displacement[3 * addition.point + addition.component]);
-    return true;
+    if (unknown < firstColumn_) return false;
+    return stiffness_.isHeld(addition.point, addition.component) ||
+           supportUnknown(unknown, 1.0 / value, displacement[3 * addition.point + addition.component]);
   };
   bool isInside = true;
   auto old = additions_.begin();
@@ -316,16 +340,18 @@ double TipWindow::distanceFrom(const double* displacement) const {
 
 /// G takes the changes up.
 bool TipWindow::workIn() {
-  std::vector<double> matrix, rows(columns_.size());
+  std::vector<double> matrix;
   std::vector<int> pivots;
   if (!findFactors(matrix, pivots)) return false;
-  const std::size_t k = changes_.size(), n = static_cast<std::size_t>(nUnknowns_);
+  const std::size_t k = changes_.size(), n = static_cast<std::size_t>(nUnknowns_),
+                    first = static_cast<std::size_t>(firstColumn_);
+  std::vector<double> rows(k * (n - first));
   for (std::size_t c = 0; c < k; ++c)
-    for (std::size_t r = 0; r < n; ++r) rows[r * k + c] = columns_[c * n + r];
+    for (std::size_t r = first; r < n; ++r) rows[(r - first) * k + c] = columns_[c * n + r];
   int info = 0;
-  const auto size = static_cast<int>(k);
-  Lapack().GETRS('N', size, nUnknowns_, matrix.data(), size, pivots.data(), rows.data(), size, &info);
-  Blas().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, nUnknowns_, nUnknowns_, size, -1.0, columns_.data(), nUnknowns_,
+  const int size = static_cast<int>(k), nColumns = nUnknowns_ - firstColumn_;
+  Lapack().GETRS('N', size, nColumns, matrix.data(), size, pivots.data(), rows.data(), size, &info);
+  Blas().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, nUnknowns_, nColumns, size, -1.0, columns_.data(), nUnknowns_,
               rows.data(), size, 1.0, inverse_.data(), nUnknowns_);
   base_ = now_;
   released_ += std::exchange(releasedByChanges_, 0.0);

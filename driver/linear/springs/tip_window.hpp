@@ -11,17 +11,19 @@
 
 namespace pd {
 
-/// The stiffness of a body condensed onto the points of a window, as its inverse G: a dense matrix, once, at the cost
-/// of a factor of the whole. A spring that breaks, a support that is lost or added is one column of G each; the
+/// The stiffness of a body condensed onto the points of a window, as columns of its inverse G: once, at the cost of a
+/// factor of the whole. A spring that breaks, a support that is lost or added is one column of G each; the
 /// displacements of the window's points are then those of the whole body in equilibrium, exactly (Woodbury's formula),
-/// at the cost of a few products. Every so many columns are worked into G. For springs along their bonds alone, in one
-/// piece, under loads and prescribed displacements that stay as they are.
+/// at the cost of a few products. Every so many columns are worked into G. Points that are only read have rows of G,
+/// and no columns: nothing may change there. For springs along their bonds alone, in one piece, under loads and
+/// prescribed displacements that stay as they are.
 class TipWindow {
  public:
   /// Why there can be none for such springs; empty where there can.
   static std::string obstacle(const SpringOperator& stiffness);
-  /// Condenses; `displacement` [3 nOwned] m: in equilibrium. Refers to the stiffness. `points`: owned.
-  TipWindow(const SpringOperator& stiffness, const std::vector<int>& points, const double* displacement);
+  /// Condenses; `displacement` [3 nOwned] m: in equilibrium. Refers to the stiffness. Owned points, no point in both.
+  TipWindow(const SpringOperator& stiffness, const std::vector<int>& read, const std::vector<int>& changing,
+            const double* displacement);
 
   /// What has stood in the way so far; nothing else of this may be used then. Empty where there is none.
   const std::string& trouble() const { return trouble_; }
@@ -52,13 +54,15 @@ class TipWindow {
   };
 
   void condense();
+  void invert(std::vector<double> s);
   void remember();
   double stiffnessOf(int i, int j) const;
   bool takeUpPoint(int point, const double* displacement);
   bool takeUpHeld(const double* displacement);
   bool takeUpAdditions(const double* displacement);
   void breakSpring(int i, int j, double change, const double* displacement);
-  void supportUnknown(int unknown, double flexibility, double place);
+  bool supportUnknown(int unknown, double flexibility, double place);
+  bool hasColumns(int point) const;
   void add(const Change& change);
   bool findFactors(std::vector<double>& matrix, std::vector<int>& pivots) const;
   bool workIn();
@@ -66,12 +70,13 @@ class TipWindow {
 
   const SpringOperator& stiffness_;
   int dimension_;
-  std::vector<int> points_;
+  std::vector<int> points_;  ///< those that are only read, then those where something may change
+  int nRead_;
   std::vector<int> placeOf_;    ///< [nOwned] in points_; -1: none
   std::vector<char> isInside_;  ///< [nOwned]
   std::vector<int> unknownOf_;  ///< [points][dimension]; -1: was held from the start
-  int nUnknowns_ = 0;
-  std::vector<double> inverse_;     ///< G [unknowns][unknowns]
+  int nUnknowns_ = 0, firstColumn_ = 0;
+  std::vector<double> inverse_;     ///< G [unknowns from firstColumn_ on][unknowns]
   std::vector<double> base_, now_;  ///< [unknowns] m: before and with the changes
   std::string trouble_;
 

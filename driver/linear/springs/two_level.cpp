@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "coarse_matrix.hpp"
-#include "spring_diagonal.hpp"
 
 namespace pd {
 
@@ -24,6 +23,7 @@ TwoLevel::TwoLevel(const Communicator& comm, SpringOperator& stiffness)
       stiffness_(stiffness),
       nOwned_(stiffness.network().points().nOwned),
       dimension_(stiffness.network().dimension()),
+      springDiagonal_(stiffness),
       diagonal_(stiffness.network().points().nPoints, dimension_ * (dimension_ + 1) / 2),
       inverse_(nOwned_, dimension_ * (dimension_ + 1) / 2) {
   const int nPoints = stiffness.network().points().nPoints;
@@ -39,7 +39,7 @@ void TwoLevel::refreshSmoother(const std::vector<int>& changed) {
   };
   std::vector<SpringOperator::Addition> additions = stiffness_.additions();
   additions.erase(std::remove_if(additions.begin(), additions.end(), isChanged), additions.end());
-  findSpringDiagonal(stiffness_, changed, diagonal_);
+  springDiagonal_.find(changed, diagonal_);
   const std::vector<SpringOperator::Addition> found = stiffeningOfLoosePoints(stiffness_, diagonal_, changed);
   for (const SpringOperator::Addition& addition : found) {
     const int c = addition.component;

@@ -7,6 +7,7 @@
 
 #include "coarse_factor.hpp"
 #include "coarse_space.hpp"
+#include "spring_diagonal.hpp"
 
 namespace pd {
 
@@ -42,6 +43,7 @@ class TwoLevel {
   const Communicator& comm_;
   SpringOperator& stiffness_;
   int nOwned_, dimension_;
+  SpringDiagonal springDiagonal_;
   PointVector<double> diagonal_;  ///< [upper triangle][nPoints] with the operator's additions
   PointVector<float> inverse_;    ///< [upper triangle][nOwned]
   float largest_ = 2.0F;          ///< bound of the eigenvalues of D^-1 K

@@ -146,6 +146,7 @@ bool Equilibrium::complete(Simulation& simulation, double t) {
     return false;
   }
   solve(simulation, t);
+  simulation.output.stateHasChanged();
   window_->wholeIsFound(simulation, *newton_.springs(), externalForce_, t);
   return true;
 }

@@ -15,10 +15,16 @@ namespace {
 
 // A point tires where its worst bond loses life at no less than this part of the rate of the worst of all.
 constexpr double tiringShare = 0.1;
-// Points of a window: its inverse takes 8 bytes for the square of twice as many.
-constexpr std::size_t usualPoints = 1700, mostPoints = 3600;
-// How many times farther it reaches ahead of the tip, and behind it, than to its sides.
-constexpr double aheadOfSides = 8.0, behindOfSides = 2.0;
+// Points of a window: while it is made it takes 8 bytes for the square of twice as many.
+constexpr std::size_t usualPoints = 1700, usualWhereRead = 2600, mostPoints = 3600;
+// How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
+// look around the tip in directions that turn with it.
+constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 2.0;
+// It has more points than usual where it would else reach less far to its sides, and so serve few events.
+constexpr double leastReachInHorizons = 0.15;
+constexpr double longestBondInHorizons = 1.1;
+// Bonds of points that tire less than others break now and then, too, as far beside those.
+constexpr double changingBesideInHorizons = 0.35;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
 constexpr double mostStale = 3e-4;
@@ -178,15 +184,36 @@ void EventWindow::giveUp(Simulation& simulation, const std::string& why) {
   simulation.output.log("Fatigue: no Tip Window from here on: " + why + "; events are solved in the whole body");
 }
 
-/// Those that are wanted, with as much around them as may be: the tip is taken to grow from the damaged to the intact
-/// ones of the points that tire.
-std::vector<int> EventWindow::pointsAround(Model& model, const Wanted& wanted) {
-  const auto n = static_cast<std::size_t>(model.nOwned());
+namespace {
+
+/// Along the way of the tip, and to its left.
+using Place = std::array<double, 2>;
+
+struct Box {
+  Place low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  bool isEmpty() const { return low[0] > high[0]; }
+  void add(const Place& place) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      low[c] = std::min(low[c], place[c]);
+      high[c] = std::max(high[c], place[c]);
+    }
+  }
+  /// By which the box would have to grow to its sides to reach a place, `margin` beside it: it then grows by so many
+  /// times as much ahead and behind.
+  double distance(const Place& place, double margin, const Place& aheadAndBehind) const {
+    const double ahead = (place[0] - high[0] - margin) / aheadAndBehind[0];
+    const double behind = (low[0] - place[0] - margin) / aheadAndBehind[1];
+    return std::max({0.0, ahead, behind, low[1] - place[1] - margin, place[1] - high[1] - margin});
+  }
+};
+
+/// From the damaged to the intact ones of the points that tire; zero where that shows no direction.
+Place directionOf(Model& model, const std::vector<char>& tires, double horizon) {
   const double *x = model.field("Model_Coordinates"), *damage = model.field("Damage");
-  std::array<double, 2> middle{}, broken{};
+  Place middle{}, broken{};
   double count = 0.0, weight = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (wanted.tires[i] == 0) continue;
+  for (std::size_t i = 0; i < tires.size(); ++i) {
+    if (tires[i] == 0) continue;
     for (std::size_t c = 0; c < 2; ++c) {
       middle[c] += x[3 * i + c];
       broken[c] += damage[i] * x[3 * i + c];
@@ -194,45 +221,55 @@ std::vector<int> EventWindow::pointsAround(Model& model, const Wanted& wanted) {
     count += 1.0;
     weight += damage[i];
   }
+  if (weight <= 0.0) return {0.0, 0.0};
+  const double dx = middle[0] / count - broken[0] / weight, dy = middle[1] / count - broken[1] / weight;
+  const double length = std::hypot(dx, dy);
+  return length > 0.05 * horizon ? Place{dx / length, dy / length} : Place{0.0, 0.0};
+}
+
+}  // namespace
+
+/// The tip takes what is wanted with it as it grows: as far as the size of a window allows. Bonds break between points
+/// that tire, and perhaps between them and their neighbours.
+EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted) {
+  const std::size_t n = wanted.tires.size();
+  const double* x = model.field("Model_Coordinates");
   const double horizon =
       *std::max_element(model.discretization().horizon.begin(), model.discretization().horizon.end());
-  std::array<double, 2> along{1.0, 0.0};
-  bool isDirected = false;
-  if (weight > 0.0) {
-    const double dx = middle[0] / count - broken[0] / weight, dy = middle[1] / count - broken[1] / weight;
-    const double length = std::hypot(dx, dy);
-    isDirected = length > 0.05 * horizon;
-    if (isDirected) along = {dx / length, dy / length};
-  }
-  const auto placeOf = [&](std::size_t i) {
-    return std::array<double, 2>{x[3 * i] * along[0] + x[3 * i + 1] * along[1],
-                                 x[3 * i + 1] * along[0] - x[3 * i] * along[1]};
-  };
-  std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  Place along = directionOf(model, wanted.tires, horizon);
+  const bool isDirected = along != Place{0.0, 0.0};
+  if (!isDirected) along = {1.0, 0.0};
+  std::vector<Place> places(n);
+  Box tiring, read;
   for (std::size_t i = 0; i < n; ++i) {
-    if (wanted.tires[i] == 0 && wanted.isRead[i] == 0) continue;
-    const auto place = placeOf(i);
-    for (std::size_t c = 0; c < 2; ++c) {
-      low[c] = std::min(low[c], place[c]);
-      high[c] = std::max(high[c], place[c]);
-    }
+    places[i] = {x[3 * i] * along[0] + x[3 * i + 1] * along[1], x[3 * i + 1] * along[0] - x[3 * i] * along[1]};
+    if (wanted.tires[i] != 0) tiring.add(places[i]);
+    if (wanted.isRead[i] != 0) read.add(places[i]);
   }
+  const double bond = longestBondInHorizons * horizon;
+  const Place growth =
+      isDirected ? Place{read.isEmpty() ? aheadOfSides : aheadWhereRead, behindOfSides} : Place{1.0, 1.0};
   std::vector<std::pair<double, int>> byDistance;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto place = placeOf(i);
-    const double ahead = (place[0] - high[0]) / (isDirected ? aheadOfSides : 1.0);
-    const double behind = (low[0] - place[0]) / (isDirected ? behindOfSides : 1.0);
-    const double distance = std::max({0.0, ahead, behind, low[1] - place[1], place[1] - high[1]});
-    byDistance.emplace_back(distance, static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    byDistance.emplace_back(std::min(tiring.distance(places[i], bond, growth), read.distance(places[i], 0.0, growth)),
+                            static_cast<int>(i));
   std::sort(byDistance.begin(), byDistance.end());
-  std::vector<int> points;
+  const std::size_t usual = read.isEmpty() ? usualPoints : usualWhereRead;
+  Places found;
+  double reach = 0.0;
+  std::vector<int> all;
   for (const auto& [distance, point] : byDistance) {
-    if (points.size() >= usualPoints && distance > 1.1 * horizon) break;
-    points.push_back(point);
+    if (distance > 0.0 && all.size() >= (distance > leastReachInHorizons * horizon ? usual : mostPoints)) break;
+    reach = distance;
+    all.push_back(point);
   }
-  std::sort(points.begin(), points.end());
-  return points;
+  std::sort(all.begin(), all.end());
+  for (const int i : all) {
+    const bool mayChange =
+        tiring.distance(places[static_cast<std::size_t>(i)], changingBesideInHorizons * horizon, growth) <= reach;
+    (mayChange ? found.changing : found.read).push_back(i);
+  }
+  return found;
 }
 
 void EventWindow::place(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce) {
@@ -240,17 +277,17 @@ void EventWindow::place(Simulation& simulation, SpringTangent& springs, const st
   if (nShort_ >= mostShort) return giveUp(simulation, "windows have served too few events each");
   const Wanted wanted = wantedOf(simulation);
   if (!wanted.isAny) return;
-  const std::vector<int> points = pointsAround(model, wanted);
-  if (points.size() > mostPoints)
+  const Places places = placesAround(model, wanted);
+  if (const std::size_t size = places.read.size() + places.changing.size(); size > mostPoints)
     return giveUp(simulation,
                   fmt::format("it would have {} points, for the bonds that lose life and what computes look "
                               "at, and may have {}",
-                              points.size(), mostPoints));
+                              size, mostPoints));
   const Timers::Scope timer(model.timers(), "window set-up");
   const SpringOperator& stiffness = springs.stiffness();
   springs.takeChangedPoints();
   const double* displacement = model.field("Displacement");
-  window_ = std::make_unique<TipWindow>(stiffness, points, displacement);
+  window_ = std::make_unique<TipWindow>(stiffness, places.read, places.changing, displacement);
   if (!window_->trouble().empty()) {
     const std::string trouble = window_->trouble();
     window_.reset();

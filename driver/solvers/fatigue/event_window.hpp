@@ -52,7 +52,11 @@ class EventWindow {
   void extrapolate(Model& model);
   void place(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce);
   void giveUp(Simulation& simulation, const std::string& why);
-  static std::vector<int> pointsAround(Model& model, const Wanted& wanted);
+  /// Points of a window: those that are only read, and those where bonds may break.
+  struct Places {
+    std::vector<int> read, changing;
+  };
+  static Places placesAround(Model& model, const Wanted& wanted);
 
   std::unique_ptr<TipWindow> window_;
   std::vector<char> isInside_;              ///< [nOwned] of the last window: its points whose neighbours are all in it

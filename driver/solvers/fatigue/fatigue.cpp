@@ -149,6 +149,7 @@ void Fatigue::noteBreakage(Simulation& simulation, double t) {
 }
 
 void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
+  simulation.output.stateHasChanged();
   for (int pass = 0;; ++pass) {
     if (!equilibrium_.keepsTogether()) {
       equilibrium_.findSupports(simulation);
@@ -184,10 +185,12 @@ void Fatigue::start(Simulation& simulation, double t) {
 }
 
 void Fatigue::setLoad(Simulation& simulation, double t) {
+  simulation.output.stateIsSettled();
   const LoadBlocks::Load load = loads_.at(t);
   CrackControl::Outcome outcome = control_.look(simulation, t, load.peak, load.ratio);
   if (equilibrium_.completeForComputes(simulation, t, control_.looks())) {
     ratesAreKnown_ = false;
+    simulation.output.stateIsSettled();
     outcome = control_.look(simulation, t, load.peak, load.ratio);
   }
   double &range = *simulation.model.field(fields_.range), &peak = *simulation.model.field(fields_.peak);
