@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "../../linear/row_system.hpp"
+#include "../../linear/sparse_rows.hpp"
 #include "flow_pockets.hpp"
 
 namespace pd {
