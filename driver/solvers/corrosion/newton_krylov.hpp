@@ -21,10 +21,8 @@ class NewtonKrylov : public StageSolver {
       : tolerance_(tolerance), maximumLinearIterations_(maximumLinearIterations) {}
 
   bool solve(StageEquation& equation) override;
-  void forget() override {
-    preconditioner_.discard();
-    asymmetric_.forget();
-  }
+  void forget() override { preconditioner_.discard(); }
+  void forgetFactors() override { asymmetric_.forget(); }
   std::string work() const override;
 
  private:

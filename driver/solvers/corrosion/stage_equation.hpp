@@ -90,6 +90,8 @@ class StageSolver {
   virtual bool solve(StageEquation& equation) = 0;
   /// What is kept from stage to stage for speed alone.
   virtual void forget() {}
+  /// What is kept for longer, since it takes long to make.
+  virtual void forgetFactors() {}
   virtual std::string work() const = 0;                    ///< of all stages, in words
   const std::string& trouble() const { return trouble_; }  ///< of the last stage; empty where there is no more to say
 

@@ -19,8 +19,9 @@ namespace pd {
 
 /// At the end of each load step velocity and pressure satisfy the steady equations (flow_equations.hpp) with the
 /// velocities of walls and inlets at that time, by Newton's method for both together. The first step from rest is
-/// Stokes flow; later load steps start from the last flow. Matrices are factored (MUMPS) and factors kept for GMRES
-/// until it takes many iterations.
+/// Stokes flow; later load steps start from the last flow. Linear systems are solved by GMRES without their matrix,
+/// with the factor of an earlier one (MUMPS) until that takes many iterations. Where metal dissolves, operators are
+/// made anew beside it alone.
 class SteadyFlow : public Solver {
  public:
   struct Fields : FieldTable {
