@@ -67,7 +67,7 @@ TEST(CompactJacobianTest, KeepsSumsAndSecondMomentsOfRowsAndWhatIsLarge) {
   EXPECT_EQ(entriesOf(120), 4U);
   EXPECT_NEAR(sumOf(120, 0), 1.0, 1e-6);
   EXPECT_NEAR(sumOf(120, 1), -2.0 * 3.0 * carriedFrom, 0.5);  // what is small beside it goes to the nearest
-  EXPECT_EQ(entriesOf(nPoints - 1), 1U);                     // not free
+  EXPECT_EQ(entriesOf(nPoints - 1), 1U);                      // not free
 }
 
 }  // namespace

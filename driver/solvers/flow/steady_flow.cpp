@@ -125,7 +125,7 @@ bool SteadyFlow::wantsFactor(Simulation& simulation) const {
 /// An error about as small as what Newton's method leaves of the change that is expected, or as the tolerance asks for
 /// (after Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
 double SteadyFlow::linearTolerance(double expectedChange) const {
-  constexpr double belowTolerance = 0.01;
+  constexpr double belowTolerance = 0.1;
   if (!(expectedChange > 0.0)) return firstTolerance;
   return std::clamp(std::max(expectedChange, belowTolerance * tolerance_ / expectedChange), tightestTolerance,
                     loosestTolerance);
