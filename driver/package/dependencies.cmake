@@ -6,5 +6,6 @@ find_package(tinyxml2 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(muparser REQUIRED)
-# MUMPS, by its own interface: Debian's Amesos2 hides it.
+# MUMPS, by its own interface, in double and single precision: Debian's Amesos2 hides it.
 find_library(MUMPS_LIBRARY dmumps REQUIRED)
+find_library(SINGLE_MUMPS_LIBRARY smumps REQUIRED)

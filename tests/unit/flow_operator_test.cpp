@@ -69,5 +69,23 @@ TEST(FlowOperatorTest, NineWeightsAreStoredAsOneOrThreeWhereTheyMayBe) {
   rows.forEach(2, [](const auto& term) { EXPECT_EQ(term.weights[4], -1.0); });
 }
 
+TEST(FlowOperatorTest, RowsAreTakenOverFromAnEarlierOperator) {
+  FlowOperator<3> earlier, rows;
+  for (const int point : {5, 15, 25}) addRow(earlier, point, point == 15 ? 0.75 : 0.5);
+  earlier.finish();
+  rows.takeStencils(earlier);
+  rows.keep(earlier, 0, 5);
+  addRow(rows, 10, 2.0);
+  rows.keep(earlier, 1, 15);
+  rows.finish();
+  ASSERT_EQ(rows.size(), 3U);
+  const std::vector<std::pair<int, double>> expected{{5, 0.5}, {10, 2.0}, {15, 0.75}};
+  for (std::size_t r = 0; r < expected.size(); ++r) {
+    const auto [point, right] = expected[r];
+    EXPECT_EQ(rowOf(rows, r), (Row{{point - 1, {-0.5, 0.0, 0.25}}, {point + 1, {right, 1.0, 0.25}}}));
+    EXPECT_EQ(rows.constants[r][0], point);
+  }
+}
+
 }  // namespace
 }  // namespace pd

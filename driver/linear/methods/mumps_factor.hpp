@@ -6,16 +6,15 @@
 
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "../sparse_rows.hpp"
 
 namespace pd {
 
 class MumpsFactor {
  public:
-  /// Entries of this rank: `rows` and `columns` counted from 1 over all ranks, `values`; `size` rows in all, of which
-  /// this rank has `ownRows` in sequence, after those of the ranks before. Collective.
-  MumpsFactor(MPI_Comm comm, int size, int ownRows, std::vector<int> rows, std::vector<int> columns,
-              std::vector<double> values);
+  /// Collective.
+  MumpsFactor(MPI_Comm comm, const SparseRows& matrix, FactorPrecision precision);
   ~MumpsFactor();
 
   /// What stands in the way of a factor; empty where there is none.
@@ -27,6 +26,8 @@ class MumpsFactor {
 
  private:
   struct Implementation;
+  template <class State, class Real>
+  struct OfPrecision;
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -1,9 +1,10 @@
-// What calls of MUMPS have in common.
+// What calls of MUMPS have in common, in either precision.
 #ifndef PD_MUMPS_JOBS_HPP
 #define PD_MUMPS_JOBS_HPP
 
 #include <dmumps_c.h>
 #include <fmt/format.h>
+#include <smumps_c.h>
 
 #include <string>
 
@@ -16,12 +17,20 @@ inline void run(DMUMPS_STRUC_C& state, int job) {
   state.job = job;
   dmumps_c(&state);
 }
+inline void run(SMUMPS_STRUC_C& state, int job) {
+  state.job = job;
+  smumps_c(&state);
+}
 
 /// ICNTL(number) of the guide.
-inline int& control(DMUMPS_STRUC_C& state, int number) { return state.icntl[number - 1]; }
+template <class State>
+int& control(State& state, int number) {
+  return state.icntl[number - 1];
+}
 
 /// Of a matrix that is 0: not symmetric, 1: symmetric and positive definite. It prints nothing. Collective.
-inline void begin(DMUMPS_STRUC_C& state, MPI_Comm comm, int symmetry) {
+template <class State>
+void begin(State& state, MPI_Comm comm, int symmetry) {
   state.par = 1;  // the root computes, too
   state.sym = symmetry;
   state.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(comm));
@@ -30,7 +39,8 @@ inline void begin(DMUMPS_STRUC_C& state, MPI_Comm comm, int symmetry) {
 }
 
 /// With more memory where the analysis has expected too little. Returns what went wrong; empty: nothing. Collective.
-inline std::string factor(DMUMPS_STRUC_C& state) {
+template <class State>
+std::string factor(State& state) {
   constexpr int needsMoreMemory = -9, isStructurallySingular = -6, isSingular = -10;
   control(state, 14) = 60;  // per cent of memory beyond what the analysis expects
   run(state, analyseAndFactor);

@@ -4,7 +4,7 @@
 
 #include <mpi.h>
 
-#include "../row_system.hpp"
+#include "../sparse_rows.hpp"
 #include "tpetra_types.hpp"
 
 namespace pd {

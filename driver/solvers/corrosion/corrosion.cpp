@@ -288,6 +288,8 @@ void Corrosion::advance(Simulation& simulation, double t, double dt) {
     std::fill(lastRate, lastRate + simulation.model.nPoints(), std::numeric_limits<double>::quiet_NaN());
   }
   transport_->forget();
+  if (mustForgetFactors_) transport_->forgetFactors();  // as a run does that goes on from there
+  mustForgetFactors_ = false;
   while (end - now > 1e-12 * dt) {
     const double wanted = std::min({proposedStep_, largestStep_, end - now});
     // No sliver of a step is left before the end.

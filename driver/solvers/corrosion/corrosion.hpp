@@ -46,6 +46,7 @@ class Corrosion : public Solver {
   int numberOfIncrements(Simulation&, double, double) override { return nIncrements_; }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
+  void checkpointWritten() override { mustForgetFactors_ = true; }
   RestartState restartState() const override;
   void setRestartState(const RestartState& state) override;
 
@@ -65,7 +66,7 @@ class Corrosion : public Solver {
   std::string field_, rateField_;
   Fields fields_;
   int nIncrements_;
-  bool isByNewton_ = true;
+  bool isByNewton_ = true, mustForgetFactors_ = false;
   double fixedStep_ = 0.0, tolerance_, slack_, frontLimit_, largestStep_;
   std::unique_ptr<TransportStep> transport_;
   SurfaceRecord surface_;

@@ -27,6 +27,7 @@ class ImplicitStep : public TransportStep {
       : TransportStep(saturation, concentrationField), method_(method), solver_(std::move(solver)) {}
 
   void forget() override { solver_->forget(); }
+  void forgetFactors() override { solver_->forgetFactors(); }
   int order() const override { return order_; }
   double error(std::size_t k, double lastRate, double h) const override;
   const std::vector<double>& endRate() const override { return order_ == 2 ? second_.liquid : rate_; }

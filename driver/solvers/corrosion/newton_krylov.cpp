@@ -13,26 +13,10 @@ namespace pd {
 namespace {
 
 constexpr int isIndefinite = -1, stillGoing = -2, maximumIterations = 50;
-/// After so many, Newton's method goes to and fro at the kinks of what a flow carries.
-constexpr int iterationsAtKinks = 3;
+/// After so many, Newton's method goes to and fro at the kinks of what a flow carries; how often limits are held then.
+constexpr int iterationsAtKinks = 3, mostHolds = 4;
 
 }  // namespace
-
-/// image = (1 - h L - h s' + h k) direction at free points, k: exchange with the far field. The flux of an electrolyte
-/// whose surfaces salt covers is linear.
-void NewtonKrylov::applyMatrix(StageEquation& equation, const std::vector<double>& direction,
-                               std::vector<double>& image) {
-  const TransportFields& fields = equation.fields();
-  const std::vector<int>& ids = equation.ids();
-  const double h = equation.h();
-  for (std::size_t k = 0; k < ids.size(); ++k) fields.concentration[ids[k]] = direction[k];
-  equation.model().importGhosts(fields.label);
-  equation.findRates();
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    const double diagonal = 1.0 + h * (equation.exchange(k) - slope_[k]);
-    image[k] = equation.isFree()[k] != 0 ? diagonal * direction[k] - h * fields.rate[ids[k]] : 0.0;
-  }
-}
 
 void NewtonKrylov::precondition(const StageEquation& equation, const std::vector<double>& r, std::vector<double>& z) {
   if (preconditioner_.isBuilt())
@@ -46,13 +30,13 @@ int NewtonKrylov::conjugateGradients(StageEquation& equation, double target, int
   const std::size_t n = ids.size();
   std::vector<double> r(n), p, z(n), image(n);
   const bool isAtZero = std::all_of(step_.begin(), step_.end(), [](double value) { return value == 0.0; });
-  if (equation.model().comm().any(!isAtZero)) applyMatrix(equation, step_, image);
+  if (equation.model().comm().any(!isAtZero)) equation.applyJacobian(slope_, step_, image);
   for (std::size_t k = 0; k < n; ++k) r[k] = equation.isFree()[k] != 0 ? equation.residual()[k] - image[k] : 0.0;
   precondition(equation, r, z);
   p = z;
   double square = equation.dot(r, z);
   for (int iteration = 1; square != 0.0; ++iteration) {
-    applyMatrix(equation, p, image);
+    equation.applyJacobian(slope_, p, image);
     const double curvature = equation.dot(p, image);
     // A rate that grows quickly with C makes a long step's matrix indefinite.
     if (!(curvature > 0.0)) return isIndefinite;
@@ -86,15 +70,12 @@ void NewtonKrylov::makePreconditioner(const StageEquation& equation) {
 bool NewtonKrylov::solveLinear(StageEquation& equation, double target) {
   const std::vector<int>& ids = equation.ids();
   double* concentration = equation.fields().concentration;
-  std::vector<double> present(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    present[k] = concentration[ids[k]];
-    slope_[k] = equation.slope(k);
-  }
+  const std::vector<double> present(concentration, concentration + equation.fields().nPoints);
+  for (std::size_t k = 0; k < ids.size(); ++k) slope_[k] = equation.slope(k);
   equation.fields().coverWithSalt(ids, 1.0);
   std::fill(step_.begin(), step_.end(), 0.0);
   int taken = isAsymmetric_ ? solveAsymmetric(equation, target) : solveSymmetric(equation, target);
-  for (std::size_t k = 0; k < ids.size(); ++k) concentration[ids[k]] = present[k];
+  std::copy(present.begin(), present.end(), concentration);
   if (taken < 0) trouble_ = fmt::format("the linear system of a stage of {:.3g} s is not solved", equation.h());
   return taken >= 0;
 }
@@ -105,9 +86,11 @@ int NewtonKrylov::solveAsymmetric(StageEquation& equation, double target) {
     if (equation.isFree()[k] != 0)
       largest = std::max(largest, std::abs(equation.residual()[k]) / equation.fields().saturation[equation.ids()[k]]);
   largest = equation.model().comm().max(largest);
+  // Beyond an inlet there may be points that are none of the equation's.
+  std::fill_n(equation.fields().concentration, equation.fields().nPoints, 0.0);
   // Residuals differ from point to point: that of all is to be smaller by some more.
   const double tolerance = largest > 0.0 ? std::clamp(0.1 * target / largest, 1e-13, 0.1) : 0.1;
-  return assembled_.solve(equation, slope_, tolerance, step_) ? 0 : -1;
+  return asymmetric_.solve(equation, slope_, tolerance, step_) ? 0 : -1;
 }
 
 /// The preconditioner is made where plain iterations are slow, and again where the iterations that an old one has cost
@@ -136,6 +119,18 @@ int NewtonKrylov::solveSymmetric(StageEquation& equation, double target) {
   return taken;
 }
 
+/// With limits that are held a solution may be below zero, which the limits of its own values would not let it be. They
+/// are held at those, and in the end there are none.
+bool NewtonKrylov::holdAgain(StageEquation& equation, int& nHolds) {
+  if (nHolds == 0 || nHolds > mostHolds || !equation.isBelowZero()) return false;
+  if (nHolds == mostHolds) ++nUpwind_;
+  if (nHolds++ == mostHolds)
+    equation.carryUpwind();
+  else
+    equation.limitAgain();
+  return true;
+}
+
 bool NewtonKrylov::solve(StageEquation& equation) {
   // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16), or a small
   // residual, of which Newton's method leaves next to the square.
@@ -145,24 +140,24 @@ bool NewtonKrylov::solve(StageEquation& equation) {
   slope_.resize(equation.ids().size());
   isAsymmetric_ = rateIsAsymmetric(equation.model(), equation.fields().label);
   double before = 0.0, part = 1.0;
+  int nHolds = 0;
   for (int iteration = 0; iteration < maximumIterations; ++iteration) {
     double largest = equation.evaluate();
     // What rounding leaves of terms that cancel.
-    const double diagonal = isAsymmetric_               ? assembled_.largestDiagonal()
+    const double diagonal = isAsymmetric_               ? asymmetric_.largestDiagonal()
                             : preconditioner_.isBuilt() ? preconditioner_.largestDiagonal()
                                                         : 0.0;
     const double roundOff = 8.0 * std::numeric_limits<double>::epsilon() * diagonal;
     const double tolerance = std::max(tolerance_, roundOff);
     const bool isReleased = equation.release(tolerance), isHeld = equation.hold(tolerance);
-    if (isReleased || isHeld)
-      largest = equation.evaluate();
-    else if (largest <= tolerance)
-      return true;
+    if (!isReleased && !isHeld && largest <= tolerance && !holdAgain(equation, nHolds)) return true;
+    if (isReleased || isHeld || largest <= tolerance) largest = equation.evaluate();
     if (!std::isfinite(largest)) return false;
     const double ratio = before > 0.0 ? largest / before : 1.0;
     const double share = std::clamp(std::min(0.9 * ratio * ratio, 0.1 * largest), tightest, loosest);
     if (isAsymmetric_ && iteration == iterationsAtKinks) {
       equation.holdLimits();
+      nHolds = 1;
       ++nHeld_;
     }
     // Until then what lies between is better.
@@ -171,7 +166,6 @@ bool NewtonKrylov::solve(StageEquation& equation) {
              : ratio > 0.5 && iteration > 1 ? std::max(0.25, 0.7 * part)
                                             : std::min(1.0, 2.0 * part);
     before = largest;
-    // Of what a flow carries the matrix costs more than a few more iterations with it.
     if (!solveLinear(equation, std::max(0.1 * tolerance, (isAsymmetric_ ? 0.01 * tightest : share) * largest)))
       return false;
     for (std::size_t k = 0; k < step_.size(); ++k)
@@ -183,8 +177,8 @@ bool NewtonKrylov::solve(StageEquation& equation) {
 
 std::string NewtonKrylov::work() const {
   if (isAsymmetric_)
-    return fmt::format("{} Newton iterations, {} of GMRES with {} factors, {} stages with limits held", nIterations_,
-                       assembled_.nIterations(), assembled_.nFactors(), nHeld_);
+    return fmt::format("{} Newton iterations, {} of GMRES with {} factors, {} stages with limits held, {} upwind",
+                       nIterations_, asymmetric_.nIterations(), asymmetric_.nFactors(), nHeld_, nUpwind_);
   return fmt::format("{} Newton and {} linear iterations with {} preconditioners", nIterations_, nLinearIterations_,
                      nPreconditioners_);
 }

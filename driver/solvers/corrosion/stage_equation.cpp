@@ -25,6 +25,20 @@ void StageEquation::begin(const std::vector<double>& start, double h, const std:
   }
 }
 
+void StageEquation::limitAgain() {
+  for (int i = 0; i < fields_.nPoints; ++i) fields_.limitedAt[i] = std::max(0.0, fields_.concentration[i]);
+}
+
+void StageEquation::carryUpwind() { std::fill_n(fields_.limitedAt, fields_.nPoints, 0.0); }
+
+bool StageEquation::isBelowZero() const {
+  constexpr double mostOwed = 0.5e-6;  // of saturation: half of what Corrosion lets points owe
+  bool isAny = false;
+  for (std::size_t k = 0; k < ids().size(); ++k)
+    isAny = isAny || (isFree_[k] != 0 && fields_.concentration[ids()[k]] < -mostOwed * fields_.saturation[ids()[k]]);
+  return model_.comm().any(isAny);
+}
+
 double StageEquation::dot(const std::vector<double>& a, const std::vector<double>& b) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += fields_.volume[ids()[k]] * a[k] * b[k];
@@ -34,6 +48,17 @@ double StageEquation::dot(const std::vector<double>& a, const std::vector<double
 void StageEquation::findRates() {
   model_.evaluateFluxDivergence(h_, fields_.rateLabel, true);
   ++nEvaluations_;
+}
+
+void StageEquation::applyJacobian(const std::vector<double>& slope, const std::vector<double>& direction,
+                                  std::vector<double>& image) {
+  for (std::size_t k = 0; k < ids().size(); ++k) fields_.concentration[ids()[k]] = direction[k];
+  model_.importGhosts(fields_.label);
+  findRates();
+  for (std::size_t k = 0; k < ids().size(); ++k) {
+    const double diagonal = 1.0 + h_ * (exchange(k) - slope[k]);
+    image[k] = isFree_[k] != 0 ? diagonal * direction[k] - h_ * fields_.rate[ids()[k]] : 0.0;
+  }
 }
 
 double StageEquation::inflow(std::size_t k) const {

@@ -31,6 +31,12 @@ class StageEquation {
   /// stage has a solution that Newton's method finds at once, in which the same leaves one end of a bond as enters the
   /// other. Until the next stage begins.
   void holdLimits() { limitsAreHeld_ = true; }
+  /// Limits are held at the present concentrations, or at zero where they are below it.
+  void limitAgain();
+  /// What a flow carries is that of its upwind end alone: held limits of a constant.
+  void carryUpwind();
+  /// Whether any free point is below zero by more than a step may owe. Collective.
+  bool isBelowZero() const;
   /// Residual C_start + h rate - C at the concentrations in the fields, of held points with bare surfaces; the largest
   /// of free points, relative to saturation.
   double evaluate();
@@ -42,6 +48,11 @@ class StageEquation {
   void setSalt();
   /// Rates from the fields as they are.
   void findRates();
+  /// image = (1 - h L - h s' + h k) direction at free points, 0 elsewhere, with s' = slope, on surfaces all under salt:
+  /// their electrolyte's flux is linear (what a flow carries: where limits are held). By way of the concentrations in
+  /// the fields, which are of no use then. Collective.
+  void applyJacobian(const std::vector<double>& slope, const std::vector<double>& direction,
+                     std::vector<double>& image);
   double dot(const std::vector<double>& a, const std::vector<double>& b) const;
 
   Model& model() const { return model_; }
@@ -79,6 +90,8 @@ class StageSolver {
   virtual bool solve(StageEquation& equation) = 0;
   /// What is kept from stage to stage for speed alone.
   virtual void forget() {}
+  /// What is kept for longer, since it takes long to make.
+  virtual void forgetFactors() {}
   virtual std::string work() const = 0;                    ///< of all stages, in words
   const std::string& trouble() const { return trouble_; }  ///< of the last stage; empty where there is no more to say
 

@@ -46,6 +46,8 @@ class TransportStep {
   bool solve(Simulation& simulation, const PhaseLists& lists, double t, double h);
   /// What is kept from step to step for speed alone. Without it, a run goes on exactly as after a restart.
   virtual void forget() = 0;
+  /// The same of what is kept from increment to increment, unless a checkpoint has been written.
+  virtual void forgetFactors() {}
   /// Of the last step: order of what `error` estimates is one more.
   virtual int order() const { return 1; }
   /// Estimate of the error of the last step at the k-th point, mol/m3, with the rate at the end of the step before.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "../../linear/operator_system.hpp"
+#include "../../linear/row_inverse.hpp"
 #include "../../model/collective.hpp"
 #include "flow_fields.hpp"
 #include "flow_parts.hpp"
@@ -171,7 +173,28 @@ void BondFlows::removeNetFlow(std::vector<double>& excess) const {
     if (!parts_[partOf_[r]].isOpen) excess[r] -= net[partOf_[r]] / parts_[partOf_[r]].volume;
 }
 
-/// Of the potential: what it moves out of each point.
+/// Of a potential `x` [rows_]: what it moves out of each point.
+void BondFlows::applyPotential(const double* x, double* y) const {
+  std::vector<double> potential(index(geometry_.mesh().nPoints), 0.0);
+  for (std::size_t r = 0; r < rows_.size(); ++r) potential[index(rows_[r].point)] = x[r];
+  simulation_.model.exchange().import(potential.data(), 1, Reflection::Even);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    double sum = 0.0, moved = 0.0;
+    for (const Bond& bond : rows_[r].bonds) {
+      if (!bond.isOpen) continue;
+      sum += bond.conductance;
+      if (geometry_.isFluid(bond.neighbor)) moved += bond.conductance * potential[index(bond.neighbor)];
+    }
+    y[r] = diagonal(r, sum) * x[r] - moved;
+  }
+}
+
+/// `sum`: of the conductances of its open bonds.
+double BondFlows::diagonal(std::size_t row, double sum) const {
+  return sum > 0.0 ? (isPinned_[row] != 0 ? 2.0 : 1.0 + tie) * sum : 1.0;
+}
+
+/// The same as a matrix.
 SparseRows BondFlows::potentialMatrix() const {
   const Model& model = simulation_.model;
   const Discretization& mesh = geometry_.mesh();
@@ -196,8 +219,7 @@ SparseRows BondFlows::potentialMatrix() const {
       const double there = column[index(bond.neighbor)];
       if (geometry_.isFluid(bond.neighbor)) entries.emplace_back(static_cast<long long>(there), -bond.conductance);
     }
-    const auto diagonal = static_cast<long long>(column[index(row.point)]);
-    entries.emplace_back(diagonal, sum > 0.0 ? (isPinned_[r] != 0 ? 2.0 : 1.0 + tie) * sum : 1.0);
+    entries.emplace_back(static_cast<long long>(column[index(row.point)]), diagonal(r, sum));
     matrix.addRow(entries);
   }
   return matrix;
@@ -206,12 +228,13 @@ SparseRows BondFlows::potentialMatrix() const {
 void BondFlows::balance() {
   Model& model = simulation_.model;
   const Timers::Scope timer(model.timers(), "bond flows");
-  RowSystem system(model.comm());
-  system.setMatrix(potentialMatrix());
+  RowInverse inverse(model.comm());
   if (!isWorthFactoring(geometry_.dimension(), model.comm().sum(static_cast<long long>(rows_.size()))))
-    system.precondition("Multigrid");
-  else if (const std::string trouble = system.factor(); !trouble.empty())
+    inverse.precondition("Multigrid", potentialMatrix());
+  else if (const std::string trouble = inverse.factor(potentialMatrix()); !trouble.empty())
     throw RunError("Steady Flow: the flows of bonds are not balanced: " + trouble);
+  const auto leaving = [&](const double* x, double* y) { applyPotential(x, y); };
+  const auto precondition = [&](const double* r, double* z) { inverse.apply(r, z); };
 
   std::vector<double> potential(index(geometry_.mesh().nPoints), 0.0);
   largestCorrection_ = 0.0;
@@ -220,7 +243,8 @@ void BondFlows::balance() {
     for (std::size_t r = 0; r < rows_.size(); ++r)
       for (const Bond& bond : rows_[r].bonds) excess[r] += bond.flow;
     removeNetFlow(excess);
-    system.solve(excess, solution, balanceTolerance, balanceIterations);
+    solveByGmres(model.comm(), leaving, precondition, excess, solution, balanceTolerance, balanceIterations,
+                 balanceIterations);
     for (std::size_t r = 0; r < rows_.size(); ++r) potential[index(rows_[r].point)] = solution[r];
     model.exchange().import(potential.data(), 1, Reflection::Even);
     for (Row& row : rows_)

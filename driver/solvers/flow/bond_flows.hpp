@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "../../linear/row_system.hpp"
+#include "../../linear/sparse_rows.hpp"
 #include "flow_geometry.hpp"
 
 namespace pd {
@@ -47,6 +47,8 @@ class BondFlows {
   Row rowOf(int point, double t) const;
   double ringShare(int point, int neighbor, const FlowGeometry::End& end) const;
   double flowOf(int point, const FlowGeometry::End& end, int neighbor, double t) const;
+  void applyPotential(const double* x, double* y) const;
+  double diagonal(std::size_t row, double sum) const;
   SparseRows potentialMatrix() const;
   /// Parts of the flow that no open bond connects.
   struct Part {

@@ -24,14 +24,32 @@ FlowEquations::FlowEquations(Simulation& simulation, const FlowLaw& law, const s
   markFluid(model_, geometry_);
 }
 
+void FlowEquations::goOnFrom(FlowEquations& earlier) {
+  const auto nPoints = static_cast<std::size_t>(model_.nPoints());
+  std::vector<double> isChanged(nPoints, 0.0);
+  for (std::size_t point = 0; point < nPoints; ++point)
+    if (geometry_.isSolid(static_cast<int>(point)) != earlier.geometry_.isSolid(static_cast<int>(point)))
+      isChanged[point] = 1.0;
+  if (earlier.hasRows_ && !model_.comm().any(!earlier.rows_.sources.empty()))
+    earlier_ = EarlierFlowRows{std::move(earlier.rows_), earlier.geometry_.fluid(), std::move(isChanged)};
+}
+
 void FlowEquations::setTime(double t) {
-  if (t == time_) return refreshSmoothing();
-  time_ = t;
-  rows_ = makeFlowRows(geometry_, model_.comm(), t);
-  force_ = FlowForces(simulation_.conditions).at(model_.discretization(), t);
+  if (t != time_) {
+    time_ = t;
+    force_ = FlowForces(simulation_.conditions).at(model_.discretization(), t);
+    if (!hasRows_ || model_.comm().any(!rows_.sources.empty())) makeRows(t);
+  }
+  refreshSmoothing();
+}
+
+void FlowEquations::makeRows(double t) {
+  rows_ =
+      earlier_ ? renewFlowRows(std::move(*earlier_), geometry_, model_, t) : makeFlowRows(geometry_, model_.comm(), t);
+  earlier_.reset();
+  hasRows_ = true;
   pockets_ = findFlowPockets(model_, geometry_, rows_);
   numberUnknowns();
-  refreshSmoothing();
 }
 
 /// Those of a rank in sequence: its points', then lambda of the closed pockets whose first points it has.
@@ -304,7 +322,7 @@ double FlowEquations::scaleOfSpeed() const {
   double largest = 0.0;
   for (const int point : geometry_.fluid())
     largest = std::max(largest, rounded * std::abs(pressure[point]) * geometry_.spacingOf(point) / viscosity_);
-  return std::max({largestSpeed(), rows_.largestVelocity, model_.comm().max(largest)});
+  return std::max({largestSpeed(), rows_.jumps.largestVelocity, model_.comm().max(largest)});
 }
 
 double FlowEquations::largestCellReynolds() const {

@@ -4,9 +4,10 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "../../linear/row_system.hpp"
+#include "../../linear/sparse_rows.hpp"
 #include "flow_pockets.hpp"
 
 namespace pd {
@@ -28,6 +29,9 @@ class FlowEquations {
   FlowEquations(Simulation& simulation, const FlowLaw& law, const std::vector<int>& flowBlocks, double smoothing,
                 const std::vector<char>& isSolid);
 
+  /// From those of fewer points, before some of them dissolved: operators are made anew only where that is near.
+  /// `earlier` is of no use then. Before setTime().
+  void goOnFrom(FlowEquations& earlier);
   /// The operators with the boundaries' values at the solver's time t. Collective.
   void setTime(double t);
   /// From the fields Velocity and Pressure, ghosts included, and the pockets' lambda. [unknowns]
@@ -78,6 +82,7 @@ class FlowEquations {
   static std::size_t index(int point) { return static_cast<std::size_t>(point); }
   std::size_t nOfPoints() const { return index(geometry_.nPossible()) * (n_ + 1); }  ///< unknowns, but for pockets
   long long column(int point, std::size_t component) const;
+  void makeRows(double t);
   void numberUnknowns();
   std::array<double, 9> gradientAt(std::size_t row) const;
   void addLinear(std::size_t row, const std::vector<double>& state, double* own) const;
@@ -92,7 +97,9 @@ class FlowEquations {
   double unit_ = 0.0;           ///< h of the units, m
   double time_ = -HUGE_VAL;     ///< of rows_, s
   long long firstUnknown_ = 0;  ///< of this rank
+  bool hasRows_ = false;
   FlowRows rows_;
+  std::optional<EarlierFlowRows> earlier_;
   FlowPockets pockets_;
   std::vector<double> force_;                     ///< [3 owned points] f, N/m3
   std::vector<double> firstColumn_;               ///< [points] of the unknowns of fluid points

@@ -62,6 +62,20 @@ class FlowOperator {
     stencilOf_.push_back(stencilOf_[row]);
     constants.push_back({});
   }
+  /// Before the first row: those of `earlier`, whose rows keep() can take over then, and which is of no use otherwise.
+  void takeStencils(FlowOperator& earlier) {
+    forms_ = std::move(earlier.forms_);
+    offsetsBefore_ = std::move(earlier.offsetsBefore_);
+    valuesBefore_ = std::move(earlier.valuesBefore_);
+    offsets_ = std::move(earlier.offsets_);
+    values_ = std::move(earlier.values_);
+  }
+  /// A whole row of `earlier`, without its shares.
+  void keep(const FlowOperator& earlier, std::size_t row, int point) {
+    points_.push_back(point);
+    stencilOf_.push_back(earlier.stencilOf_[row]);
+    constants.push_back(earlier.constants[row]);
+  }
   /// After the last row: forgets what finds equal ones.
   void finish() { stencilByKey_ = {}; }
   /// So many rows will come, about as long as those so far.

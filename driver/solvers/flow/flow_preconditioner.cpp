@@ -41,10 +41,16 @@ void FlowPreconditioner::makeMatrices(bool wantsPressure) {
     if (wantsPressure) addPressureRow(row, bonds, pressure);
   }
   for (SparseRows& rows : velocity) {
-    velocity_.push_back(std::make_unique<Multigrid>(model_.comm(), rows));
+    velocity_.push_back(multigrid(rows));
     rows = {};
   }
-  if (wantsPressure) pressure_ = std::make_unique<Multigrid>(model_.comm(), pressure);
+  if (wantsPressure) pressure_ = multigrid(pressure);
+}
+
+std::unique_ptr<RowInverse> FlowPreconditioner::multigrid(const SparseRows& rows) const {
+  auto made = std::make_unique<RowInverse>(model_.comm());
+  made->precondition("Multigrid", rows);
+  return made;
 }
 
 void FlowPreconditioner::numberRows() {

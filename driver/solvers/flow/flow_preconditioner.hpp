@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "../../linear/operator_system.hpp"
+#include "../../linear/row_inverse.hpp"
 #include "flow_equations.hpp"
 
 namespace pd {
@@ -42,6 +42,7 @@ class FlowPreconditioner {
   std::vector<Bond> bondsOf(int point) const;
   void numberRows();
   void makeMatrices(bool wantsPressure);
+  std::unique_ptr<RowInverse> multigrid(const SparseRows& rows) const;
   double addVelocityRow(std::size_t row, std::size_t component, const std::vector<Bond>& bonds, SparseRows& rows) const;
   void addPressureRow(std::size_t row, const std::vector<Bond>& bonds, SparseRows& rows) const;
   void applyToPressure(const double* r, double* z) const;
@@ -54,11 +55,11 @@ class FlowPreconditioner {
   const FlowGeometry& geometry_;
   const bool hasConvection_;
   const std::size_t n_;
-  long long firstRow_ = 0;                            ///< of this rank
-  std::vector<double> columnOf_;                      ///< [points]
-  std::vector<std::unique_ptr<Multigrid>> velocity_;  ///< one for all components, or one each beside symmetry
-  std::vector<double> shortWaves_;                    ///< [components of velocity_ rows]
-  std::unique_ptr<Multigrid> pressure_;               ///< null: M' is 1/mu
+  long long firstRow_ = 0;                             ///< of this rank
+  std::vector<double> columnOf_;                       ///< [points]
+  std::vector<std::unique_ptr<RowInverse>> velocity_;  ///< one for all components, or one each beside symmetry
+  std::vector<double> shortWaves_;                     ///< [components of velocity_ rows]
+  std::unique_ptr<RowInverse> pressure_;               ///< null: M' is 1/mu
 };
 
 }  // namespace pd

@@ -1,15 +1,11 @@
 #include "flow_rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
 
 #include "../../model/collective.hpp"
-#include "exact_weights.hpp"
-#include "flow_pressure_fits.hpp"
+#include "flow_jumps.hpp"
+#include "flow_mass_balance.hpp"
 #include "flow_surroundings.hpp"
 
 namespace pd {
@@ -20,23 +16,37 @@ using FlowVector = std::array<double, 3>;
 using FlowEnd = FlowGeometry::End;
 using FlowKind = FlowGeometry::Kind;
 
-/// Up to this many spacings from a jump of the walls' velocity the divergence is a balance of mass. (On a lattice
-/// points are whole numbers of spacings apart: those at this very distance are within it, however they are rounded.)
-constexpr double jumpReach = 8.0 + 1e-6;
-/// Jumps above this part of the largest velocity count.
-constexpr double jumpShare = 0.05;
-
 std::size_t localIndex(int point) { return static_cast<std::size_t>(point); }
 
-/// A velocity as a sum over points, some of which are seen mirrored, and a constant.
-struct VelocityValue {
-  struct Part {
-    int point, copy;
-    double weight;
-  };
-  std::vector<Part> parts;
-  FlowVector constant{};
-  SourceWeights<double> sources{};
+/// Of rows of the same boundaries before some points became fluid, those around which nothing has changed.
+class KeptRows {
+ public:
+  KeptRows() = default;
+  KeptRows(const EarlierFlowRows& earlier, Model& model) : rowOf_(localIndex(model.nOwned()), -1) {
+    std::vector<double> isNear = earlier.isChanged;
+    // A row is made of its neighbours and their fits, which are made of theirs.
+    for (int reach = 0; reach < 2; ++reach) spread(model, isNear);
+    for (std::size_t row = 0; row < earlier.fluid.size(); ++row)
+      if (isNear[localIndex(earlier.fluid[row])] == 0.0)
+        rowOf_[localIndex(earlier.fluid[row])] = static_cast<long long>(row);
+  }
+  bool areAny() const { return !rowOf_.empty(); }
+  /// -1: it must be made.
+  long long of(int point) const { return areAny() ? rowOf_[localIndex(point)] : -1; }
+
+ private:
+  static void spread(Model& model, std::vector<double>& isNear) {
+    const Discretization& mesh = model.discretization();
+    const std::vector<double> before = isNear;
+    for (int point = 0; point < mesh.nOwned; ++point) {
+      const int* list = mesh.neighborhoodList.data() + mesh.neighborhoodStart[localIndex(point)];
+      if (std::any_of(list + 1, list + 1 + *list, [&](int other) { return before[localIndex(other)] != 0.0; }))
+        isNear[localIndex(point)] = 1.0;
+    }
+    model.exchange().import(isNear.data(), 1, Reflection::Even);
+  }
+
+  std::vector<long long> rowOf_;  ///< [owned points], or empty
 };
 
 class RowMaker {
@@ -48,17 +58,20 @@ class RowMaker {
         n_(static_cast<std::size_t>(geometry.dimension())),
         sources_(geometry, t),
         fits_(geometry, sources_, t),
+        velocities_(geometry, sources_, t),
+        massBalance_(geometry, fits_, velocities_),
         surroundings_(geometry) {}
 
-  FlowRows make() {
-    std::vector<double> jumpOf;
+  FlowRows make(std::optional<EarlierFlowRows> earlier, Model* model) {
+    collectively(comm_, [&] { geometry_.requireNoneAcrossAxis(t_); });
+    rows_.jumps = findFlowJumps(geometry_, comm_, t_);
+    if (earlier && earlier->rows.jumps.places == rows_.jumps.places) {
+      kept_ = KeptRows(*earlier, *model);
+      before_ = std::move(earlier->rows);
+      rows_.takeStencils(before_);
+    }
     collectively(comm_, [&] {
-      geometry_.requireNoneAcrossAxis(t_);
-      jumpOf = findJumps();
-    });
-    const std::vector<double> jumps = comm_.gather(placesOfJumps(jumpOf));
-    collectively(comm_, [&] {
-      for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) makeRow(row, jumps);
+      for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) makeRow(row);
     });
     rows_.nAtJumps = comm_.sum(rows_.nAtJumps);
     rows_.sources = sources_.take();
@@ -71,187 +84,40 @@ class RowMaker {
   double sign(int copy, std::size_t a) const { return mesh().symmetry.matrix(copy)[4 * a]; }
 
   /// In space the ends of all bonds would take more memory than all rows: they are found when they are needed.
-  void makeRow(std::size_t row, const std::vector<double>& jumps) {
+  void makeRow(std::size_t row) {
     constexpr std::size_t sample = 200;
     const int point = geometry_.fluid()[row];
-    const bool isAtJump = isNearJump(point, jumps);
+    const bool isAtJump = rows_.jumps.areNear(geometry_, point);
+    if (isAtJump) ++rows_.nAtJumps;
+    if (const long long before = kept_.of(point); before >= 0)
+      return rows_.keep(before_, static_cast<std::size_t>(before), point);
     if (const long long like = isAtJump ? -1 : surroundings_.like(point, row); like >= 0)
       return rows_.repeat(static_cast<std::size_t>(like), point);
     const std::vector<FlowEnd> ends = geometry_.endsOf(point);
     velocityRows(row, ends);
     pressureRow(row);
     if (isAtJump)
-      massBalanceRow(row);
+      massBalance_.addRow(point, candidatesAround(point), rows_.divergence);
     else
       divergenceRow(row);
     smoothingRow(row, ends);
-    if (row == sample) rows_.expect(geometry_.fluid().size());
+    if (row == sample && !kept_.areAny()) rows_.expect(geometry_.fluid().size());
     fits_.forget();
   }
 
-  FlowVector velocityAt(int point, const FlowEnd& end) const {
-    return geometry_.wallVelocity(end.boundary, geometry_.placeOn(point, end, end.fraction), t_);
-  }
-  SourceWeights<double> sourceOf(int point, const FlowEnd& end, double weight) {
-    return sources_.at(end.boundary, geometry_.placeOn(point, end, end.fraction), false, weight);
-  }
   bool isCompact(const FlowEnd& end) const { return geometry_.law().gradientsReach(end.length); }
 
-  /// By row, how far the velocities of two walls differ beside the point, m/s; and the largest velocity.
-  std::vector<double> findJumps() {
-    std::vector<double> jumpOf(geometry_.fluid().size(), 0.0);
-    for (std::size_t row = 0; row < jumpOf.size(); ++row) {
-      const int point = geometry_.fluid()[row];
-      if (!geometry_.isNearBoundary(point)) continue;
-      const std::vector<FlowEnd> ends = geometry_.endsOf(point);
-      for (const FlowEnd& end : ends) {
-        if (end.kind != FlowKind::Wall) continue;
-        const FlowVector velocity = velocityAt(point, end);
-        rows_.largestVelocity = std::max(rows_.largestVelocity, std::hypot(velocity[0], velocity[1], velocity[2]));
-      }
-      jumpOf[row] = largestJump(point, ends);
-    }
-    return jumpOf;
-  }
-
-  /// [3 n]
-  std::vector<double> placesOfJumps(const std::vector<double>& jumpOf) {
-    rows_.largestVelocity = comm_.max(rows_.largestVelocity);
-    std::vector<double> places;
-    for (std::size_t row = 0; row < jumpOf.size(); ++row) {
-      if (!(jumpOf[row] > jumpShare * rows_.largestVelocity)) continue;
-      const double* x = &mesh().x[3 * localIndex(geometry_.fluid()[row])];
-      places.insert(places.end(), x, x + 3);
-    }
-    return places;
-  }
-
-  double largestJump(int point, const std::vector<FlowEnd>& ends) const {
-    const double reach = geometry_.spacingOf(point);
-    const auto velocity = [&](const FlowEnd& wall, const FlowVector& place) {
-      return geometry_.wallVelocity(wall.boundary, place, t_);
-    };
-    const auto apart = [](const FlowVector& a, const FlowVector& b) {
-      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    };
-    double largest = 0.0;
-    for (std::size_t k = 0; k < ends.size(); ++k)
-      for (std::size_t m = 0; m < k; ++m) {
-        const FlowEnd &one = ends[k], &other = ends[m];
-        if (one.kind != FlowKind::Wall || other.kind != FlowKind::Wall || one.boundary == other.boundary) continue;
-        const FlowVector here = geometry_.placeOn(point, one, one.fraction);
-        const FlowVector there = geometry_.placeOn(point, other, other.fraction);
-        if (apart(here, there) > reach) continue;
-        // An inlet's profile that ends in the velocity of the wall does not jump, however near to it bonds end.
-        largest = std::max(largest, std::min(apart(velocity(one, here), velocity(other, here)),
-                                             apart(velocity(one, there), velocity(other, there))));
-      }
-    return largest;
-  }
-
-  bool isNearJump(int point, const std::vector<double>& jumps) const {
-    const double* x = &mesh().x[3 * localIndex(point)];
-    const double reach = jumpReach * geometry_.spacingOf(point);
-    for (std::size_t k = 0; k < jumps.size(); k += 3)
-      if (std::hypot(x[0] - jumps[k], x[1] - jumps[k + 1], x[2] - jumps[k + 2]) < reach) return true;
-    return false;
-  }
-
-  [[noreturn]] void tooFewNeighbors(int point) const {
-    const double* x = &mesh().x[3 * localIndex(point)];
-    throw DeckError(
-        fmt::format("the neighbours of the fluid point at ({:g}, {:g}, {:g}) m do not suffice for its "
-                    "gradients: the gap is too narrow there, or points beyond a wall are missing; they are "
-                    "needed one horizon deep. Where points are irregular, a larger Horizon, or Gradient Horizon of the "
-                    "material, helps",
-                    x[0], x[1], x[2]));
-  }
-
   bool reflectsPoints() const { return geometry_.law().reflectsPoints; }
-
-  /// Bonds up to their ends: at a wall, or whole, as all are where points `beyond` walls have a value.
-  kernels::BondEnds bondsOf(const std::vector<FlowEnd>& ends, bool beyond = false) const {
-    kernels::BondEnds bonds;
-    bonds.dimension = geometry_.dimension();
-    for (const FlowEnd& end : ends) {
-      const double part = beyond ? 1.0 : end.fraction;
-      const FlowVector xi{part * end.xi[0], part * end.xi[1], part * end.xi[2]};
-      bonds.add(xi.data(), end.volume);
-    }
-    return bonds;
-  }
-
-  VelocityValue valueOf(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) {
-    if (end.kind == FlowKind::Fluid) return {{{end.point, end.copy, 1.0}}};
-    if (end.kind == FlowKind::Wall && reflectsPoints()) return reflectedValue(point, ends, end);
-    if (end.kind == FlowKind::Wall) return {{}, velocityAt(point, end), sourceOf(point, end, 1.0)};
-    return mirroredValue(point, ends, geometry_.mirrored(point, end));
-  }
-
-  /// At the place `seen` from the point: of the point that is there, or of a fit to the ends near it.
-  VelocityValue mirroredValue(int point, const std::vector<FlowEnd>& ends, const FlowVector& seen) {
-    const double near = 1e-3 * geometry_.spacingOf(point);
-    if (std::hypot(seen[0], seen[1], seen[2]) < near) return {{{point, 0, 1.0}}};
-    std::vector<FlowEnd> usable;
-    for (const FlowEnd& end : ends) {
-      if (end.kind == FlowKind::Fluid &&
-          std::hypot(end.xi[0] - seen[0], end.xi[1] - seen[1], end.xi[2] - seen[2]) < near)
-        return {{{end.point, end.copy, 1.0}}};
-      if (end.kind != FlowKind::Beyond) usable.push_back(end);
-    }
-    const std::vector<double> weights = kernels::interpolationWeights(bondsOf(usable), seen.data(), 2);
-    if (weights.empty()) tooFewNeighbors(point);
-    VelocityValue value;
-    double rest = 1.0;
-    for (std::size_t k = 0; k < usable.size(); ++k) {
-      rest -= weights[k];
-      if (usable[k].kind == FlowKind::Fluid) {
-        value.parts.push_back({usable[k].point, usable[k].copy, weights[k]});
-      } else {
-        const FlowVector velocity = velocityAt(point, usable[k]);
-        for (std::size_t a = 0; a < 3; ++a) value.constant[a] += weights[k] * velocity[a];
-        for (const auto& source : sourceOf(point, usable[k], weights[k])) value.sources.push_back(source);
-      }
-    }
-    value.parts.push_back({point, 0, rest});
-    return value;
-  }
-
-  /// Of the point beyond a wall: twice the wall's velocity less that of the mirrored place.
-  VelocityValue reflectedValue(int point, const std::vector<FlowEnd>& ends, const FlowEnd& end) {
-    requireNormal(point, end);
-    const FlowVector seen = geometry_.mirroredAtWall(point, end);
-    FlowVector foot;
-    for (std::size_t a = 0; a < 3; ++a) foot[a] = mesh().x[3 * localIndex(point) + a] + 0.5 * (end.xi[a] + seen[a]);
-    VelocityValue value = mirroredValue(point, ends, seen);
-    const FlowVector ofWall = geometry_.wallVelocity(end.boundary, foot, t_);
-    for (auto& part : value.parts) part.weight = -part.weight;
-    for (auto& [source, share] : value.sources) share = -share;
-    for (std::size_t a = 0; a < 3; ++a) value.constant[a] = 2.0 * ofWall[a] - value.constant[a];
-    for (const auto& source : sources_.at(end.boundary, foot, false, 2.0)) value.sources.push_back(source);
-    return value;
-  }
-
-  void requireNormal(int point, const FlowEnd& end) const {
-    if (geometry_.normalAt(end.boundary, geometry_.placeOn(point, end, end.fraction)) != FlowVector{}) return;
-    const double* x = &mesh().x[3 * localIndex(point)];
-    throw DeckError(fmt::format(
-        "the wall beside the fluid point at ({:g}, {:g}, {:g}) m has no Surface, by which \"Walls: Reflected "
-        "Points\" of Navier Stokes mirrors what is beyond it; give it one, or leave Walls out, as with "
-        "metal that dissolves",
-        x[0], x[1], x[2]));
-  }
-
   void velocityRows(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     std::vector<FlowEnd> compact;
     for (const FlowEnd& end : ends)
       if (isCompact(end)) compact.push_back(end);
-    const std::vector<double> weights = kernels::gradientWeights(bondsOf(compact, reflectsPoints()));
-    if (weights.empty()) tooFewNeighbors(point);
+    const std::vector<double> weights = kernels::gradientWeights(velocities_.bondsOf(compact, reflectsPoints()));
+    if (weights.empty()) velocities_.tooFewNeighbors(point);
     std::array<double, 9> own{}, constant{};
     for (std::size_t k = 0; k < compact.size(); ++k) {
-      const VelocityValue value = valueOf(point, ends, compact[k]);
+      const EndVelocity value = velocities_.at(point, ends, compact[k]);
       for (std::size_t b = 0; b < n_; ++b)
         for (std::size_t a = 0; a < n_; ++a) {
           own[3 * a + b] -= weights[n_ * k + b];
@@ -290,13 +156,13 @@ class RowMaker {
   void viscousRow(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     const FlowLaw& law = geometry_.law();
-    const kernels::BondEnds bonds = bondsOf(ends, reflectsPoints());
+    const kernels::BondEnds bonds = velocities_.bondsOf(ends, reflectsPoints());
     const std::vector<double> weights = kernels::viscousWeights(bonds, law.horizonVolume(), law.viscousKernel);
-    if (weights.empty()) tooFewNeighbors(point);
+    if (weights.empty()) velocities_.tooFewNeighbors(point);
     std::array<double, 9> own{}, constant{};
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const std::array<double, 9> share = bonds.viscousShare(k, law.viscousKernel);
-      const VelocityValue value = valueOf(point, ends, ends[k]);
+      const EndVelocity value = velocities_.at(point, ends, ends[k]);
       for (std::size_t a = 0; a < n_; ++a)
         for (std::size_t b = 0; b < n_; ++b) {
           own[3 * a + b] -= weights[k] * share[3 * a + b];
@@ -374,89 +240,6 @@ class RowMaker {
     rows_.divergence.close(geometry_.fluid()[row], {constant, 0.0, 0.0});
   }
 
-  /// What is said of a boundary by the bonds that meet it around a point.
-  struct Facet {
-    FlowVector normal{}, velocity{};
-    SourceWeights<double> sources{};  ///< of the sum of velocities
-    double count = 0.0;
-    double area = 0.0;  ///< over the volume of the point, 1/m
-  };
-
-  /// -sum_j V_j/V_i G_ji v_j, with G the gradient of the pressure, and the flux through walls and inlets. That through
-  /// outflows is in the first term, since pressures are known there.
-  void massBalanceRow(std::size_t row) {
-    const int point = geometry_.fluid()[row];
-    const std::vector<int> candidates = candidatesAround(point);
-    const std::vector<double>& volume = mesh().volume;
-    FlowVector area{}, constantFlux{};
-    std::map<int, Facet> facets;
-    for (const int other : candidates) {
-      if (!geometry_.isFluid(other)) continue;
-      if (other != point && !geometry_.law().gradientsReach(ReferenceBond(mesh().x.data(), point, other).length))
-        continue;
-      FlowVector weight{};
-      for (const auto& part : fits_.at(other, candidates).terms)
-        if (part.point == point && part.copy == 0)
-          for (std::size_t a = 0; a < n_; ++a)
-            weight[a] += part.weight[a] * volume[localIndex(other)] / volume[localIndex(point)];
-      for (std::size_t a = 0; a < n_; ++a) area[a] += weight[a];
-      FlowVector term{};
-      for (std::size_t a = 0; a < n_; ++a) term[a] = -weight[a] * sign(mesh().copyOf(other), a);
-      rows_.divergence.add(mesh().sourceOf(other), term);
-      addFacets(other, candidates, facets);
-    }
-    // Without walls there would be -1/r left: the divergence of 1 along the radius.
-    if (rings().areUsed()) area[rings().radial()] += 1.0 / radius(point);
-    splitArea(area, facets);
-    for (const auto& [key, facet] : facets) {
-      FlowVector outward{};
-      for (std::size_t a = 0; a < n_; ++a) outward[a] = facet.area * facet.normal[a];
-      for (double& component : outward) component /= facet.count;
-      for (std::size_t a = 0; a < n_; ++a) constantFlux[0] += outward[a] * facet.velocity[a];
-      for (const auto& [source, weight] : facet.sources)
-        rows_.divergence.addShare(source, {weight * outward[0], weight * outward[1], weight * outward[2]});
-    }
-    rows_.divergence.close(point, constantFlux);
-    ++rows_.nAtJumps;
-  }
-
-  void addFacets(int point, const std::vector<int>& candidates, std::map<int, Facet>& facets) {
-    const std::vector<int> own = point < mesh().nOwned ? geometry_.neighborsOf(point) : candidates;
-    for (const FlowEnd& end : geometry_.compactEndsOf(point, own)) {
-      if (end.kind != FlowKind::Wall || end.openFraction <= 1.0) continue;
-      const FlowVector place = geometry_.placeOn(point, end, end.fraction);
-      Facet& facet = facets[end.boundary];
-      facet.count += 1.0;
-      const FlowVector normal = geometry_.normalAt(end.boundary, place);
-      const FlowVector velocity = geometry_.wallVelocity(end.boundary, place, t_);
-      for (std::size_t a = 0; a < n_; ++a) {
-        facet.normal[a] += normal[a];
-        facet.velocity[a] += velocity[a];
-      }
-      for (const auto& source : sourceOf(point, end, 1.0)) facet.sources.push_back(source);
-    }
-  }
-
-  /// Shares the area vector out among the boundaries' normals, by least squares.
-  void splitArea(const FlowVector& area, std::map<int, Facet>& facets) const {
-    std::vector<Facet*> list;
-    for (auto& [key, facet] : facets) {
-      const double size = std::hypot(facet.normal[0], facet.normal[1], facet.normal[2]);
-      if (size == 0.0) continue;  // the deck does not say where it is, and nothing flows through it
-      for (double& component : facet.normal) component /= size;
-      if (list.size() < 9) list.push_back(&facet);
-    }
-    const std::size_t count = list.size();
-    std::vector<double> matrix(count * count), share(count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j < count; ++j)
-        for (std::size_t a = 0; a < n_; ++a) matrix[i * count + j] += list[i]->normal[a] * list[j]->normal[a];
-      for (std::size_t a = 0; a < n_; ++a) share[i] += list[i]->normal[a] * area[a];
-    }
-    kernels::solveNormalEquations(static_cast<int>(count), matrix.data(), share.data());
-    for (std::size_t i = 0; i < count; ++i) list[i]->area = share[i];
-  }
-
   void smoothingRow(std::size_t row, const std::vector<FlowEnd>& ends) {
     const int point = geometry_.fluid()[row];
     const std::vector<int> candidates = candidatesAround(point);
@@ -492,16 +275,23 @@ class RowMaker {
   const Communicator& comm_;
   const double t_;
   const std::size_t n_;
-  FlowRows rows_;
+  FlowRows rows_, before_;
+  KeptRows kept_;  ///< of before_
   FlowSources sources_;
   PressureFits fits_;
+  EndVelocities velocities_;
+  MassBalance massBalance_;
   FlowSurroundings surroundings_;
 };
 
 }  // namespace
 
 FlowRows makeFlowRows(const FlowGeometry& geometry, const Communicator& comm, double t) {
-  return RowMaker(geometry, comm, t).make();
+  return RowMaker(geometry, comm, t).make({}, nullptr);
+}
+
+FlowRows renewFlowRows(EarlierFlowRows earlier, const FlowGeometry& geometry, Model& model, double t) {
+  return RowMaker(geometry, model.comm(), t).make(std::move(earlier), &model);
 }
 
 }  // namespace pd

@@ -3,6 +3,7 @@
 #define PD_FLOW_ROWS_HPP
 
 #include "flow_geometry.hpp"
+#include "flow_jumps.hpp"
 #include "flow_operator.hpp"
 #include "flow_sources.hpp"
 
@@ -16,8 +17,8 @@ struct FlowRows {
   FlowOperator<3> pressureGradient;  ///< dp/dx_a = sum w[a] p + c[a]
   FlowOperator<1> smoothing;         ///< fourth differences of the pressure (flow_weights.hpp), 1/m2
   std::vector<FlowSource> sources;   ///< by which constants follow boundaries from time to time
-  double largestVelocity = 0.0;      ///< of walls and inlets where bonds meet them, all ranks, m/s
-  long long nAtJumps = 0;            ///< points whose divergence is a balance of mass, all ranks
+  FlowJumps jumps;
+  long long nAtJumps = 0;  ///< points whose divergence is a balance of mass, all ranks
 
   /// As of FlowOperator.
   void expect(std::size_t nRows) {
@@ -33,6 +34,20 @@ struct FlowRows {
     divergence.repeat(row, point);
     pressureGradient.repeat(row, point);
     smoothing.repeat(row, point);
+  }
+  void takeStencils(FlowRows& earlier) {
+    viscous.takeStencils(earlier.viscous);
+    gradient.takeStencils(earlier.gradient);
+    divergence.takeStencils(earlier.divergence);
+    pressureGradient.takeStencils(earlier.pressureGradient);
+    smoothing.takeStencils(earlier.smoothing);
+  }
+  void keep(const FlowRows& earlier, std::size_t row, int point) {
+    viscous.keep(earlier.viscous, row, point);
+    gradient.keep(earlier.gradient, row, point);
+    divergence.keep(earlier.divergence, row, point);
+    pressureGradient.keep(earlier.pressureGradient, row, point);
+    smoothing.keep(earlier.smoothing, row, point);
   }
   void finish() {
     viscous.finish();
@@ -52,6 +67,16 @@ struct FlowRows {
 /// transpose of the pressure's gradient, by which mass is balanced from point to point, with the flux of each wall
 /// through itself. In bodies of revolution both operators have the terms with 1/r.
 FlowRows makeFlowRows(const FlowGeometry& geometry, const Communicator& comm, double t);
+
+/// Rows of another geometry of the same mesh and boundaries, none of whose values follow time (no sources).
+struct EarlierFlowRows {
+  FlowRows rows;
+  std::vector<int> fluid;         ///< that of its geometry
+  std::vector<double> isChanged;  ///< [points] 1 where it is solid in one geometry alone; ghosts agree with owners
+};
+
+/// The same as makeFlowRows(); rows around which nothing has changed are the earlier ones. Collective.
+FlowRows renewFlowRows(EarlierFlowRows earlier, const FlowGeometry& geometry, Model& model, double t);
 
 }  // namespace pd
 

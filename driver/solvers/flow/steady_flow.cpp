@@ -14,8 +14,10 @@ namespace pd {
 
 namespace {
 
-/// To which a linear solve without a factor of its own goes; the next Newton step takes care of the rest.
-constexpr double linearTolerance = 1e-4, newFactorTolerance = 1e-9;
+/// Of linear solves: the most exact, the least, and that of a flow's first one, of which nothing is known.
+constexpr double tightestTolerance = 1e-4, loosestTolerance = 0.1, firstTolerance = 1e-2;
+/// With a factor of the very matrix.
+constexpr double newFactorTolerance = 1e-6;
 /// Iterations of GMRES after which a new factor is cheaper.
 constexpr int mostGmresIterations = 25;
 /// Without any factor, and vectors that GMRES keeps, of which 50 take 1.6 kB a point.
@@ -68,7 +70,7 @@ void SteadyFlow::initialize(Simulation& simulation) {
   nComponents_ = static_cast<std::size_t>(model.discretization().dimension);
   law_ = blocks.law;
   flowBlocks_ = blocks.numbers;
-  system_ = std::make_unique<RowSystem>(model.comm());
+  factor_ = std::make_unique<RowInverse>(model.comm());
   for (PeridigmNS::Block& block : *model.blocks())
     for (const FieldHandle& field : {fields_.flow, fields_.opening})
       wantsFlows_ = wantsFlows_ || block.hasData(field.id(), PeridigmNS::PeridigmField::STEP_NONE);
@@ -84,12 +86,17 @@ void SteadyFlow::initialize(Simulation& simulation) {
 void SteadyFlow::takeUpPhases(Simulation& simulation) {
   Model& model = simulation.model;
   const std::vector<char> isSolid = solidPoints(model);
-  if (mustRenew_) system_ = std::make_unique<RowSystem>(model.comm());
+  if (mustRenew_) {
+    factor_ = std::make_unique<RowInverse>(model.comm());
+    precision_ = FactorPrecision::Single;
+  }
   if (equations_ && !mustRenew_ && !model.comm().any(isSolid != isSolid_)) return;
-  mustRenew_ = false;
   isSolid_ = isSolid;
-  equations_ = std::make_unique<FlowEquations>(simulation, *law_, flowBlocks_,
-                                               parameters_.get<double>("Pressure Smoothing"), isSolid_);
+  auto equations = std::make_unique<FlowEquations>(simulation, *law_, flowBlocks_,
+                                                   parameters_.get<double>("Pressure Smoothing"), isSolid_);
+  if (equations_ && !mustRenew_) equations->goOnFrom(*equations_);
+  mustRenew_ = false;
+  equations_ = std::move(equations);
   hasFactor_ = wantsFactor(simulation);
   convectsPressure_ = true;
   if (wantsFlows_) flows_ = std::make_unique<BondFlows>(simulation, equations_->geometry(), law_->fluxHorizon);
@@ -115,76 +122,89 @@ bool SteadyFlow::wantsFactor(Simulation& simulation) const {
   return isWorthFactoring(static_cast<int>(nComponents_), nPoints);
 }
 
-/// -matrix^-1 residual.
-std::vector<double> SteadyFlow::newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor,
+/// An error about as small as what Newton's method leaves of the change that is expected, or as the tolerance asks for
+/// (after Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+double SteadyFlow::linearTolerance(double expectedChange) const {
+  constexpr double belowTolerance = 0.1;
+  if (!(expectedChange > 0.0)) return firstTolerance;
+  return std::clamp(std::max(expectedChange, belowTolerance * tolerance_ / expectedChange), tightestTolerance,
+                    loosestTolerance);
+}
+
+/// -matrix^-1 residual, to a relative residual of `tolerance`.
+std::vector<double> SteadyFlow::newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor, double tolerance,
                                            const std::vector<double>& residual) {
-  Timers& timers = simulation.model.timers();
   std::vector<double> rightSide(residual.size()), change(residual.size(), 0.0);
   std::transform(residual.begin(), residual.end(), rightSide.begin(), [](double value) { return -value; });
-  double left = 0.0;
-  if (hasFactor_) {
-    SparseRows matrix;
-    {
-      const Timers::Scope timer(timers, "flow matrix");
-      matrix = equations_->matrix(!isStokes);
-    }
-    const Timers::Scope timer(timers, "flow solve");
-    left = solveByFactor(matrix, rightSide, mayKeepFactor, change);
-  } else {
-    const Timers::Scope timer(timers, "flow solve");
-    left = solveByIteration(simulation, isStokes, rightSide, change);
-  }
-  largestResidual_ = std::max(largestResidual_, left);
+  const GmresReport report = hasFactor_
+                                 ? solveByFactor(simulation, isStokes, mayKeepFactor, tolerance, rightSide, change)
+                                 : solveByIteration(simulation, isStokes, tolerance, rightSide, change);
+  largestResidual_ = std::max(largestResidual_, report.relativeResidual);
   return change;
 }
 
-/// Returns the true relative residual.
-double SteadyFlow::solveByFactor(const SparseRows& matrix, const std::vector<double>& rightSide, bool mayKeepFactor,
-                                 std::vector<double>& change) {
-  system_->setMatrix(matrix);
-  RowSolveReport report;
-  if (mayKeepFactor && system_->hasFactor()) {
-    report = system_->solve(rightSide, change, linearTolerance, mostGmresIterations);
+GmresReport SteadyFlow::solveByFactor(Simulation& simulation, bool isStokes, bool mayKeepFactor, double tolerance,
+                                      const std::vector<double>& rightSide, std::vector<double>& change) {
+  Timers& timers = simulation.model.timers();
+  const auto matrix = [&](const double* x, double* y) { equations_->apply(!isStokes, x, y); };
+  const auto precondition = [&](const double* r, double* z) { factor_->apply(r, z); };
+  const auto solve = [&](double relativeTolerance) {
+    const Timers::Scope timer(timers, "flow solve");
+    const GmresReport report = solveByGmres(simulation.model.comm(), matrix, precondition, rightSide, change,
+                                            relativeTolerance, mostGmresIterations, mostGmresIterations);
     nLinearIterations_ += report.iterations;
-    if (report.hasConverged) return report.relativeResidual;
+    return report;
+  };
+  if (mayKeepFactor && factor_->isMadeFor(rightSide.size()))
+    if (const GmresReport report = solve(tolerance); report.hasConverged) return report;
+  const auto solveAnew = [&] {
+    makeFactor(simulation, isStokes);
+    std::fill(change.begin(), change.end(), 0.0);
+    return solve(newFactorTolerance);
+  };
+  GmresReport report = solveAnew();
+  if (!report.hasConverged && precision_ == FactorPrecision::Single) {
+    precision_ = FactorPrecision::Double;
+    report = solveAnew();
   }
-  if (const std::string trouble = system_->factor(); !trouble.empty())
-    throw RunError("Steady Flow: the linear solve failed: " + trouble);
-  ++nFactors_;
-  largestFactor_ = std::max(largestFactor_, system_->factorEntries());
-  std::fill(change.begin(), change.end(), 0.0);
-  report = system_->solve(rightSide, change, newFactorTolerance, mostGmresIterations);
-  nLinearIterations_ += report.iterations;
-  if (!(report.relativeResidual < linearTolerance))
+  if (!(report.relativeResidual < tightestTolerance))
     throw RunError(fmt::format(
         "Steady Flow: the linear solve left a residual of {:.3g}: the matrix is singular, or nearly so. With "
         "\"Pressure Smoothing: 0\" pressures that alternate from point to point are not seen",
         report.relativeResidual));
-  return report.relativeResidual;
+  return report;
+}
+
+void SteadyFlow::makeFactor(Simulation& simulation, bool isStokes) {
+  const Timers::Scope timer(simulation.model.timers(), "flow factor");
+  if (const std::string trouble = factor_->factor(equations_->matrix(!isStokes), precision_); !trouble.empty())
+    throw RunError("Steady Flow: the linear solve failed: " + trouble);
+  ++nFactors_;
+  largestFactor_ = std::max(largestFactor_, factor_->factorEntries());
 }
 
 /// The same without a factor, or a matrix.
-double SteadyFlow::solveByIteration(Simulation& simulation, bool isStokes, const std::vector<double>& rightSide,
-                                    std::vector<double>& change) {
+GmresReport SteadyFlow::solveByIteration(Simulation& simulation, bool isStokes, double tolerance,
+                                         const std::vector<double>& rightSide, std::vector<double>& change) {
+  const Timers::Scope timer(simulation.model.timers(), "flow solve");
   const auto solve = [&](bool convectsPressure, int iterations) {
     const FlowPreconditioner preconditioner(simulation.model, *equations_, !isStokes, convectsPressure);
     const auto matrix = [&](const double* x, double* y) { equations_->apply(!isStokes, x, y); };
     const auto precondition = [&](const double* r, double* z) { preconditioner.apply(r, z); };
-    return solveByGmres(simulation.model.comm(), matrix, precondition, rightSide, change, linearTolerance, iterations,
-                        keptVectors);
+    const GmresReport report = solveByGmres(simulation.model.comm(), matrix, precondition, rightSide, change, tolerance,
+                                            iterations, keptVectors);
+    nLinearIterations_ += report.iterations;
+    return report;
   };
-  RowSolveReport report;
   const auto& pockets = equations_->pockets().pockets;
   const bool isOpen = std::all_of(pockets.begin(), pockets.end(), [](const auto& pocket) { return pocket.isOpen; });
   if (convectsPressure_ && isOpen && !isStokes) {
-    report = solve(true, mostTrialIterations);
+    const GmresReport report = solve(true, mostTrialIterations);
     convectsPressure_ = report.hasConverged;
-    nLinearIterations_ += report.iterations;
-    if (report.hasConverged) return report.relativeResidual;
+    if (report.hasConverged) return report;
     std::fill(change.begin(), change.end(), 0.0);
   }
-  report = solve(false, mostIterations);
-  nLinearIterations_ += report.iterations;
+  const GmresReport report = solve(false, mostIterations);
   if (!report.hasConverged)
     throw RunError(fmt::format(
         "Steady Flow: GMRES left a residual of {:.3g} after {} iterations. Let velocities grow over several Load Steps "
@@ -192,7 +212,7 @@ double SteadyFlow::solveByIteration(Simulation& simulation, bool isStokes, const
         "or take \"Linear Solver: Direct\", if there is memory for it. With \"Pressure Smoothing: 0\" pressures that "
         "alternate from point to point are not seen",
         report.relativeResidual, report.iterations, equations_->largestCellReynolds()));
-  return report.relativeResidual;
+  return report;
 }
 
 /// Adds the change, or less of it where the residual would grow much. Returns the part taken.
@@ -236,13 +256,16 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     equations_->setTime(t + dt);
   }
   bool isStokes = equations_->largestSpeed() == 0.0;
-  double relativeChange = isStokes ? 1.0 : 0.0;
+  double relativeChange = isStokes ? 1.0 : 0.0, normBefore = 0.0;
   for (int iteration = 1;; ++iteration) {
     equations_->refreshSmoothing();
     const std::vector<double> residual = equations_->residual(!isStokes);
     nUnknowns_ = model.comm().sum(static_cast<long long>(residual.size()));
     const double norm = flowNorm(model.comm(), residual);
-    const std::vector<double> change = newtonStep(simulation, isStokes, relativeChange < newFlowChange, residual);
+    const double expectedChange = normBefore > 0.0 ? relativeChange * norm / normBefore : 0.0;
+    const std::vector<double> change =
+        newtonStep(simulation, isStokes, relativeChange < newFlowChange, linearTolerance(expectedChange), residual);
+    normBefore = isStokes ? 0.0 : norm;  // another equation
     ++nNewtonSteps_;
     const double part = isStokes ? 1.0 : takeStep(simulation, change, norm);
     if (isStokes) equations_->add(1.0, change);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../../linear/operator_system.hpp"
+#include "../../linear/row_inverse.hpp"
 #include "../load_steps.hpp"
 #include "../solver.hpp"
 #include "bond_flows.hpp"
@@ -17,8 +19,9 @@ namespace pd {
 
 /// At the end of each load step velocity and pressure satisfy the steady equations (flow_equations.hpp) with the
 /// velocities of walls and inlets at that time, by Newton's method for both together. The first step from rest is
-/// Stokes flow; later load steps start from the last flow. Matrices are factored (MUMPS) and factors kept for GMRES
-/// until it takes many iterations.
+/// Stokes flow; later load steps start from the last flow. Linear systems are solved by GMRES without their matrix,
+/// with the factor of an earlier one (MUMPS) until that takes many iterations. Where metal dissolves, operators are
+/// made anew beside it alone.
 class SteadyFlow : public Solver {
  public:
   struct Fields : FieldTable {
@@ -48,12 +51,14 @@ class SteadyFlow : public Solver {
  private:
   void takeUpPhases(Simulation& simulation);
   bool wantsFactor(Simulation& simulation) const;
-  std::vector<double> newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor,
+  double linearTolerance(double expectedChange) const;
+  std::vector<double> newtonStep(Simulation& simulation, bool isStokes, bool mayKeepFactor, double tolerance,
                                  const std::vector<double>& residual);
-  double solveByFactor(const SparseRows& matrix, const std::vector<double>& rightSide, bool mayKeepFactor,
-                       std::vector<double>& change);
-  double solveByIteration(Simulation& simulation, bool isStokes, const std::vector<double>& rightSide,
-                          std::vector<double>& change);
+  GmresReport solveByFactor(Simulation& simulation, bool isStokes, bool mayKeepFactor, double tolerance,
+                            const std::vector<double>& rightSide, std::vector<double>& change);
+  void makeFactor(Simulation& simulation, bool isStokes);
+  GmresReport solveByIteration(Simulation& simulation, bool isStokes, double tolerance,
+                               const std::vector<double>& rightSide, std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
@@ -69,7 +74,8 @@ class SteadyFlow : public Solver {
   std::vector<char> isSolid_;  ///< [points] of equations_
   bool wantsFlows_ = false, mustRenew_ = false, hasFactor_ = true, convectsPressure_ = true;
   std::unique_ptr<FlowEquations> equations_;
-  std::unique_ptr<RowSystem> system_;
+  std::unique_ptr<RowInverse> factor_;
+  FactorPrecision precision_ = FactorPrecision::Single;  ///< Double where that does not do
   OutflowWatch outflows_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;

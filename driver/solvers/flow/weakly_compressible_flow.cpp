@@ -104,7 +104,7 @@ void WeaklyCompressibleFlow::prepare(Simulation& simulation, double t) {
     rates_ = std::make_unique<FlowRates>(simulation, *geometry_, makeFlowRows(*geometry_, model.comm(), t), fluid_,
                                          parameters_.get<double>("Density Diffusion"));
   }
-  requireMach(rates_->rows().largestVelocity, "walls or inlets have", t);
+  requireMach(rates_->rows().jumps.largestVelocity, "walls or inlets have", t);
   // A run that goes on from a checkpoint has the step that it had.
   if (criticalStep_ == 0.0 || (isNew && !isFirst)) findCriticalStep(simulation);
   if (!isNew) return;
@@ -204,7 +204,7 @@ void WeaklyCompressibleFlow::watch(Model& model, double t) {
 }
 
 void WeaklyCompressibleFlow::requireBalance(double t) const {
-  const double ofWalls = rates_->rows().largestVelocity;
+  const double ofWalls = rates_->rows().jumps.largestVelocity;
   const double netFlow = rates_->largestNetFlow(std::max(speed_, ofWalls));
   if (ofWalls == 0.0) return;
   requireNoNetFlow(netFlow, fmt::format("{}: t = {:.6g} s", solverName, t), "its mass is kept");
