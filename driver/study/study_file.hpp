@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../materials/registry/parameters.hpp"
+#include "../deck/deck.hpp"
 
 namespace pd {
 
