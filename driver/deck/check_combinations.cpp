@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "../solvers/event_solver.hpp"
 #include "block_plugins.hpp"
 #include "check_deck.hpp"
 #include "deck_data.hpp"
@@ -364,9 +365,22 @@ class CombinationCheck {
     for (const CheckedSection* compute : check_.ofKind(Kind::Compute)) {
       const DeckNode node = compute->section.node["First Scan"];
       if (!node || !compute->isGood || compute->list.get<double>("First Scan") < end) continue;
-      deck_.warnings().add(node.place(), fmt::format("{}, {} s, is not before the end of the run, {} s: the value is 0 "
-                                                     "all the time",
-                                                     node.path(), compute->list.get<double>("First Scan"), end));
+      const std::string unit = timeUnit();
+      deck_.warnings().add(node.place(),
+                           fmt::format("{}, {} {}, is not before the end of the run, {} {}: the value is "
+                                       "0 all the time",
+                                       node.path(), compute->list.get<double>("First Scan"), unit, end, unit));
+    }
+  }
+
+  /// Of the run, which is that of its first solver. What keeps it from being made is said where plug-ins are checked.
+  std::string timeUnit() const {
+    const std::vector<const CheckedSection*> solvers = check_.ofKind(Kind::Solver);
+    if (solvers.empty() || !solvers.front()->isGood) return "s";
+    try {
+      return timeUnitOf(*SolverRegistry::self().create(solvers.front()->section.plugin, solvers.front()->list));
+    } catch (const std::exception&) {
+      return "s";
     }
   }
 

@@ -10,7 +10,7 @@
 #include "../../materials/registry/needs_loads.hpp"
 #include "../../materials/registry/plugins.hpp"
 #include "../boundary/condition.hpp"
-#include "../solvers/solver.hpp"
+#include "../solvers/event_solver.hpp"
 #include "Peridigm_Field.hpp"
 #include "block_plugins.hpp"
 #include "check_deck.hpp"
@@ -215,14 +215,16 @@ class PluginCheck {
       if (!(end > start)) continue;
       const double n = solver.leastSteps(start, end);
       nSteps_ += n;
-      const std::string message = fmt::format("{}: {:.3g} steps at least from {:g} to {:g} s", path, n, start, end);
+      const std::string unit = timeUnitOf(solver);
+      const std::string message =
+          fmt::format("{}: {:.3g} steps at least from {:g} to {:g} {}", path, n, start, end, unit);
       if (nSteps_ > std::numeric_limits<int>::max())
         mistakes_.add(checked.section.node.keyPlace(),
                       message + (n < nSteps_ ? fmt::format(", {:.3g} with those of the solvers before", nSteps_) : "") +
                           ": more than the 2.1e9 that can be counted; take longer steps, or shorten the run");
       else if (n >= manySteps)
         deck_.warnings().add(checked.section.node.keyPlace(),
-                             message + ": days of work even for a small body; are the times in seconds?");
+                             message + ": days of work even for a small body; are the times in " + unit + "?");
     }
   }
 

@@ -43,9 +43,6 @@ std::vector<Stage> createStages(const Deck& deck) {
   return stages;
 }
 
-std::string timeUnitOf(const std::vector<Stage>& stages) {
-  const auto* events = dynamic_cast<const EventSolver*>(stages.front().solver.get());
-  return events == nullptr ? "s" : events->timeUnit();
-}
+std::string timeUnitOf(const std::vector<Stage>& stages) { return timeUnitOf(*stages.front().solver); }
 
 }  // namespace pd

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -62,18 +63,24 @@ Hdf5Id openFile(const std::string& path, Hdf5File::Mode mode, const Communicator
   const std::string wholePath = std::filesystem::absolute(path, error).string();
   collectively(comm, [&] {
     if (error) throwFileError("open", path, error.value());
-    if (mode == Hdf5File::Mode::Read || !comm.isRoot()) return;
+    if (!comm.isRoot()) return;
+    if (mode == Hdf5File::Mode::Read) {
+      // The system's reason, plainer than what MPI makes of it.
+      if (access(path.c_str(), R_OK) != 0) throwFileError("open", path, errno);
+      if (std::filesystem::is_directory(path, error)) throwFileError("open", path, EISDIR);
+      return;
+    }
     unlink(path.c_str());  // MPI would write through a link
     setSpaceAside(path, spaceOfContents);
   });
   H5Eset_auto2(H5E_DEFAULT, rememberReason, nullptr);
-  Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, comm.mpi(), MPI_INFO_NULL);
+  Hdf5Id properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(properties, comm.mpi(), MPI_INFO_NULL);
   // The latest form of a file has checksums over its tables of contents.
-  if (mode == Hdf5File::Mode::CreateChecked) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  if (mode == Hdf5File::Mode::CreateChecked) H5Pset_libver_bounds(properties, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   const hid_t file = mode == Hdf5File::Mode::Read
-                         ? H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, access)
-                         : H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, withoutTimes(H5P_FILE_CREATE), access);
+                         ? H5Fopen(wholePath.c_str(), H5F_ACC_RDONLY, properties)
+                         : H5Fcreate(wholePath.c_str(), H5F_ACC_TRUNC, withoutTimes(H5P_FILE_CREATE), properties);
   return Hdf5Id(file, H5Fclose);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <string>
 
 #ifdef __has_feature
 #define PD_HAS_FEATURE(name) __has_feature(name)
@@ -61,10 +62,23 @@ void takeLargePages() {
   std::free(taken);
 }
 
+/// Whether the environment says how glibc is to take, keep, give back or fill memory.
+bool userHasSetHeap() {
+  for (const char* const name : {"MALLOC_MMAP_MAX_", "MALLOC_MMAP_THRESHOLD_", "MALLOC_TRIM_THRESHOLD_",
+                                 "MALLOC_TOP_PAD_", "MALLOC_PERTURB_", "MALLOC_CHECK_"})
+    if (std::getenv(name) != nullptr) return true;
+  const char* const given = std::getenv("GLIBC_TUNABLES");
+  const std::string tunables = given == nullptr ? "" : given;
+  for (const char* const name :
+       {"mmap_max", "mmap_threshold", "trim_threshold", "top_pad", "perturb", "check", "hugetlb"})
+    if (tunables.find(std::string("glibc.malloc.") + name + "=") != std::string::npos) return true;
+  return false;
+}
+
 }  // namespace
 
 void prepareHeap() {
-  if (std::getenv("MALLOC_MMAP_MAX_") != nullptr || std::getenv("MALLOC_TRIM_THRESHOLD_") != nullptr) return;
+  if (userHasSetHeap()) return;
   keepFreedMemory();
   if (isGlibcsHeap) takeLargePages();
 }

@@ -2,6 +2,8 @@
 #ifndef PD_EVENT_SOLVER_HPP
 #define PD_EVENT_SOLVER_HPP
 
+#include <string>
+
 #include "solver.hpp"
 
 namespace pd {
@@ -31,6 +33,12 @@ class EventSolver : public Solver {
     if (!fieldsAreComplete()) completeFields(simulation, t);
   }
 };
+
+/// What the times of a solver of either kind are counted in.
+inline std::string timeUnitOf(const Solver& solver) {
+  const auto* events = dynamic_cast<const EventSolver*>(&solver);
+  return events == nullptr ? "s" : events->timeUnit();
+}
 
 }  // namespace pd
 

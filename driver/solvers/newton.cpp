@@ -182,6 +182,7 @@ double Newton::search(Simulation& simulation, double dt, const std::vector<doubl
 NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector<double>& externalForce,
                             double largestScale) {
   NewtonOutcome outcome;
+  findFarthest(simulation.model);
   Balance balance = evaluate(simulation, dt, externalForce);
   bool tangentIsNew = false;
   int nPoorSteps = 0;
@@ -189,7 +190,12 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
     outcome.residuals.push_back(balance.free);
     outcome.scale = std::max(balance.scale, largestScale);
     const double asked = std::max(settings_.relativeTolerance * outcome.scale, settings_.absoluteTolerance);
-    if (balance.free <= asked || balance.free <= roundOff_) {
+    const bool mayGoOn = std::isfinite(balance.free) && iteration < settings_.maximumIterations;
+    if (!hasTangent_ && mayGoOn && balance.free > asked) {  // first: what rounding does follows from it
+      makeTangent(simulation, dt);
+      tangentIsNew = true;
+    }
+    if (balance.free <= asked || balance.free <= roundOff()) {
       stoppedAtRoundOff = stoppedAtRoundOff || balance.free > asked;
       outcome.hasConverged = true;
       if (settings_.hasSmallStrain) completeSmallStrain(simulation.model, dt);
@@ -199,15 +205,11 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
     if (iteration == settings_.maximumIterations) outcome.trouble = "the iterations are used up";
     if (!outcome.trouble.empty()) return outcome;
 
-    if (!hasTangent_) {
-      makeTangent(simulation, dt);
-      tangentIsNew = true;
-    }
     // Nothing is gained by solving the linear problem better than the load step needs, which in small strain is all
     // that there is to solve.
     const double share = settings_.hasSmallStrain ? 0.9 : 0.3;
     const LinearSolveReport report = solveLinear(
-        simulation, dt, externalForce, std::clamp(share * std::max(asked, roundOff_) / balance.free, 1e-12, 0.1));
+        simulation, dt, externalForce, std::clamp(share * std::max(asked, roundOff()) / balance.free, 1e-12, 0.1));
     if (!report.hasConverged && !(report.relativeResidual < 0.5)) {
       if (improveTangent(Tangent::Assembled)) continue;
       outcome.trouble =

@@ -121,7 +121,10 @@ class Newton {
   /// Goes over to a better kind. False where there is none.
   bool improveTangent(Tangent better);
   void learn(double reduction, double linearResidual);
-  void setRoundOff(Model& model, double normOfDiagonal);
+  /// For the start of an equilibrium.
+  void findFarthest(Model& model);
+  /// N: what rounding of places alone makes of the residual.
+  double roundOff() const;
   void springForce(Model& model);
   void completeSmallStrain(Model& model, double dt);
   std::string preconditionerName() const;
@@ -148,8 +151,8 @@ class Newton {
   std::vector<double> residual_, step_;  ///< [3 nOwned] N, m
   std::vector<SlackDirection> slack_;    ///< of the last matrix
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;
-  double farthest_ = -1.0;  ///< m: largest coordinate, when it was first looked at
-  double roundOff_ = 0.0;   ///< N: what rounding of coordinates alone makes of the residual
+  double normOfDiagonal_ = 0.0;  ///< N/m: of the last tangent
+  double farthest_ = 0.0;        ///< m: of any coordinate, in the reference configuration and displacement together
 };
 
 }  // namespace pd

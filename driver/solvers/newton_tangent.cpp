@@ -110,7 +110,7 @@ void Newton::assemble(Simulation& simulation, double dt) {
   double sum = 0.0;
   for (std::size_t i = 0; i < isHeld_.size(); ++i)
     if (!isHeld_[i]) sum += diagonal[i] * diagonal[i];
-  setRoundOff(model, std::sqrt(model.comm().sum(sum)));
+  normOfDiagonal_ = std::sqrt(model.comm().sum(sum));
   hasTangent_ = true;
   ++nTangents;
 }
@@ -215,19 +215,20 @@ void Newton::makeTangent(Simulation& simulation, double dt) {
   const Timers::Scope timer(simulation.model.timers(), "two-level set-up");
   springs_->prepare();
   nStiffenedPoints = springs_->nStiffenedPoints();
-  setRoundOff(simulation.model, springs_->normOfDiagonal());
+  normOfDiagonal_ = springs_->normOfDiagonal();
   hasTangent_ = true;
 }
 
-/// What rounding of coordinates makes of the forces.
-void Newton::setRoundOff(Model& model, double normOfDiagonal) {
-  if (farthest_ < 0.0) {
-    const double* coordinates = model.field(fields_.coordinates);
-    for (std::size_t i = 0; i < isHeld_.size(); ++i) farthest_ = std::max(farthest_, std::abs(coordinates[i]));
-    farthest_ = model.comm().max(farthest_);
-  }
-  roundOff_ = std::numeric_limits<double>::epsilon() * farthest_ * normOfDiagonal;
+/// Both parts of a place are rounded, and a body may move far from where it was made: what counts is where it is now.
+void Newton::findFarthest(Model& model) {
+  const double *x = model.field("Model_Coordinates"), *displacement = model.field(fields_.displacement);
+  farthest_ = 0.0;
+  for (std::size_t i = 0; i < isHeld_.size(); ++i)
+    farthest_ = std::max(farthest_, std::abs(x[i]) + std::abs(displacement[i]));
+  farthest_ = model.comm().max(farthest_);
 }
+
+double Newton::roundOff() const { return std::numeric_limits<double>::epsilon() * farthest_ * normOfDiagonal_; }
 
 void Newton::springForce(Model& model) {
   chooseTangent(model);

@@ -133,7 +133,7 @@ TEST(BrokenArguments, AreReported) {
       {{"--set", "Solver/Final Time=soon"},
        "--set \"Solver/Final Time=soon\": Solver/Final Time must be a number in s, not \"soon\""},
       {{"--set", "Solver/Final Tim=1.0"}, "unknown key \"Final Tim\" in Solver (did you mean \"Final Time\"?)"},
-      {{"--check", "--restart", "x.h5"}, "deck.yaml: the start of the run: cannot open \"x.h5\""},
+      {{"--check", "--restart", "x.h5"}, "deck.yaml: the start of the run: cannot open \"x.h5\": No such file"},
       {{"--explain", "Verlt"}, "nothing is called \"Verlt\" (did you mean \"Verlet\"?)"}};
   for (const auto& [arguments, expected] : cases) {
     const Outcome outcome = run(scene, arguments);

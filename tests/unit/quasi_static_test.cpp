@@ -65,6 +65,18 @@ INSTANTIATE_TEST_SUITE_P(LinearSolvers, Chain,
                                            Tangent{false, "CG", "ILU"}, Tangent{false, "CG", "Multigrid"},
                                            Tangent{false, "GMRES", "ILU"}));
 
+/// There places are rounded to 1e-8, which no tolerance can ask to be better balanced.
+TEST(QuasiStatic, StretchesFarFromWhereItWasMade) {
+  const std::string far = "{Type: Prescribed Displacement, Coordinate: x, Node Set: ";
+  Scene scene(barDeck(1000.0, 0.0,
+                      "  Hold: " + far + "Left Node Set, Value: \"1e8*t\"}\n" + "  Pull: " + far +
+                          "Right Node Set, Value: \"1e8*t + 0.1*t\"}\n"),
+              world(), chain(), "QuasiStatic", settings());
+  scene.run(2);
+  const double* displacement = scene.displacement();
+  for (int i = 0; i < 11; ++i) EXPECT_NEAR(displacement[3 * i] - displacement[0], 0.01 * i, 1e-6) << i;
+}
+
 TEST(QuasiStatic, SolvesAStiffnessJumpOfAThousand) {
   Discretization points = chain();
   // Bonds at or beyond point 5 join volumes of 1000 and 1000 or 1: with equal forces c V_i V_j s the stretches follow.
