@@ -144,7 +144,7 @@ bool NewtonKrylov::solve(StageEquation& equation) {
   for (int iteration = 0; iteration < maximumIterations; ++iteration) {
     double largest = equation.evaluate();
     // What rounding leaves of terms that cancel.
-    const double diagonal = isAsymmetric_               ? asymmetric_.largestDiagonal()
+    const double diagonal = isAsymmetric_               ? asymmetric_.largestDiagonal(equation.h())
                             : preconditioner_.isBuilt() ? preconditioner_.largestDiagonal()
                                                         : 0.0;
     const double roundOff = 8.0 * std::numeric_limits<double>::epsilon() * diagonal;
