@@ -104,7 +104,7 @@ bool AsymmetricStage::solve(StageEquation& equation, const std::vector<double>& 
   const bool isKept = inverse_ != nullptr && excess_ <= patience && nUntilTry_ == 0;
   if (nUntilTry_ > 0) --nUntilTry_;
   if (!isKept && !makeInverse(equation, slope)) return false;
-  const int most = !isKept ? newIterations : nFailures_ > 0 ? patience : keptIterations;
+  const int most = !isKept ? newIterations : nFailures_ > 0 ? patience / 2 : keptIterations;
   std::vector<double> solution;
   GmresReport report = iterate(equation, slope, tolerance, most, solution);
   if (isKept) learnFromKept(report.hasConverged);
