@@ -18,7 +18,7 @@ bool AsymmetricStage::makeInverse(StageEquation& equation, const std::vector<dou
   const Discretization& mesh = model.discretization();
   const std::vector<int>& ids = equation.ids();
   const auto nOwned = static_cast<std::size_t>(mesh.nOwned);
-  std::vector<double> isFree(nOwned, 0.0), factor(nOwned), diagonal(nOwned, largestDiagonal_);
+  std::vector<double> isFree(nOwned, 0.0), factor(nOwned), diagonal(nOwned, largestDiagonal(equation.h()));
   for (std::size_t i = 0; i < nOwned; ++i) factor[i] = -equation.h() / equation.fields().volume[static_cast<int>(i)];
   for (std::size_t k = 0; k < ids.size(); ++k) {
     if (equation.isFree()[k] == 0) continue;
@@ -37,21 +37,23 @@ bool AsymmetricStage::makeInverse(StageEquation& equation, const std::vector<dou
     const Timers::Scope timer(model.timers(), "matrix assembly");
     rows = jacobian.finish(model.comm(), factor, diagonal);
   }
-  largestDiagonal_ = 1.0;
+  double largest = 1.0;
   for (std::size_t i = 0; i < nOwned; ++i)
     for (std::size_t k = rows.start[i]; k < rows.start[i + 1] && isFree[i] != 0.0; ++k)
-      if (rows.columns[k] == unknowns_.first + static_cast<long long>(i))
-        largestDiagonal_ = std::max(largestDiagonal_, rows.values[k]);
-  largestDiagonal_ = model.comm().max(largestDiagonal_);
+      if (rows.columns[k] == unknowns_.first + static_cast<long long>(i)) largest = std::max(largest, rows.values[k]);
+  largestRate_ = (model.comm().max(largest) - 1.0) / equation.h();
   const Timers::Scope timer(model.timers(), "transport factor");
-  inverse_ = std::make_unique<RowInverse>(model.comm());
+  inverse_.reset();  // its memory goes first
   leastPerDigit_ = excess_ = 0.0;
+  auto made = std::make_unique<RowInverse>(model.comm());
   if (isFactored(mesh))
-    trouble_ = inverse_->factor(rows, FactorPrecision::Single);
+    trouble_ = made->factor(rows, FactorPrecision::Single);
   else
-    inverse_->precondition("ILU", rows);
-  if (trouble_.empty()) ++nFactors_;
-  return trouble_.empty();
+    made->precondition("ILU", rows);
+  if (!trouble_.empty()) return false;
+  inverse_ = std::move(made);
+  ++nFactors_;
+  return true;
 }
 
 GmresReport AsymmetricStage::iterate(StageEquation& equation, const std::vector<double>& slope, double tolerance,
@@ -62,10 +64,16 @@ GmresReport AsymmetricStage::iterate(StageEquation& equation, const std::vector<
   std::vector<double> right(nOwned, 0.0), direction(ids.size()), image(ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k)
     if (equation.isFree()[k] != 0) right[static_cast<std::size_t>(ids[k])] = equation.residual()[k];
+  const double atOthers = largestDiagonal(equation.h());
   const auto product = [&](const double* x, double* y) {
     for (std::size_t k = 0; k < ids.size(); ++k) direction[k] = equation.isFree()[k] != 0 ? x[ids[k]] : 0.0;
-    equation.applyJacobian(slope, direction, image);
-    for (std::size_t i = 0; i < nOwned; ++i) y[i] = largestDiagonal_ * x[i];
+    // Where GMRES begins.
+    const bool isZero = std::all_of(direction.begin(), direction.end(), [](double value) { return value == 0.0; });
+    if (equation.model().comm().any(!isZero))
+      equation.applyJacobian(slope, direction, image);
+    else
+      std::fill(image.begin(), image.end(), 0.0);
+    for (std::size_t i = 0; i < nOwned; ++i) y[i] = atOthers * x[i];
     for (std::size_t k = 0; k < ids.size(); ++k)
       if (equation.isFree()[k] != 0) y[ids[k]] = image[k];
   };
@@ -78,17 +86,28 @@ GmresReport AsymmetricStage::iterate(StageEquation& equation, const std::vector<
   return report;
 }
 
+/// Where old inverses fail one after the other, as limits of what a flow carries change in each of Newton's steps, they
+/// are tried more and more seldom.
+void AsymmetricStage::learnFromKept(bool hasConverged) {
+  constexpr int mostFailures = 5;
+  nFailures_ = hasConverged ? 0 : std::min(nFailures_ + 1, mostFailures);
+  nUntilTry_ = nFailures_ > 0 ? (1 << (nFailures_ - 1)) - 1 : 0;
+}
+
 /// The inverse is made again where the iterations that an old one has cost are worth a new one.
 bool AsymmetricStage::solve(StageEquation& equation, const std::vector<double>& slope, double tolerance,
                             std::vector<double>& step) {
   constexpr int keptIterations = 50, newIterations = 200;
-  constexpr double patience = 25.0;  // iterations that an inverse costs, about
-  constexpr double enough = 0.1;     // what is left is for the next of Newton's steps
+  constexpr int patience = 25;    // iterations that an inverse costs, about
+  constexpr double enough = 0.1;  // what is left is for the next of Newton's steps
   trouble_.clear();
-  const bool isKept = inverse_ != nullptr && excess_ <= patience;
+  const bool isKept = inverse_ != nullptr && excess_ <= patience && nUntilTry_ == 0;
+  if (nUntilTry_ > 0) --nUntilTry_;
   if (!isKept && !makeInverse(equation, slope)) return false;
+  const int most = !isKept ? newIterations : nFailures_ > 0 ? patience / 2 : keptIterations;
   std::vector<double> solution;
-  GmresReport report = iterate(equation, slope, tolerance, isKept ? keptIterations : newIterations, solution);
+  GmresReport report = iterate(equation, slope, tolerance, most, solution);
+  if (isKept) learnFromKept(report.hasConverged);
   if (!report.hasConverged && isKept) {
     if (!makeInverse(equation, slope)) return false;
     report = iterate(equation, slope, tolerance, newIterations, solution);

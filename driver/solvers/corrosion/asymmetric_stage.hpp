@@ -24,22 +24,26 @@ class AsymmetricStage {
   bool solve(StageEquation& equation, const std::vector<double>& slope, double tolerance, std::vector<double>& step);
   void forget() {
     inverse_.reset();
-    largestDiagonal_ = 1.0;
+    largestRate_ = 0.0;
+    nFailures_ = nUntilTry_ = 0;
   }
-  double largestDiagonal() const { return largestDiagonal_; }  ///< over the volumes
+  /// Over the volumes, of a stage of length `h`, s, with the rates of the last inverse.
+  double largestDiagonal(double h) const { return 1.0 + h * largestRate_; }
   long long nIterations() const { return nIterations_; }
   long long nFactors() const { return nFactors_; }
   const std::string& trouble() const { return trouble_; }
 
  private:
   bool makeInverse(StageEquation& equation, const std::vector<double>& slope);
+  void learnFromKept(bool hasConverged);
   GmresReport iterate(StageEquation& equation, const std::vector<double>& slope, double tolerance, int mostIterations,
                       std::vector<double>& solution);
 
   std::unique_ptr<RowInverse> inverse_;
   PointUnknowns unknowns_;
-  double largestDiagonal_ = 1.0;
+  double largestRate_ = 0.0;                   ///< 1/s, of diagonals
   double leastPerDigit_ = 0.0, excess_ = 0.0;  ///< iterations since the inverse was made: for a digit; all beyond that
+  int nFailures_ = 0, nUntilTry_ = 0;          ///< of old inverses, one after the other; solves without them
   long long nIterations_ = 0, nFactors_ = 0;
   std::string trouble_;
 };

@@ -131,6 +131,12 @@ bool NewtonKrylov::holdAgain(StageEquation& equation, int& nHolds) {
   return true;
 }
 
+/// What rounding leaves of terms that cancel goes with it, and it with the length of the stage.
+double NewtonKrylov::largestDiagonal(double h) const {
+  if (isAsymmetric_) return asymmetric_.largestDiagonal(h);
+  return preconditioner_.isBuilt() ? 1.0 + (preconditioner_.largestDiagonal() - 1.0) * h / builtFor_ : 0.0;
+}
+
 bool NewtonKrylov::solve(StageEquation& equation) {
   // As exact as the step before has earned (Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16), or a small
   // residual, of which Newton's method leaves next to the square.
@@ -143,11 +149,7 @@ bool NewtonKrylov::solve(StageEquation& equation) {
   int nHolds = 0;
   for (int iteration = 0; iteration < maximumIterations; ++iteration) {
     double largest = equation.evaluate();
-    // What rounding leaves of terms that cancel.
-    const double diagonal = isAsymmetric_               ? asymmetric_.largestDiagonal()
-                            : preconditioner_.isBuilt() ? preconditioner_.largestDiagonal()
-                                                        : 0.0;
-    const double roundOff = 8.0 * std::numeric_limits<double>::epsilon() * diagonal;
+    const double roundOff = 8.0 * std::numeric_limits<double>::epsilon() * largestDiagonal(equation.h());
     const double tolerance = std::max(tolerance_, roundOff);
     const bool isReleased = equation.release(tolerance), isHeld = equation.hold(tolerance);
     if (!isReleased && !isHeld && largest <= tolerance && !holdAgain(equation, nHolds)) return true;

@@ -30,6 +30,7 @@ class NewtonKrylov : public StageSolver {
   /// Iterations taken, negative where it failed.
   int solveSymmetric(StageEquation& equation, double target);
   int solveAsymmetric(StageEquation& equation, double target);
+  double largestDiagonal(double h) const;
   bool holdAgain(StageEquation& equation, int& nHolds);
   void makePreconditioner(const StageEquation& equation);
   /// Conjugate gradients from step_ on; the iterations taken, negative where it failed.
