@@ -246,13 +246,15 @@ void SpringTangent::prepare() {
   const bool isStale = mustRebuild_ || tears || nChanges_ >= mostChanges;
   coarseIsCurrent_ = true;
   refreshSmoother();
-  if (isStale) {
-    levels_.rebuild();
-    findNormOfDiagonal();
-    nChanges_ = 0;
-    freshRate_ = 0.0;
-    mustRebuild_ = false;
-  }
+  if (isStale) rebuildLevels();
+}
+
+void SpringTangent::rebuildLevels() {
+  levels_.rebuild();
+  findNormOfDiagonal();
+  nChanges_ = 0;
+  freshRate_ = 0.0;
+  mustRebuild_ = false;
 }
 
 void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
@@ -345,6 +347,11 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
   // Where something hardly hangs together, rounding may be more than what resists.
   if (isSingle && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
     isSingle = false;
+    result = search();
+  }
+  // Nor is a coarse level the last word that is of bonds that have broken since.
+  if (!product && nChanges_ > 0 && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
+    rebuildLevels();
     result = search();
   }
   std::fill(x, x + 3 * n, 0.0);

@@ -66,6 +66,7 @@ class SpringTangent {
   /// Throws RunError: point i has broken its bond to j, which has not.
   [[noreturn]] void refuseHalfBond(int i, int j) const;
   void refreshSmoother();
+  void rebuildLevels();  ///< the coarse level and its smoother anew, of the bonds as they are. Collective
   void findNormOfDiagonal();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.
