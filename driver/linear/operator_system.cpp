@@ -1,5 +1,6 @@
 #include "operator_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "methods/krylov.hpp"
@@ -9,11 +10,11 @@ namespace pd {
 
 namespace {
 
-/// A function over plain arrays as Belos wants it.
+/// A linear function over plain arrays as Belos wants it; of zero it is not asked.
 class FunctionOperator : public tpetra::Operator {
  public:
-  FunctionOperator(Teuchos::RCP<const tpetra::Map> map, const LinearMap& function)
-      : map_(std::move(map)), function_(function) {}
+  FunctionOperator(const Communicator& comm, Teuchos::RCP<const tpetra::Map> map, const LinearMap& function)
+      : comm_(comm), map_(std::move(map)), function_(function) {}
 
   Teuchos::RCP<const tpetra::Map> getDomainMap() const override { return map_; }
   Teuchos::RCP<const tpetra::Map> getRangeMap() const override { return map_; }
@@ -21,7 +22,13 @@ class FunctionOperator : public tpetra::Operator {
              double beta) const override {
     std::vector<double> result(map_->getNodeNumElements());
     for (std::size_t column = 0; column < x.getNumVectors(); ++column) {
-      function_(x.getData(column).getRawPtr(), result.data());
+      const auto in = x.getData(column);
+      // Where an iteration begins from nothing.
+      const bool isZero = std::all_of(in.begin(), in.end(), [](double entry) { return entry == 0.0; });
+      if (comm_.any(!isZero))
+        function_(in.getRawPtr(), result.data());
+      else
+        std::fill(result.begin(), result.end(), 0.0);
       const auto out = y.getDataNonConst(column);
       for (std::size_t i = 0; i < result.size(); ++i) {
         double& value = out[static_cast<Teuchos::Ordinal>(i)];
@@ -31,6 +38,7 @@ class FunctionOperator : public tpetra::Operator {
   }
 
  private:
+  const Communicator& comm_;
   Teuchos::RCP<const tpetra::Map> map_;
   const LinearMap& function_;
 };
@@ -56,8 +64,8 @@ GmresReport solveByGmres(const Communicator& comm, const LinearMap& matrix, cons
     std::fill(x.begin(), x.end(), 0.0);
     return {0, 0.0, true};
   }
-  const auto product = Teuchos::rcp(new FunctionOperator(map, matrix));
-  const auto preconditioner = Teuchos::rcp(new FunctionOperator(map, precondition));
+  const auto product = Teuchos::rcp(new FunctionOperator(comm, map, matrix));
+  const auto preconditioner = Teuchos::rcp(new FunctionOperator(comm, map, precondition));
   GmresReport report;
   // The recurrence of GMRES may be ahead of the true residual, by rounding or since the preconditioner's precision is
   // single: then it goes on from there.

@@ -67,12 +67,7 @@ GmresReport AsymmetricStage::iterate(StageEquation& equation, const std::vector<
   const double atOthers = largestDiagonal(equation.h());
   const auto product = [&](const double* x, double* y) {
     for (std::size_t k = 0; k < ids.size(); ++k) direction[k] = equation.isFree()[k] != 0 ? x[ids[k]] : 0.0;
-    // Where GMRES begins.
-    const bool isZero = std::all_of(direction.begin(), direction.end(), [](double value) { return value == 0.0; });
-    if (equation.model().comm().any(!isZero))
-      equation.applyJacobian(slope, direction, image);
-    else
-      std::fill(image.begin(), image.end(), 0.0);
+    equation.applyJacobian(slope, direction, image);
     for (std::size_t i = 0; i < nOwned; ++i) y[i] = atOthers * x[i];
     for (std::size_t k = 0; k < ids.size(); ++k)
       if (equation.isFree()[k] != 0) y[ids[k]] = image[k];
