@@ -112,7 +112,7 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
   // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken. Returns
   // whether this one breaks.
-  TiringPoints::Known* known = points.known(y, fields_.damage.length(data), cycles.range);
+  TiringPoints::Known* known = points.known(y, fields_.damage.length(data), cycles.range, cycles.peak);
   std::size_t at = 0;  // in what is known
   // Bonds are looked at several times at the same places: their strains and rates are found once.
   const auto once = [&](std::vector<double>* values, const auto& find) {
@@ -120,6 +120,7 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     double& value = (*values)[at];
     return std::isnan(value) ? value = find() : value;
   };
+  bool isIdle = false;  // the point: none of its bonds loses life
   const auto passCycles = [&](int i, int j, std::size_t bond) {
     const bool grows = hasGrowth_ && (nearTip[i] != 0.0 || nearTip[j] != 0.0);
     if (!grows && isIdleElsewhere) return false;
@@ -130,6 +131,7 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     if ((stretch > 0.0 || !seesOpeningAlone_) && (grows || hasInitiation_))
       rate = once(known == nullptr ? nullptr : &known->rates,
                   [&] { return lossRate(grows, std::abs(cycles.range * stretch), i, j); });
+    isIdle = isIdle && rate == 0.0;
     lost[bond] += cycles.number * rate;
     if (lost[bond] < 1.0 - lifeTolerance_ && cycles.peak * stretch < criticalStretch_) {
       if (bondDamage[bond] < 1.0) worstRate[i] = std::max(worstRate[i], rate / (1.0 - lost[bond]));
@@ -149,11 +151,14 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     const std::size_t first = points.firstBond(p);
     const int i = call.ownedIds[p], count = points.nBonds(p);
     bool hasBroken = false;
+    isIdle = true;
+    if (known != nullptr) at = points.firstKnown(p);
     for (int k = 0; k < count; ++k, ++at) {
       const std::size_t bond = first + static_cast<std::size_t>(k);
       hasBroken = passCycles(i, points.neighbor(bond, p), bond) || hasBroken;
     }
     if (hasBroken) fields_.damage.of(data)[i] = shareOfBroken(bondDamage + first, count);
+    if (known != nullptr && isIdle && !hasBroken) points.leaveOut(p);
   }
 }
 

@@ -80,12 +80,19 @@ void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
   }
 }
 
-TiringPoints::Known* TiringPoints::known(const double* y, int nPoints, double strainRange) {
+TiringPoints::Known* TiringPoints::known(const double* y, int nPoints, double strainRange, double peak) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   if (tiring_.size() > static_cast<std::size_t>(nOwned_) / mostReaching) return nullptr;
   const auto nPlaces = 3 * static_cast<std::size_t>(nPoints);
   const bool isSame = !tipsHaveChanged_ && knownPoints_ == tiring_ && knownPlaces_.size() == nPlaces &&
                       std::equal(knownPlaces_.begin(), knownPlaces_.end(), y);
+  if (isSame && strainRange == knownRange_ && peak == knownPeak_) {
+    tiring_.erase(std::remove_if(tiring_.begin(), tiring_.end(), [&](std::size_t p) { return isLeftOut_[p] != 0; }),
+                  tiring_.end());
+    return &known_;
+  }
+  isLeftOut_.assign(static_cast<std::size_t>(nOwned_), 0);
+  knownPeak_ = peak;
   if (isSame && strainRange == knownRange_) return &known_;
   knownRange_ = strainRange;
   if (isSame) {
@@ -95,8 +102,12 @@ TiringPoints::Known* TiringPoints::known(const double* y, int nPoints, double st
   knownPoints_ = tiring_;
   knownPlaces_.assign(y, y + nPlaces);
   tipsHaveChanged_ = false;
+  firstKnown_.resize(static_cast<std::size_t>(nOwned_));
   std::size_t count = 0;
-  for (const std::size_t p : tiring_) count += firstBond_[p + 1] - firstBond_[p];
+  for (const std::size_t p : tiring_) {
+    firstKnown_[p] = count;
+    count += firstBond_[p + 1] - firstBond_[p];
+  }
   known_.stretches.assign(count, nothing);
   known_.rates.assign(count, nothing);
   return &known_;

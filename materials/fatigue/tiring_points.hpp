@@ -33,13 +33,17 @@ class TiringPoints {
   /// Those that find() found last: NP1 differs from N at their bonds alone.
   const std::vector<std::size_t>& lastFound() const { return tiring_; }
 
-  /// Of the bonds of the points found last, one after another: what a caller has found out of them, and NaN. It is kept
-  /// as long as places `y` [3 nPoints] and tips are the same, the rates as long as `strainRange` is, too.
+  /// Of the bonds of the points found last, from firstKnown(p) on: what a caller has found out of them, and NaN. It is
+  /// kept as long as places `y` [3 nPoints] and tips are the same, the rates as long as `strainRange` is, too.
   struct Known {
     std::vector<double> stretches, rates;
   };
-  /// Null where the points are so many that what is known of them would take more memory than it is worth.
-  Known* known(const double* y, int nPoints, double strainRange);
+  /// Null where the points are so many that what is known of them would take more memory than it is worth. With the
+  /// same `strainRange` and `peak` as before the points leaveOut() has named are none of those found last any more.
+  Known* known(const double* y, int nPoints, double strainRange, double peak);
+  std::size_t firstKnown(std::size_t point) const { return firstKnown_[point]; }
+  /// No bond of the point has lost life or broken at these places, whatever the number of cycles.
+  void leaveOut(std::size_t point) { isLeftOut_[point] = 1; }
 
   /// What leaves bonds away from tips alone: a strain range (`strainRange` for each part that a bond is longer or
   /// shorter by) up to `restingRange`, and a stretch (`peak` for each) below `criticalStretch`.
@@ -77,7 +81,9 @@ class TiringPoints {
   Known known_;
   std::vector<std::size_t> knownPoints_;  ///< whose bonds those are
   std::vector<double> knownPlaces_;       ///< [3 nPoints]
-  double knownRange_ = 0.0;
+  std::vector<std::size_t> firstKnown_;   ///< [points]
+  std::vector<char> isLeftOut_;           ///< [points]
+  double knownRange_ = 0.0, knownPeak_ = 0.0;
   bool tipsHaveChanged_ = true;  ///< since then
 
   const double *before_ = nullptr, *lost_ = nullptr;

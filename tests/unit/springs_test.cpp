@@ -246,7 +246,14 @@ TEST_P(Springs, InAWindowMoveAsInTheWholeBody) {
     return std::all_of(list + 1, list + 1 + *list, [&](int j) { return mayChange[static_cast<std::size_t>(j)] != 0; });
   };
   springs.takeChangedPoints();
-  TipWindow window(springs.stiffness(), read, inside, u.data());
+  // Of a corridor that reaches over a part of the body, and perhaps to its ends.
+  std::vector<int> part;
+  for (int i = 0; i < points.nOwned; ++i)
+    if (const double x = points.x[3 * static_cast<std::size_t>(i)] / GetParam().lattice.nx; x > 0.2 && x < 0.8)
+      part.push_back(i);
+  Corridor corridor(springs.stiffness(), part);
+  ASSERT_EQ(corridor.trouble(), "");
+  TipWindow window(springs.stiffness(), corridor, read, inside, u.data());
   ASSERT_EQ(window.trouble(), "");
   // Bonds of one point after another, more than are kept beside the inverse; a point that is held where it is then.
   for (std::size_t k = 0; k < 60; ++k) {
@@ -258,7 +265,9 @@ TEST_P(Springs, InAWindowMoveAsInTheWholeBody) {
     springs.hold(isHeld);
     const SpringOperator& stiffness = springs.stiffness();
     ASSERT_EQ(&stiffness, &window.stiffness());
-    ASSERT_TRUE(window.takeUp(springs.takeChangedPoints(), u.data()));
+    const std::vector<int> changed = springs.takeChangedPoints();
+    EXPECT_TRUE(corridor.fitsAfter(changed));
+    ASSERT_TRUE(window.takeUp(changed, u.data()));
     ASSERT_TRUE(window.solve(u.data()));
   }
   // Equilibrium of the whole body: the rest moves, the window does not.
@@ -275,6 +284,7 @@ TEST_P(Springs, InAWindowMoveAsInTheWholeBody) {
   EXPECT_GT(outside, 1e-4 * norm(u) / std::sqrt(static_cast<double>(u.size())));
   EXPECT_LT(moved, 1e-7 * norm(u) / std::sqrt(static_cast<double>(u.size())));
   EXPECT_FALSE(window.takeUp({0}, u.data()));  // its bonds are not in the window
+  EXPECT_FALSE(corridor.fitsAfter({0}));
   // Where points are only read nothing may change.
   const auto reader = std::find_if(read.begin(), read.end(), [&](int i) { return window.isInside(i); });
   if (reader == read.end()) return;  // a small body

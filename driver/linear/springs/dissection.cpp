@@ -57,12 +57,8 @@ class Dissection {
 
 }  // namespace
 
-std::vector<int> dissectionOrder(const SpringNetwork& network, const std::vector<char>& isLast) {
-  std::vector<int> points, last;
-  for (int i = 0; i < network.points().nOwned; ++i)
-    (isLast[static_cast<std::size_t>(i)] != 0 ? last : points).push_back(i);
+std::vector<int> dissectionOrder(const SpringNetwork& network, std::vector<int> points) {
   Dissection(network).order(points.begin(), points.end());
-  points.insert(points.end(), last.begin(), last.end());
   return points;
 }
 

@@ -8,10 +8,10 @@
 
 namespace pd {
 
-/// All owned points, those of `last` at the end. Nested dissection (A. George, SIAM J. Numer. Anal. 10 (1973) 345): the
-/// points are cut in two across their longer side, and those of one half that have springs to the other come after
-/// both halves; so do the halves in turn.
-std::vector<int> dissectionOrder(const SpringNetwork& network, const std::vector<char>& isLast);
+/// These owned points. Nested dissection (A. George, SIAM J. Numer. Anal. 10 (1973) 345): the points are cut in two
+/// across their longer side, and those of one half that have springs to the other come after both halves; so do the
+/// halves in turn.
+std::vector<int> dissectionOrder(const SpringNetwork& network, std::vector<int> points);
 
 }  // namespace pd
 

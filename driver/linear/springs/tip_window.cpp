@@ -8,9 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "../methods/schur_complement.hpp"
-#include "dissection.hpp"
-
 namespace pd {
 
 namespace {
@@ -38,8 +35,8 @@ std::string TipWindow::obstacle(const SpringOperator& stiffness) {
   return "";
 }
 
-TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& read, const std::vector<int>& changing,
-                     const double* displacement)
+TipWindow::TipWindow(const SpringOperator& stiffness, const Corridor& corridor, const std::vector<int>& read,
+                     const std::vector<int>& changing, const double* displacement)
     : stiffness_(stiffness),
       dimension_(stiffness.network().dimension()),
       points_(read),
@@ -70,7 +67,9 @@ TipWindow::TipWindow(const SpringOperator& stiffness, const std::vector<int>& re
     }
   now_ = base_;
   remember();
-  condense();
+  InverseColumns columns = corridor.response(points_, changing);
+  trouble_ = std::move(columns.trouble);
+  inverse_ = std::move(columns.values);
 }
 
 /// The springs of the window, and which of its bonds are unbroken.
@@ -80,84 +79,11 @@ void TipWindow::remember() {
     std::vector<float>& own = alive_.emplace_back();
     for (int k = 0; k < network.nNeighbors(i); ++k) own.push_back(network.alive(i, k));
   }
-  network.forEachSpring([&](int i, int j, const double*, const SpringConstants<double>& c) {
-    if (contains(i) && contains(j)) springs_.emplace_back(keyOf(i, j), c.radial);
-  });
+  network.forEachSpringIn([&](int i) { return contains(i); },
+                          [&](int i, int j, const double*, const SpringConstants<double>& c) {
+                            if (contains(j)) springs_.emplace_back(keyOf(i, j), c.radial);
+                          });
   std::sort(springs_.begin(), springs_.end());
-}
-
-void TipWindow::condense() {
-  const SpringNetwork& network = stiffness_.network();
-  const int nOwned = network.points().nOwned;
-  // All degrees of freedom that are not held, from 1.
-  std::vector<int> number(static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(nOwned), 0);
-  const auto numberOf = [&](int i, int c) -> int& {
-    return number[static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)];
-  };
-  SymmetricEntries matrix;
-  for (int i = 0; i < nOwned; ++i)
-    for (int c = 0; c < dimension_; ++c)
-      if (!stiffness_.isHeld(i, c)) numberOf(i, c) = ++matrix.size;
-  const auto add = [&](int i, int c, int j, int d, double value) {
-    const int row = numberOf(i, c), column = numberOf(j, d);
-    if (row > 0 && column > 0) matrix.add(row, column, value);
-  };
-  std::vector<double> diagonal(number.size() * static_cast<std::size_t>(dimension_), 0.0);
-  const auto ofPoint = [&](int i, int c, int d) -> double& {
-    return diagonal[(static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(c)) *
-                        static_cast<std::size_t>(dimension_) +
-                    static_cast<std::size_t>(d)];
-  };
-  network.forEachSpring([&](int i, int j, const double* xi, const SpringConstants<double>& spring) {
-    for (int c = 0; c < dimension_; ++c)
-      for (int d = 0; d < dimension_; ++d) {
-        const double value = spring.radial * xi[c] * xi[d];
-        add(i, c, j, d, -value);
-        ofPoint(i, c, d) += value;
-        ofPoint(j, c, d) += value;
-      }
-  });
-  for (const SpringOperator::Addition& addition : stiffness_.additions())
-    ofPoint(addition.point, addition.component, addition.component) += addition.value;
-  for (int i = 0; i < nOwned; ++i)
-    for (int c = 0; c < dimension_; ++c)
-      for (int d = 0; d <= c; ++d) add(i, c, i, d, ofPoint(i, c, d));
-
-  std::vector<char> isLast(static_cast<std::size_t>(nOwned), 0);
-  for (const int i : points_) isLast[static_cast<std::size_t>(i)] = 1;
-  std::vector<int> order, kept;
-  for (const int i : dissectionOrder(network, isLast))
-    for (int c = 0; c < dimension_; ++c)
-      if (numberOf(i, c) > 0 && isLast[static_cast<std::size_t>(i)] == 0) order.push_back(numberOf(i, c));
-  for (const int i : points_)
-    for (int c = 0; c < dimension_; ++c)
-      if (numberOf(i, c) > 0) kept.push_back(numberOf(i, c));
-  order.insert(order.end(), kept.begin(), kept.end());
-  SchurComplement complement = schurComplement(matrix, kept, order);
-  trouble_ = complement.trouble;
-  if (!trouble_.empty()) return;
-  invert(std::move(complement.values));
-}
-
-/// The last columns of the inverse of S = L L^T: those of L^-1 have entries in their own rows alone.
-void TipWindow::invert(std::vector<double> s) {
-  int info = 0;
-  Lapack().POTRF('L', nUnknowns_, s.data(), nUnknowns_, &info);
-  if (info != 0) {
-    trouble_ = "the stiffness is not positive definite";
-    return;
-  }
-  const int nColumns = nUnknowns_ - firstColumn_;
-  const auto n = static_cast<std::size_t>(nUnknowns_), first = static_cast<std::size_t>(firstColumn_);
-  inverse_.assign(static_cast<std::size_t>(nColumns) * n, 0.0);
-  for (std::size_t c = 0; first + c < n; ++c) inverse_[c * n + first + c] = 1.0;
-  const auto solve = [&](Teuchos::ETransp transposed, int from) {
-    const auto at = static_cast<std::size_t>(from);
-    Blas().TRSM(Teuchos::LEFT_SIDE, Teuchos::LOWER_TRI, transposed, Teuchos::NON_UNIT_DIAG, nUnknowns_ - from, nColumns,
-                1.0, &s[at * n + at], nUnknowns_, &inverse_[at], nUnknowns_);
-  };
-  solve(Teuchos::NO_TRANS, firstColumn_);
-  solve(Teuchos::TRANS, 0);
 }
 
 int TipWindow::unknownOf(int point, int component) const {

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "spring_operator.hpp"
+#include "corridor.hpp"
 
 namespace pd {
 
-/// The stiffness of a body condensed onto the points of a window, as columns of its inverse G: once, at the cost of a
-/// factor of the whole. A spring that breaks, a support that is lost or added is one column of G each; the
+/// The stiffness of a body condensed onto the points of a window, as columns of its inverse G: once, from a corridor of
+/// the body that holds the window. A spring that breaks, a support that is lost or added is one column of G each; the
 /// displacements of the window's points are then those of the whole body in equilibrium, exactly (Woodbury's formula),
 /// at the cost of a few products. Every so many columns are worked into G. Points that are only read have rows of G,
 /// and no columns: nothing may change there. For springs along their bonds alone, in one piece, under loads and
@@ -21,9 +21,10 @@ class TipWindow {
  public:
   /// Why there can be none for such springs; empty where there can.
   static std::string obstacle(const SpringOperator& stiffness);
-  /// Condenses; `displacement` [3 nOwned] m: in equilibrium. Refers to the stiffness. Owned points, no point in both.
-  TipWindow(const SpringOperator& stiffness, const std::vector<int>& read, const std::vector<int>& changing,
-            const double* displacement);
+  /// Condenses; `displacement` [3 nOwned] m: in equilibrium. Refers to the stiffness. Owned points of the corridor, no
+  /// point in both.
+  TipWindow(const SpringOperator& stiffness, const Corridor& corridor, const std::vector<int>& read,
+            const std::vector<int>& changing, const double* displacement);
 
   /// What has stood in the way so far; nothing else of this may be used then. Empty where there is none.
   const std::string& trouble() const { return trouble_; }
@@ -53,8 +54,6 @@ class TipWindow {
     double elongation(const double* unknowns) const;
   };
 
-  void condense();
-  void invert(std::vector<double> s);
   void remember();
   double stiffnessOf(int i, int j) const;
   bool takeUpPoint(int point, const double* displacement);

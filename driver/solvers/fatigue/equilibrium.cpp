@@ -63,7 +63,7 @@ void Equilibrium::forgetHistory() {
 void Equilibrium::requireWindow(Simulation& simulation) {
   if (!window_) return;
   newton_.startIncrement(simulation.model);
-  EventWindow::require(*newton_.springs());
+  window_->start(*newton_.springs());
 }
 
 void Equilibrium::findSupports(Simulation& simulation) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,23 +14,14 @@ namespace {
 
 // A point tires where its worst bond loses life at no less than this part of the rate of the worst of all.
 constexpr double tiringShare = 0.1;
-// Points of a window: while it is made it takes 8 bytes for the square of twice as many.
-constexpr std::size_t usualPoints = 1700, usualWhereRead = 2600, mostPoints = 3600;
-// How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
-// look around the tip in directions that turn with it.
-constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 2.0;
-// It has more points than usual where it would else reach less far to its sides, and so serve few events.
-constexpr double leastReachInHorizons = 0.15;
-constexpr double longestBondInHorizons = 1.1;
-// Bonds of points that tire less than others break now and then, too, as far beside those.
-constexpr double changingBesideInHorizons = 0.35;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
 constexpr double mostStale = 3e-4;
 // What the whole body may differ from its window by, in parts of its displacements, beyond any tolerance of equilibria.
 constexpr double mostDistance = 1e-3;
-// A window that serves fewer events costs more than it saves; after so many of them no more are made.
-constexpr int worthwhile = 60, mostShort = 3;
+// A corridor that serves fewer events costs more than it saves, or a window of one; after so many of them, of windows
+// in a row, no more are made.
+constexpr int worthwhile = 60, worthwhileOfWindow = 8, mostShort = 3;
 
 double* lossRatesOf(Model& model) { return model.field(fields::lifeLossRate().label); }
 
@@ -39,13 +29,16 @@ double* lossRatesOf(Model& model) { return model.field(fields::lifeLossRate().la
 
 EventWindow::EventWindow() : interval_(firstInterval) {}
 
-void EventWindow::require(SpringTangent& springs) {
+void EventWindow::start(SpringTangent& springs) {
   if (const std::string obstacle = TipWindow::obstacle(springs.stiffness()); !obstacle.empty())
     throw RunError("Fatigue: \"Tip Window\" is of no use here: " + obstacle + "; leave it out");
+  springs.takeChangedPoints();
 }
 
+/// A corridor made again from its box, of a body outside that is as it was, is the same to the last bit.
 void EventWindow::forget() {
   window_.reset();
+  if (corridor_ && !corridor_->fitsAfter({})) dropCorridor();
   interval_ = firstInterval;
   isToJudge_ = false;
   nOfWindow_ = 0;
@@ -53,25 +46,34 @@ void EventWindow::forget() {
 }
 
 RestartState EventWindow::restartState() const {
-  return {{"misjudged life", misjudgedLife_}, {"given up", hasGivenUp_ ? 1.0 : 0.0}, {"short windows", 1.0 * nShort_}};
+  RestartState state{{"misjudged life", misjudgedLife_},          {"given up", hasGivenUp_ ? 1.0 : 0.0},
+                     {"short corridors", 1.0 * nShortCorridors_}, {"short windows", 1.0 * nShortWindows_},
+                     {"of corridor", 1.0 * nOfCorridor_},         {"has corridor", hasCorridor() ? 1.0 : 0.0}};
+  TipBox none;
+  none.low = none.high = {0.0, 0.0};
+  state.addPart("corridor", (hasCorridor() ? box_ : none).restartState());
+  return state;
 }
 
 void EventWindow::setRestartState(const RestartState& state) {
   misjudgedLife_ = state["misjudged life"];
   hasGivenUp_ = state["given up"] != 0.0;
-  nShort_ = static_cast<int>(state["short windows"]);
+  nShortCorridors_ = static_cast<int>(state["short corridors"]);
+  nShortWindows_ = static_cast<int>(state["short windows"]);
+  nOfCorridor_ = static_cast<int>(state["of corridor"]);
+  if (state["has corridor"] != 0.0) box_.setRestartState(state.part("corridor"));
 }
 
-EventWindow::Wanted EventWindow::wantedOf(Simulation& simulation) const {
+WindowNeeds EventWindow::needsOf(Simulation& simulation) {
   Model& model = simulation.model;
   const auto n = static_cast<std::size_t>(model.nOwned());
-  Wanted wanted{std::vector<char>(n, 0), std::vector<char>(n, 0), false};
+  WindowNeeds needs{std::vector<char>(n, 0), std::vector<char>(n, 0), false};
   const double* rate = lossRatesOf(model);
   const double worst = *std::max_element(rate, rate + n);
-  wanted.isAny = worst > 0.0;
-  for (std::size_t i = 0; i < n; ++i) wanted.tires[i] = rate[i] > 0.0 && rate[i] >= tiringShare * worst ? 1 : 0;
-  simulation.output.markRead(model, wanted.isRead);
-  return wanted;
+  needs.isAny = worst > 0.0;
+  for (std::size_t i = 0; i < n; ++i) needs.tires[i] = rate[i] > 0.0 && rate[i] >= tiringShare * worst ? 1 : 0;
+  simulation.output.markRead(model, needs.isRead);
+  return needs;
 }
 
 bool EventWindow::has(const std::vector<char>& isRead) const {
@@ -81,10 +83,10 @@ bool EventWindow::has(const std::vector<char>& isRead) const {
   return true;
 }
 
-bool EventWindow::holds(const Wanted& wanted) const {
-  for (std::size_t i = 0; i < wanted.tires.size(); ++i)
-    if (wanted.tires[i] != 0 && !window_->isInside(static_cast<int>(i))) return false;
-  return has(wanted.isRead);
+bool EventWindow::holds(const WindowNeeds& needs) const {
+  for (std::size_t i = 0; i < needs.tires.size(); ++i)
+    if (needs.tires[i] != 0 && !window_->isInside(static_cast<int>(i))) return false;
+  return has(needs.isRead);
 }
 
 bool EventWindow::loadsAreTheSame(Simulation& simulation, const std::vector<double>& externalForce) const {
@@ -101,6 +103,10 @@ bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std
   const std::vector<int> changed = springs.takeChangedPoints();
   nChanges_ += static_cast<double>(changed.size());
   judge(simulation);
+  if (corridor_ && !corridor_->fitsAfter(changed)) {
+    window_.reset();
+    dropCorridor();
+  }
   if (!window_) return false;
   if (!loadsAreTheSame(simulation, externalForce)) {
     window_.reset();
@@ -109,13 +115,13 @@ bool EventWindow::find(Simulation& simulation, SpringTangent& springs, const std
   }
   double* displacement = simulation.model.field("Displacement");
   const Timers::Scope timer(simulation.model.timers(), "window");
-  if (!holds(wantedOf(simulation)) || !window_->takeUp(changed, displacement) || !window_->solve(displacement)) {
-    window_.reset();
-    nShort_ += nOfWindow_ < worthwhile ? 1 : 0;
+  if (!holds(needsOf(simulation)) || !window_->takeUp(changed, displacement) || !window_->solve(displacement)) {
+    dropWindow();
     return false;
   }
   extrapolate(simulation.model);
   ++nOfWindow_;
+  ++nOfCorridor_;
   ++nFound_;
   ++nSinceWhole_;
   return true;
@@ -184,110 +190,57 @@ void EventWindow::giveUp(Simulation& simulation, const std::string& why) {
   simulation.output.log("Fatigue: no Tip Window from here on: " + why + "; events are solved in the whole body");
 }
 
-namespace {
-
-/// Along the way of the tip, and to its left.
-using Place = std::array<double, 2>;
-
-struct Box {
-  Place low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  bool isEmpty() const { return low[0] > high[0]; }
-  void add(const Place& place) {
-    for (std::size_t c = 0; c < 2; ++c) {
-      low[c] = std::min(low[c], place[c]);
-      high[c] = std::max(high[c], place[c]);
-    }
-  }
-  /// By which the box would have to grow to its sides to reach a place, `margin` beside it: it then grows by so many
-  /// times as much ahead and behind.
-  double distance(const Place& place, double margin, const Place& aheadAndBehind) const {
-    const double ahead = (place[0] - high[0] - margin) / aheadAndBehind[0];
-    const double behind = (low[0] - place[0] - margin) / aheadAndBehind[1];
-    return std::max({0.0, ahead, behind, low[1] - place[1] - margin, place[1] - high[1] - margin});
-  }
-};
-
-/// From the damaged to the intact ones of the points that tire; zero where that shows no direction.
-Place directionOf(Model& model, const std::vector<char>& tires, double horizon) {
-  const double *x = model.field("Model_Coordinates"), *damage = model.field("Damage");
-  Place middle{}, broken{};
-  double count = 0.0, weight = 0.0;
-  for (std::size_t i = 0; i < tires.size(); ++i) {
-    if (tires[i] == 0) continue;
-    for (std::size_t c = 0; c < 2; ++c) {
-      middle[c] += x[3 * i + c];
-      broken[c] += damage[i] * x[3 * i + c];
-    }
-    count += 1.0;
-    weight += damage[i];
-  }
-  if (weight <= 0.0) return {0.0, 0.0};
-  const double dx = middle[0] / count - broken[0] / weight, dy = middle[1] / count - broken[1] / weight;
-  const double length = std::hypot(dx, dy);
-  return length > 0.05 * horizon ? Place{dx / length, dy / length} : Place{0.0, 0.0};
+void EventWindow::dropWindow() {
+  window_.reset();
+  nShortWindows_ = nOfWindow_ < worthwhileOfWindow ? nShortWindows_ + 1 : 0;
 }
 
-}  // namespace
+void EventWindow::dropCorridor() {
+  corridor_.reset();
+  isInCorridor_.clear();
+  box_ = TipBox();
+  nShortCorridors_ += nOfCorridor_ < worthwhile ? 1 : 0;
+}
 
-/// The tip takes what is wanted with it as it grows: as far as the size of a window allows. Bonds break between points
-/// that tire, and perhaps between them and their neighbours.
-EventWindow::Places EventWindow::placesAround(Model& model, const Wanted& wanted) {
-  const std::size_t n = wanted.tires.size();
-  const double* x = model.field("Model_Coordinates");
-  const double horizon =
-      *std::max_element(model.discretization().horizon.begin(), model.discretization().horizon.end());
-  Place along = directionOf(model, wanted.tires, horizon);
-  const bool isDirected = along != Place{0.0, 0.0};
-  if (!isDirected) along = {1.0, 0.0};
-  std::vector<Place> places(n);
-  Box tiring, read;
-  for (std::size_t i = 0; i < n; ++i) {
-    places[i] = {x[3 * i] * along[0] + x[3 * i + 1] * along[1], x[3 * i + 1] * along[0] - x[3 * i] * along[1]};
-    if (wanted.tires[i] != 0) tiring.add(places[i]);
-    if (wanted.isRead[i] != 0) read.add(places[i]);
+/// Returns why there is none; empty where there is.
+std::string EventWindow::prepareCorridor(Model& model, const SpringOperator& stiffness, const WindowPlaces& places) {
+  if (hasCorridor() && isInCorridor_.empty()) isInCorridor_ = WindowPlaces::pointsIn(model, box_);
+  if (hasCorridor() && !places.fits(isInCorridor_)) dropCorridor();
+  if (corridor_) return "";
+  if (nShortCorridors_ >= mostShort) return "corridors have served too few events each";
+  const Timers::Scope timer(model.timers(), "corridor set-up");
+  if (!hasCorridor()) {
+    box_ = places.corridor();
+    isInCorridor_ = WindowPlaces::pointsIn(model, box_);
+    nOfCorridor_ = 0;
   }
-  const double bond = longestBondInHorizons * horizon;
-  const Place growth =
-      isDirected ? Place{read.isEmpty() ? aheadOfSides : aheadWhereRead, behindOfSides} : Place{1.0, 1.0};
-  std::vector<std::pair<double, int>> byDistance;
-  for (std::size_t i = 0; i < n; ++i)
-    byDistance.emplace_back(std::min(tiring.distance(places[i], bond, growth), read.distance(places[i], 0.0, growth)),
-                            static_cast<int>(i));
-  std::sort(byDistance.begin(), byDistance.end());
-  const std::size_t usual = read.isEmpty() ? usualPoints : usualWhereRead;
-  Places found;
-  double reach = 0.0;
-  std::vector<int> all;
-  for (const auto& [distance, point] : byDistance) {
-    if (distance > 0.0 && all.size() >= (distance > leastReachInHorizons * horizon ? usual : mostPoints)) break;
-    reach = distance;
-    all.push_back(point);
-  }
-  std::sort(all.begin(), all.end());
-  for (const int i : all) {
-    const bool mayChange =
-        tiring.distance(places[static_cast<std::size_t>(i)], changingBesideInHorizons * horizon, growth) <= reach;
-    (mayChange ? found.changing : found.read).push_back(i);
-  }
-  return found;
+  std::vector<int> points;
+  for (std::size_t i = 0; i < isInCorridor_.size(); ++i)
+    if (isInCorridor_[i] != 0) points.push_back(static_cast<int>(i));
+  corridor_ = std::make_unique<Corridor>(stiffness, points);
+  ++nCorridors_;
+  return corridor_->trouble();
 }
 
 void EventWindow::place(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce) {
   Model& model = simulation.model;
-  if (nShort_ >= mostShort) return giveUp(simulation, "windows have served too few events each");
-  const Wanted wanted = wantedOf(simulation);
-  if (!wanted.isAny) return;
-  const Places places = placesAround(model, wanted);
-  if (const std::size_t size = places.read.size() + places.changing.size(); size > mostPoints)
+  if (nShortWindows_ >= mostShort) return giveUp(simulation, "windows have served too few events each");
+  const WindowNeeds needs = needsOf(simulation);
+  if (!needs.isAny) return;
+  const WindowPlaces places(model, needs);
+  const SpringOperator& stiffness = springs.stiffness();
+  if (const std::string trouble = prepareCorridor(model, stiffness, places); !trouble.empty())
+    return giveUp(simulation, trouble);
+  const WindowPlaces::Points points = places.window(isInCorridor_);
+  if (points.size() > WindowPlaces::mostPoints)
     return giveUp(simulation,
                   fmt::format("it would have {} points, for the bonds that lose life and what computes look "
                               "at, and may have {}",
-                              size, mostPoints));
+                              points.size(), WindowPlaces::mostPoints));
   const Timers::Scope timer(model.timers(), "window set-up");
-  const SpringOperator& stiffness = springs.stiffness();
   springs.takeChangedPoints();
   const double* displacement = model.field("Displacement");
-  window_ = std::make_unique<TipWindow>(stiffness, places.read, places.changing, displacement);
+  window_ = std::make_unique<TipWindow>(stiffness, *corridor_, points.read, points.changing, displacement);
   if (!window_->trouble().empty()) {
     const std::string trouble = window_->trouble();
     window_.reset();
@@ -305,9 +258,11 @@ std::string EventWindow::summary(const std::string& solver) const {
   if (nFound_ == 0)
     return solver + ": no equilibrium in a window around the tip" + (hasGivenUp_ ? ": " + whyGivenUp_ : "");
   return fmt::format(
-      "{}: {} more equilibria in {} window(s) around the tip; lives outside, where strains were estimated for up to {} "
+      "{}: {} more equilibria in {} window(s) around the tip, of {} corridor(s); lives outside, where strains were "
+      "estimated for up to {} "
       "events, are off by {:.2g} of a life at most (estimates of each stretch, added up){}",
-      solver, nFound_, nPlaced_, longestInterval, misjudgedLife_, hasGivenUp_ ? "; then none: " + whyGivenUp_ : "");
+      solver, nFound_, nPlaced_, nCorridors_, longestInterval, misjudgedLife_,
+      hasGivenUp_ ? "; then none: " + whyGivenUp_ : "");
 }
 
 }  // namespace pd

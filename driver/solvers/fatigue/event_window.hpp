@@ -9,18 +9,20 @@
 #include "../../linear/springs/tip_window.hpp"
 #include "../../model/simulation.hpp"
 #include "../spring_tangent.hpp"
+#include "window_places.hpp"
 
 namespace pd {
 
 /// Places a TipWindow around the bonds that lose life and the points that computes look at, as far ahead of them as its
-/// size allows, and another one when they come to its sides. Outside, displacements go on from the last equilibrium of
+/// size allows, and another one when they come to its sides: of a corridor of the body, and of another one when they
+/// come to the sides of that. Outside, displacements go on from the last equilibrium of
 /// the whole body as they went to it, by the bonds that break. How much of a life that is off by is estimated at the
 /// next one, which comes the sooner the more it is.
 class EventWindow {
  public:
   EventWindow();
   /// Throws RunError where the bonds of the run are none that it is for.
-  static void require(SpringTangent& springs);
+  void start(SpringTangent& springs);
 
   /// Tries to find the equilibrium of `externalForce` [3 nOwned] in the window, and writes the displacements. False
   /// where it takes the whole body.
@@ -41,23 +43,21 @@ class EventWindow {
   std::string summary(const std::string& solver) const;
 
  private:
-  struct Wanted {
-    std::vector<char> tires, isRead;  ///< [nOwned]
-    bool isAny = false;
-  };
-  Wanted wantedOf(Simulation& simulation) const;
-  bool holds(const Wanted& wanted) const;
+  static WindowNeeds needsOf(Simulation& simulation);
+  bool holds(const WindowNeeds& needs) const;
   bool loadsAreTheSame(Simulation& simulation, const std::vector<double>& externalForce) const;
   void judge(Simulation& simulation);
   void extrapolate(Model& model);
   void place(Simulation& simulation, SpringTangent& springs, const std::vector<double>& externalForce);
   void giveUp(Simulation& simulation, const std::string& why);
-  /// Points of a window: those that are only read, and those where bonds may break.
-  struct Places {
-    std::vector<int> read, changing;
-  };
-  static Places placesAround(Model& model, const Wanted& wanted);
+  std::string prepareCorridor(Model& model, const SpringOperator& stiffness, const WindowPlaces& places);
+  bool hasCorridor() const { return !box_.isEmpty(); }
+  void dropCorridor();
+  void dropWindow();
 
+  TipBox box_;                          ///< of the corridor; empty: none
+  std::vector<char> isInCorridor_;      ///< [nOwned]; empty: not found out yet
+  std::unique_ptr<Corridor> corridor_;  ///< null after a restart
   std::unique_ptr<TipWindow> window_;
   std::vector<char> isInside_;              ///< [nOwned] of the last window: its points whose neighbours are all in it
   std::vector<double> force_, prescribed_;  ///< [3 nOwned] N/m3, m: when the window was made
@@ -73,8 +73,9 @@ class EventWindow {
   double misjudgedLife_ = 0.0;      ///< outside, parts of a life: at most, since the worst of each interval are added
   bool hasGivenUp_ = false;
   std::string whyGivenUp_ = "before the restart";
-  int nOfWindow_ = 0, nShort_ = 0;      ///< equilibria of this window; windows that were not worth it
-  long long nFound_ = 0, nPlaced_ = 0;  ///< over the run
+  int nOfWindow_ = 0, nOfCorridor_ = 0;                  ///< equilibria of this window, and of windows of this corridor
+  int nShortWindows_ = 0, nShortCorridors_ = 0;          ///< that were not worth it; windows: in a row
+  long long nFound_ = 0, nPlaced_ = 0, nCorridors_ = 0;  ///< over the run
 };
 
 }  // namespace pd
