@@ -35,13 +35,14 @@ void Equilibrium::declareParameters(ParameterDeclarations& declare) {
       .strictlyBetween(0.0, 1e-2);
   NewtonSettings::declareKinematics(declare);
   declare
-      .flag("Tip Window",
-            "In Small Strain, for cracks of many events: the stiffness of the body is condensed onto a window around "
-            "the tip, once and again when the tip has left it, which costs as much as some hundred events; an "
-            "equilibrium then takes a few milliseconds. All points are found in equilibrium where fields are written, "
-            "and every so many "
-            "events. For plane bodies of Elastic Bond Based, or PDHE with the Poisson's ratio of such bonds, on one "
-            "rank.")
+      .flag(
+          "Tip Window",
+          "In Small Strain, for cracks of many events: the stiffness of the body is condensed onto a corridor ahead of "
+          "the tip, once and again when the tip has left it, which costs as much as some hundred events; in a window "
+          "of the corridor an equilibrium then takes a few milliseconds. All points are found in equilibrium where "
+          "fields are written, and every so many events. For plane bodies of Elastic Bond Based, or PDHE with the "
+          "Poisson's ratio of such bonds, on one "
+          "rank.")
       .defaultTo(false);
   LinearSolverSettings::declareParameters(declare, {"None", "Jacobi", "Block Jacobi", "ILU", "Multigrid", "Two Level"});
 }

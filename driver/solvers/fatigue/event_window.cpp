@@ -17,6 +17,7 @@ constexpr double tiringShare = 0.1;
 constexpr int firstInterval = 8, longestInterval = 64;
 // Of a life: what bonds outside may be misjudged by from one equilibrium of the whole body to the next.
 constexpr double mostStale = 3e-4;
+constexpr double fastestFall = 0.125;  ///< of the interval
 // What the whole body may differ from its window by, in parts of its displacements, beyond any tolerance of equilibria.
 constexpr double mostDistance = 1e-3;
 // A corridor that serves fewer events costs more than it saves, or a window of one; after so many of them, of windows
@@ -35,23 +36,25 @@ void EventWindow::start(SpringTangent& springs) {
   springs.takeChangedPoints();
 }
 
-/// A corridor made again from its box, of a body outside that is as it was, is the same to the last bit.
 void EventWindow::forget() {
   window_.reset();
-  if (corridor_ && !corridor_->fitsAfter({})) dropCorridor();
+  if (!keepsCorridor()) clearCorridor();
   interval_ = firstInterval;
   isToJudge_ = false;
   nOfWindow_ = 0;
   whole_.clear();
 }
 
+/// Over a checkpoint: made again from its box, of a body outside that is as it was, it is the same to the last bit.
+bool EventWindow::keepsCorridor() const { return hasCorridor() && (!corridor_ || corridor_->fitsAfter({})); }
+
 RestartState EventWindow::restartState() const {
   RestartState state{{"misjudged life", misjudgedLife_},          {"given up", hasGivenUp_ ? 1.0 : 0.0},
                      {"short corridors", 1.0 * nShortCorridors_}, {"short windows", 1.0 * nShortWindows_},
-                     {"of corridor", 1.0 * nOfCorridor_},         {"has corridor", hasCorridor() ? 1.0 : 0.0}};
+                     {"of corridor", 1.0 * nOfCorridor_},         {"has corridor", keepsCorridor() ? 1.0 : 0.0}};
   TipBox none;
   none.low = none.high = {0.0, 0.0};
-  state.addPart("corridor", (hasCorridor() ? box_ : none).restartState());
+  state.addPart("corridor", (keepsCorridor() ? box_ : none).restartState());
   return state;
 }
 
@@ -153,7 +156,8 @@ void EventWindow::judge(Simulation& simulation) {
       most = std::max(most,
                       0.5 * staleCycles_ * std::abs(rate[i] - staleRates_[i]) / (1.0 + staleRates_[i] * staleCycles_));
   misjudgedLife_ += most;
-  if (most > mostStale) interval_ = std::max(1, interval_ / 2);
+  if (most > mostStale)
+    interval_ = std::max(1, static_cast<int>(interval_ * std::max(fastestFall, 0.5 * mostStale / most)));
   if (most < 0.25 * mostStale) interval_ = std::min(longestInterval, 2 * interval_);
 }
 
@@ -195,10 +199,14 @@ void EventWindow::dropWindow() {
   nShortWindows_ = nOfWindow_ < worthwhileOfWindow ? nShortWindows_ + 1 : 0;
 }
 
-void EventWindow::dropCorridor() {
+void EventWindow::clearCorridor() {
   corridor_.reset();
   isInCorridor_.clear();
   box_ = TipBox();
+}
+
+void EventWindow::dropCorridor() {
+  clearCorridor();
   nShortCorridors_ += nOfCorridor_ < worthwhile ? 1 : 0;
 }
 

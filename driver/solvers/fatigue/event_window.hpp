@@ -52,7 +52,9 @@ class EventWindow {
   void giveUp(Simulation& simulation, const std::string& why);
   std::string prepareCorridor(Model& model, const SpringOperator& stiffness, const WindowPlaces& places);
   bool hasCorridor() const { return !box_.isEmpty(); }
-  void dropCorridor();
+  bool keepsCorridor() const;
+  void clearCorridor();
+  void dropCorridor();  ///< and counts it
   void dropWindow();
 
   TipBox box_;                          ///< of the corridor; empty: none

@@ -9,11 +9,11 @@ namespace {
 // Points of a window.
 constexpr std::size_t usualPoints = 1700, usualWhereRead = 3000;
 // Points of a corridor: what it costs is by those of its rim.
-constexpr std::size_t corridorPoints = 6000;
+constexpr std::size_t corridorPoints = 8000;
 // How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
 // look around the tip in directions that turn with it.
 constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 1.0;
-constexpr double corridorAhead = 5.0, corridorBehind = 0.5;
+constexpr double corridorAhead = 4.0, corridorBehind = 0.5;
 // It has more points than usual where it would else reach less far to its sides, and so serve few events.
 constexpr double leastReachInHorizons = 0.15;
 // Where the direction of a tip is looked for.
@@ -21,6 +21,8 @@ constexpr double aroundInHorizons = 4.0;
 constexpr double longestBondInHorizons = 1.1;
 // Bonds of points that tire less than others break now and then, too, as far beside those.
 constexpr double changingBesideInHorizons = 0.35;
+// Where they may, and what costs most of a window, reaches to its sides by this part of what the window does.
+constexpr double changingOfSides = 0.5;
 
 }  // namespace
 
@@ -119,10 +121,12 @@ WindowPlaces::Points WindowPlaces::window(const std::vector<char>& corridor) con
   }
   std::sort(all.begin(), all.end());
   const double* x = model_.field("Model_Coordinates");
+  const TipBox::Place growth = {growth_[0] / changingOfSides, growth_[1]};
   Points found;
   for (const int i : all) {
     const TipBox::Place place = tiring_.placeOf(&x[3LL * i]);
-    const bool mayChange = tiring_.distance(place, changingBesideInHorizons * horizon_, growth_) <= reach;
+    const bool mayChange =
+        tiring_.distance(place, changingBesideInHorizons * horizon_, growth) <= changingOfSides * reach;
     (mayChange ? found.changing : found.read).push_back(i);
   }
   return found;
