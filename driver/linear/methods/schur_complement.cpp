@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "mumps_jobs.hpp"
 
@@ -62,14 +63,19 @@ InverseColumns columnsOfInverse(SymmetricEntries& matrix, const std::vector<int>
   begin(state, matrix, places);
   result.trouble = mumps::factor(state);
   const auto n = static_cast<std::size_t>(matrix.size);
-  std::vector<double> sides;
+  mumps::control(state, 20) = 3;  // sides are sparse, and substituted as such
+  std::vector<int> unknowns = columns, starts(mostSides + 1);
+  std::iota(starts.begin(), starts.end(), 1);
+  std::vector<double> ones(mostSides, 1.0), sides;
   for (std::size_t first = 0; result.trouble.empty() && first < columns.size(); first += mostSides) {
     const std::size_t count = std::min(mostSides, columns.size() - first);
     sides.assign(count * n, 0.0);
-    for (std::size_t k = 0; k < count; ++k) sides[k * n + static_cast<std::size_t>(columns[first + k]) - 1] = 1.0;
-    state.rhs = sides.data();
-    state.nrhs = static_cast<MUMPS_INT>(count);
+    state.nrhs = state.nz_rhs = static_cast<MUMPS_INT>(count);
     state.lrhs = static_cast<MUMPS_INT>(n);
+    state.rhs = sides.data();
+    state.rhs_sparse = ones.data();
+    state.irhs_sparse = &unknowns[first];
+    state.irhs_ptr = starts.data();
     mumps::control(state, 27) = static_cast<int>(count);  // all of them at a time
     mumps::run(state, mumps::substitute);
     if (state.infog[0] < 0) result.trouble = fmt::format("MUMPS ended with INFOG(1) = {}", state.infog[0]);

@@ -9,7 +9,7 @@ namespace {
 // Points of a window.
 constexpr std::size_t usualPoints = 1700, usualWhereRead = 3000;
 // Points of a corridor: what it costs is by those of its rim.
-constexpr std::size_t corridorPoints = 8000;
+constexpr std::size_t corridorPoints = 5000, corridorWhereRead = 8000;
 // How many times farther it reaches ahead of the tip, and behind it, than to its sides; less far ahead where computes
 // look around the tip in directions that turn with it.
 constexpr double aheadOfSides = 12.0, aheadWhereRead = 4.0, behindOfSides = 1.0;
@@ -152,7 +152,7 @@ TipBox WindowPlaces::corridor() const {
   std::vector<double> distances;
   for (std::size_t i = 0; i < reach_.size(); ++i)
     distances.push_back(box.distance(box.placeOf(&x[3 * i]), 0.0, growth));
-  const std::size_t last = std::min(corridorPoints, distances.size()) - 1;
+  const std::size_t last = std::min(read_.isEmpty() ? corridorPoints : corridorWhereRead, distances.size()) - 1;
   std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(last), distances.end());
   const double reach = distances[last];
   box.grow(growth[0] * reach, growth[1] * reach, reach);
