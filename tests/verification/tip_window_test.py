@@ -11,7 +11,8 @@ from cracked_plate import CRACK, HEIGHT, SPACING, THICKNESS, cracked_plate  # no
 from lattices import lattice_points  # noqa: E402
 from scene import SceneTest, lattice  # noqa: E402
 
-WIDTH = 160e-3  # more points than a window has
+WIDTH = 110e-3  # more points than a window has
+LONG = 340e-3  # more than a corridor has
 
 
 def used(result):
@@ -77,7 +78,7 @@ class TipWindow(SceneTest):
         self.compare(deck, ("Energy",))
 
     def test_the_end_of_a_body_that_carries_nothing_is_seen(self):
-        deck = self.deck(crack=152e-3)
+        deck = self.deck(crack=WIDTH - 8e-3)
         del deck["Solver"]["Fatigue"]["Stop When"]
         ends = []
         for window in (True, False):
@@ -101,8 +102,11 @@ class TipWindow(SceneTest):
         self.assertLess(np.max(np.abs(first - exact)[broken] / exact[broken]), stated + 1e-5)
         self.assertLess(stated, 1.0)
 
+    def test_of_a_corridor_that_is_a_part_of_the_body_the_same_bonds_fail(self):
+        self.compare(self.deck(width=LONG, columns=2.2))
+
     def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
-        deck = self.deck()
+        deck = self.deck(width=LONG)
         deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 9,
                            "Checkpoint Frequency": 9}
         whole = self.solve(deck)
