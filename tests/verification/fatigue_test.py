@@ -234,11 +234,10 @@ class CrackedPlate(SceneTest):
                   "Horizon": 3.015 * SPACING, "Spacing": SPACING, "Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3,
                   "Plane Stress": True, "Thickness": THICKNESS}
 
-        def history(range_of_k, cycles):
+        def history(range_of_k):
             intensity = {"Energy Release Rate": "J", "Effective Modulus": 200e9, "Range": range_of_k}
             deck = cracked_plate(self, solver={"Stress Intensity": intensity,
-                                               "Stop When": {"Value": "Length", "Reaches": CRACK + 5.9 * SPACING}},
-                                 final_time=cycles)
+                                               "Stop When": {"Value": "Length", "Reaches": CRACK + 5.9 * SPACING}})
             deck["Damage Models"]["Breakage"] = damage
             deck["Compute Class Parameters"]["Tip"] = {"Compute Class": "Crack_Tip", "Start X": 0.0, "Start Y": 0.0,
                                                        "Output Label": "Tip"}
@@ -249,13 +248,14 @@ class CrackedPlate(SceneTest):
             return self.solve(deck).history()
 
         def rate(range_of_k):
-            found = history(range_of_k, 1e9)
+            found = history(range_of_k)
             grown = np.interp([0.010, 0.013], found["Length"], found["time"])
             return 0.003 / (grown[1] - grown[0])
 
         # 20 times as fast at twice the range, 4 times without a threshold; a plate of six horizons between its grips
         self.assertAlmostEqual(rate(14e6) / rate(7e6) / (9.0 / 2.0)**2, 1.0, delta=0.15)
-        self.assertEqual(history(3.5e6, 1e9)["Length"][-1], history(3.5e6, 1.0)["Length"][-1])
+        standing = history(3.5e6)["Length"]
+        self.assertEqual(standing[-1], standing[0])
 
     def test_loads_follow_the_length_of_the_crack(self):
         peak = {"Crack Length": "Length", "Peak": "exp(200*(a - 0.008))"}
