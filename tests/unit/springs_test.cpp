@@ -355,7 +355,7 @@ INSTANTIATE_TEST_SUITE_P(
              "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.0, Plane Stress: true, Thickness: 1.0, "
              "Surface Correction: Volume Method}"},
         Body{"LargeTwoParametersJittered",
-             {70, 40, 1, 4.01},
+             {40, 30, 1, 4.01},
              0.4,
              0.05,
              "{Material Model: PDHE, Young's Modulus: 1.0, Poisson's Ratio: 0.29, Plane Stress: true, Thickness: 1.0}"},
