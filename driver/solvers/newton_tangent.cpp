@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../model/collective.hpp"
+#include "../model/rates.hpp"
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "newton.hpp"
@@ -39,17 +40,6 @@ class FamilyCouplingProbe : public PeridigmNS::SerialMatrix {
   std::vector<int> centres_;
   bool isCoupled_ = false;
 };
-
-/// Whether a material writes fields each time that it computes forces (as Elastic does the dilatation).
-bool someMaterialDerivesFields(Model& model) {
-  bool someone = false;
-  for (PeridigmNS::Block& block : *model.blocks()) {
-    const FieldTable fields = fieldsIn(*block.getMaterialModel());
-    for (const FieldUse& use : fields.uses())
-      someone = someone || (use.access == FieldAccess::Writes && use.ghosts != Ghosts::AfterInitialize);
-  }
-  return someone;
-}
 
 // A first guess at how far the tangent changes with the displacements of a load step: strains of metals.
 constexpr double firstNonlinearity = 1e-3;
@@ -188,7 +178,7 @@ void Newton::chooseTangent(Model& model) {
   const Timers::Scope timer(model.timers(), "springs");
   springs_ = std::make_unique<SpringTangent>(model, settings_.hasSmallStrain);
   springs_->hold(isHeld_);
-  derivesFields_ = model.comm().any(someMaterialDerivesFields(model));
+  derivesFields_ = model.comm().any(std::any_of(model.blocks()->begin(), model.blocks()->end(), derivesFields));
 }
 
 void Newton::startIncrement(Model& model) {
