@@ -38,6 +38,25 @@ const LinearBonds* linearBondsOf(Block& block) {
   return dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
 }
 
+/// Writes the springs of a block where those of its points belong among all.
+void putInOrder(const Discretization& points, const NeighborhoodData& list, const LinearSprings& own,
+                LinearSprings& all) {
+  if (!own.across.empty()) all.across.resize(all.along.size(), 0.0);
+  if (!own.dilatational.empty()) all.dilatational.resize(static_cast<std::size_t>(points.nOwned), 0.0);
+  std::ptrdiff_t from = 0;
+  const int* at = list.NeighborhoodList();
+  for (int p = 0; p < list.NumOwnedPoints(); ++p) {
+    const auto point = static_cast<std::size_t>(list.OwnedIDs()[p]);
+    const int count = *at;
+    at += count + 1;
+    const auto to = static_cast<std::ptrdiff_t>(points.neighborhoodStart[point]) - list.OwnedIDs()[p];
+    std::copy_n(own.along.begin() + from, count, all.along.begin() + to);
+    if (!own.across.empty()) std::copy_n(own.across.begin() + from, count, all.across.begin() + to);
+    if (!own.dilatational.empty()) all.dilatational[point] = own.dilatational[static_cast<std::size_t>(p)];
+    from += count;
+  }
+}
+
 }  // namespace
 
 std::string SpringTangent::obstacle(Model& model) {
@@ -61,33 +80,25 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
   const Discretization& points = model.discretization();
   LinearSprings all;
   const auto nBonds = static_cast<std::size_t>(points.nBonds());
-  all.along.assign(nBonds, 0.0);
-  all.dilatational.assign(static_cast<std::size_t>(points.nOwned), 0.0);
+  // Millions of bonds: what the one block of a body gives is taken as it is.
+  const bool isOne = model.blocks()->size() == 1;
+  if (!isOne) all.along.assign(nBonds, 0.0);
   for (Block& block : *model.blocks()) {
     if (!hasForce(block)) continue;
     const LinearBonds& bonds = *linearBondsOf(block);
-    if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
     const auto list = block.getNeighborhoodData();
-    if (list->NumOwnedPoints() == 0) continue;
-    const LinearSprings own =
-        bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
-    if (!own.across.empty()) all.across.resize(nBonds, 0.0);
-    std::size_t from = 0;
-    const int* at = list->NeighborhoodList();
-    for (int p = 0; p < list->NumOwnedPoints(); ++p) {
-      const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
-      const auto count = static_cast<std::size_t>(*at);
-      at += count + 1;
-      const std::size_t to = static_cast<std::size_t>(points.neighborhoodStart[point]) - point;
-      std::copy_n(own.along.begin() + static_cast<std::ptrdiff_t>(from), count,
-                  all.along.begin() + static_cast<std::ptrdiff_t>(to));
-      if (!own.across.empty())
-        std::copy_n(own.across.begin() + static_cast<std::ptrdiff_t>(from), count,
-                    all.across.begin() + static_cast<std::ptrdiff_t>(to));
-      if (!own.dilatational.empty()) all.dilatational[point] = own.dilatational[static_cast<std::size_t>(p)];
-      from += count;
+    if (list->NumOwnedPoints() > 0) {
+      LinearSprings own =
+          bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
+      if (isOne)
+        all = std::move(own);
+      else
+        putInOrder(points, *list, own, all);
     }
+    if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
   }
+  all.along.resize(nBonds, 0.0);
+  all.dilatational.resize(static_cast<std::size_t>(points.nOwned), 0.0);
   // Other ranks may have blocks of another kind.
   if (model.comm().any(!all.across.empty())) all.across.resize(nBonds, 0.0);
   return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
