@@ -361,7 +361,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     result = search();
   }
   // Nor is a coarse level the last word that is of bonds that have broken since.
-  if (!product && nChanges_ > 0 && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
+  if (nChanges_ > 0 && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
     rebuildLevels();
     result = search();
   }
