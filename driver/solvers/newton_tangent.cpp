@@ -212,10 +212,11 @@ void Newton::makeTangent(Simulation& simulation, double dt) {
 /// Both parts of a place are rounded, and a body may move far from where it was made: what counts is where it is now.
 void Newton::findFarthest(Model& model) {
   const double *x = model.field("Model_Coordinates"), *displacement = model.field(fields_.displacement);
-  farthest_ = 0.0;
-  for (std::size_t i = 0; i < isHeld_.size(); ++i)
-    farthest_ = std::max(farthest_, std::abs(x[i]) + std::abs(displacement[i]));
-  farthest_ = model.comm().max(farthest_);
+  std::array<double, 3> farthest{};  // by component: none waits for another
+  for (std::size_t i = 0; i < isHeld_.size(); i += 3)
+    for (std::size_t d = 0; d < 3; ++d)
+      farthest[d] = std::max(farthest[d], std::abs(x[i + d]) + std::abs(displacement[i + d]));
+  farthest_ = model.comm().max(std::max({farthest[0], farthest[1], farthest[2]}));
 }
 
 double Newton::roundOff() const { return std::numeric_limits<double>::epsilon() * farthest_ * normOfDiagonal_; }
@@ -223,7 +224,7 @@ double Newton::roundOff() const { return std::numeric_limits<double>::epsilon() 
 void Newton::springForce(Model& model) {
   chooseTangent(model);
   const Timers::Scope timer(model.timers(), "force of springs", model.nBonds());
-  springs_->force(model.field(fields_.displacement), model.field(fields_.force));
+  springs_->force(model.field(fields_.displacement), model.field(fields_.force), forceError_);
 }
 
 /// What materials derive from displacements beside forces follows from theirs; the forces are those of the springs

@@ -123,7 +123,7 @@ SpringTangent::SpringTangent(Model& model, bool isBody)
       bond += static_cast<std::size_t>(*at);
     }
   }
-  for (PointVector<double>* vector : {&right_, &solution_, &full_, &knownImage_})
+  for (PointVector<double>* vector : {&right_, &solution_, &full_, &change_, &knownImage_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
   single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
 }
@@ -268,47 +268,76 @@ void SpringTangent::rebuildLevels() {
   mustRebuild_ = false;
 }
 
+void SpringTangent::toSinglePrecision(const PointVector<double>& x, double factor) {
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < model_.nOwned(); ++i) single_[c][i] = static_cast<float>(factor * x[c][i]);
+}
+
 void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
   const int n = model_.nOwned();
   const double largest = model_.comm().max(largestSize(x, n));
   const double scale = largest > 0.0 ? largest : 1.0;
-  for (int c = 0; c < x.nComponents(); ++c)
-    for (int i = 0; i < n; ++i) single_[c][i] = static_cast<float>(x[c][i] / scale);
+  toSinglePrecision(x, 1.0 / scale);
   stiffness_.apply(single_, singleImage_);
   for (int c = 0; c < x.nComponents(); ++c)
     for (int i = 0; i < n; ++i) y[c][i] = scale * static_cast<double>(singleImage_[c][i]);
 }
 
-void SpringTangent::force(const double* displacement, double* forceDensity) {
+void SpringTangent::force(const double* displacement, double* forceDensity, double mostError) {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
   const auto n = static_cast<std::size_t>(model_.nOwned());
   std::fill(forceDensity, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i) full_[c][i] = displacement[3 * i + static_cast<std::size_t>(c)];
-  applyToDisplacement();
+  applyToDisplacement(mostError);
   const double* volume = model_.field("Volume");
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i)
       forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * knownImage_[c][i] / volume[i];
 }
 
-void SpringTangent::applyToDisplacement() {
+void SpringTangent::applyToDisplacement(double mostError) {
   const auto n = static_cast<std::size_t>(model_.nOwned());
   bool isSame = knowsImage_ && !stiffness_.isDistributed() && changedSince_.size() <= n / mostOfChanged;
   for (int c = 0; c < network_.dimension() && isSame; ++c)
     isSame = std::equal(full_[c], full_[c] + n, knownDisplacement_[c]);
-  if (!isSame) {
-    knownDisplacement_ = full_;
-    stiffness_.applyToAll(full_, knownImage_);
-    knownResponses_ = stiffness_.responses();
-  } else if (!changedSince_.empty()) {
+  if (isSame && !changedSince_.empty()) {
     std::sort(changedSince_.begin(), changedSince_.end());
     changedSince_.erase(std::unique(changedSince_.begin(), changedSince_.end()), changedSince_.end());
     stiffness_.updateAll(changedSince_, full_, knownResponses_, knownImage_);
+  } else if (!isSame && !followDisplacement(mostError)) {
+    knownDisplacement_ = full_;
+    stiffness_.applyToAll(full_, knownImage_);
+    knownResponses_ = stiffness_.responses();
+    knownError_ = 0.0;
   }
   changedSince_.clear();
   knowsImage_ = true;
+}
+
+bool SpringTangent::followDisplacement(double mostError) {
+  if (mostError <= 0.0 || model_.comm().any(!knowsImage_ || !changedSince_.empty())) return false;
+  const int n = model_.nOwned();
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < n; ++i) change_[c][i] = full_[c][i] - knownDisplacement_[c][i];
+  const double largest = model_.comm().max(largestSize(change_, n));
+  if (largest == 0.0) return true;
+  // Each sum of a point's springs is off by no more than what rounding makes of the largest displacement.
+  const double error = std::numeric_limits<float>::epsilon() * largest * normOfDiagonal_;
+  if (!(error > 0.0 && knownError_ + error <= mostError)) return false;
+  knownError_ += error;
+  toSinglePrecision(change_, 1.0 / largest);
+  stiffness_.applyToAll(single_, singleImage_);
+  const PointVector<float>& responses = stiffness_.responses<float>();
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < n; ++i) {
+      knownImage_[c][i] += largest * static_cast<double>(singleImage_[c][i]);
+      knownDisplacement_[c][i] = full_[c][i];
+    }
+  for (int c = 0; c < responses.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) knownResponses_[c][i] += largest * static_cast<double>(responses[c][i]);
+  return true;
 }
 
 void SpringTangent::copyForceToBlocks() {
