@@ -2,7 +2,7 @@
 #ifndef PD_BOND_MECHANICS_HPP
 #define PD_BOND_MECHANICS_HPP
 
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "Peridigm_DataManager.hpp"
@@ -94,7 +94,8 @@ class BondMechanics {
   kernels::TangentialForm form_ = kernels::TangentialForm::Objective;
   SurfaceCorrection surfaceCorrection_ = SurfaceCorrection::None;
   Fields fields_;
-  mutable std::map<double, double> wholeFamilyVolumes_;  ///< by volume of the point
+  /// By volume of the point: of a mesh, many that differ by rounding.
+  mutable std::unordered_map<double, double> wholeFamilyVolumes_;
   mutable NeighborhoodCache<Cache> caches_;
 };
 

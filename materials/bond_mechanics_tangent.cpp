@@ -202,7 +202,8 @@ LinearSprings BondMechanics::springs(const Call& call, PeridigmNS::DataManager& 
   LinearSprings result;
   result.family = springFamily();
   std::size_t nBonds = 0;
-  forEachBond(call, [&](int, int, std::size_t) { ++nBonds; });
+  const int* entry = call.neighborhoodList;
+  for (int p = 0; p < call.nOwned; ++p, entry += *entry + 1) nBonds += static_cast<std::size_t>(*entry);
   result.along.reserve(nBonds);
   if (constants_.tangential != 0.0) result.across.reserve(nBonds);
   forEachBond(call, [&](int i, int j, std::size_t index) {

@@ -14,6 +14,7 @@
 #include "field_names.hpp"
 #include "for_each_plugin.hpp"
 #include "influence.hpp"
+#include "linear_bonds.hpp"
 #include "rates.hpp"
 #include "run_notes.hpp"
 #include "share_bringer.hpp"
@@ -136,6 +137,21 @@ void checkBringersOfShares(const Deck& deck, std::vector<Block>& blocks, bool is
                               first->getName() + ", or the same in another order or by another rule" + remedy);
   }
   mistakes.report();
+}
+
+/// Whether no point has moved, and all that carries load are springs, which then are without force. Collective.
+bool isAtRest(Model& model) {
+  const double* displacement = model.field("Displacement");
+  const bool hasMoved =
+      std::any_of(displacement, displacement + 3LL * model.nOwned(), [](double value) { return value != 0.0; });
+  const int force = fields::forceDensity().id();
+  const bool mayPush = std::any_of(model.blocks()->begin(), model.blocks()->end(), [&](Block& block) {
+    const auto ids = block.getMaterialModel()->FieldIds();
+    if (std::find(ids.begin(), ids.end(), force) == ids.end()) return false;
+    const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
+    return bonds == nullptr || !bonds->springsObstacle().empty() || derivesFields(block);
+  });
+  return !model.comm().any(hasMoved || mayPush);
 }
 
 }  // namespace
@@ -350,7 +366,7 @@ void Model::initialize() {
   synchronise({toSynchronise.begin(), toSynchronise.end()});
   adoptState();
   evaluateDamage(0.0);
-  if (hasMechanics()) evaluateForce(0.0);
+  if (hasMechanics() && !isAtRest(*this)) evaluateForce(0.0);  // else they stay zero, as they were allocated
   for (const std::string& label : summedFields(*blocks_))
     if (label != "Force_Density") evaluateFluxDivergence(0.0, label);
   restoreHistories();

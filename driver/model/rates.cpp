@@ -1,5 +1,6 @@
 #include "rates.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "Peridigm_Field.hpp"
@@ -35,6 +36,13 @@ std::vector<std::string> fieldsWithRates(std::vector<Block>& blocks) {
         ids.insert(FieldManager::self().getFieldId(use.field.rateOf));
   }
   return labelsOf(ids);
+}
+
+bool derivesFields(Block& block) {
+  const FieldTable fields = fieldsIn(*block.getMaterialModel());
+  return std::any_of(fields.uses().begin(), fields.uses().end(), [](const FieldUse& use) {
+    return use.access == FieldAccess::Writes && use.ghosts != Ghosts::AfterInitialize;
+  });
 }
 
 }  // namespace pd

@@ -12,6 +12,8 @@ namespace {
 
 // A tangent is made anew where it reduces the residual by less than this in one iteration.
 constexpr double goodReduction = 0.3;
+// Of the unbalanced force that is enough.
+constexpr double negligibleError = 1e-2;
 // In a row, with products by difference quotients: then the matrix is made after all.
 constexpr int mostPoorSteps = 3;
 
@@ -147,8 +149,8 @@ void Newton::followHeldPoints(Simulation& simulation, double dt, const std::vect
   largest = model.comm().max(largest);
   if (largest == 0.0) return;
   // The forces that the held points would cause if the body were linear, by a small part of their motion: strains of
-  // 1e-6 keep both nonlinear terms and round-off near 1e-6 of them.
-  const double part = 1e-6 * model.discretization().shortestBond / largest;
+  // 1e-6 keep both nonlinear terms and round-off near 1e-6 of them. Springs are linear.
+  const double part = settings_.hasSmallStrain ? 1.0 : 1e-6 * model.discretization().shortestBond / largest;
   std::copy(start, start + n, displacement);
   evaluate(simulation, dt, externalForce);
   const std::vector<double> atStart = residual_;
@@ -182,7 +184,6 @@ double Newton::search(Simulation& simulation, double dt, const std::vector<doubl
 NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector<double>& externalForce,
                             double largestScale) {
   NewtonOutcome outcome;
-  findFarthest(simulation.model);
   Balance balance = evaluate(simulation, dt, externalForce);
   bool tangentIsNew = false;
   int nPoorSteps = 0;
@@ -190,6 +191,7 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
     outcome.residuals.push_back(balance.free);
     outcome.scale = std::max(balance.scale, largestScale);
     const double asked = std::max(settings_.relativeTolerance * outcome.scale, settings_.absoluteTolerance);
+    if (iteration == 0 && balance.free > asked) findFarthest(simulation.model);
     const bool mayGoOn = std::isfinite(balance.free) && iteration < settings_.maximumIterations;
     if (!hasTangent_ && mayGoOn && balance.free > asked) {  // first: what rounding does follows from it
       makeTangent(simulation, dt);
@@ -217,6 +219,7 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
                       report.method, preconditionerName(), report.relativeResidual, report.iterations);
       return outcome;
     }
+    forceError_ = negligibleError * asked;
     const double reduction = search(simulation, dt, externalForce, balance);
     ++nIterations;
     learn(reduction, report.relativeResidual);

@@ -63,6 +63,7 @@ class Newton {
   /// What follows is to follow from the state of the model alone, as in a run that is taken up from a checkpoint of it:
   /// what springs are kept with is made anew from the bonds that there are.
   void forgetHistory() {
+    forceError_ = 0.0;
     if (springs_) springs_->forgetHistory();
   }
   /// Throws RunError where the settings ask for springs, and the materials have none.
@@ -152,6 +153,7 @@ class Newton {
   std::vector<SlackDirection> slack_;    ///< of the last matrix
   bool hasTangent_ = false, couplesFamilies_ = false, hasProbed_ = false;
   double normOfDiagonal_ = 0.0;  ///< N/m: of the last tangent
+  double forceError_ = 0.0;      ///< N: that the forces of springs may have
   double farthest_ = 0.0;        ///< m: of any coordinate, in the reference configuration and displacement together
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../model/collective.hpp"
+#include "../model/rates.hpp"
 #include "Peridigm_DegreesOfFreedomManager.hpp"
 #include "Peridigm_Field.hpp"
 #include "newton.hpp"
@@ -39,17 +40,6 @@ class FamilyCouplingProbe : public PeridigmNS::SerialMatrix {
   std::vector<int> centres_;
   bool isCoupled_ = false;
 };
-
-/// Whether a material writes fields each time that it computes forces (as Elastic does the dilatation).
-bool someMaterialDerivesFields(Model& model) {
-  bool someone = false;
-  for (PeridigmNS::Block& block : *model.blocks()) {
-    const FieldTable fields = fieldsIn(*block.getMaterialModel());
-    for (const FieldUse& use : fields.uses())
-      someone = someone || (use.access == FieldAccess::Writes && use.ghosts != Ghosts::AfterInitialize);
-  }
-  return someone;
-}
 
 // A first guess at how far the tangent changes with the displacements of a load step: strains of metals.
 constexpr double firstNonlinearity = 1e-3;
@@ -188,7 +178,7 @@ void Newton::chooseTangent(Model& model) {
   const Timers::Scope timer(model.timers(), "springs");
   springs_ = std::make_unique<SpringTangent>(model, settings_.hasSmallStrain);
   springs_->hold(isHeld_);
-  derivesFields_ = model.comm().any(someMaterialDerivesFields(model));
+  derivesFields_ = model.comm().any(std::any_of(model.blocks()->begin(), model.blocks()->end(), derivesFields));
 }
 
 void Newton::startIncrement(Model& model) {
@@ -222,10 +212,11 @@ void Newton::makeTangent(Simulation& simulation, double dt) {
 /// Both parts of a place are rounded, and a body may move far from where it was made: what counts is where it is now.
 void Newton::findFarthest(Model& model) {
   const double *x = model.field("Model_Coordinates"), *displacement = model.field(fields_.displacement);
-  farthest_ = 0.0;
-  for (std::size_t i = 0; i < isHeld_.size(); ++i)
-    farthest_ = std::max(farthest_, std::abs(x[i]) + std::abs(displacement[i]));
-  farthest_ = model.comm().max(farthest_);
+  std::array<double, 3> farthest{};  // by component: none waits for another
+  for (std::size_t i = 0; i < isHeld_.size(); i += 3)
+    for (std::size_t d = 0; d < 3; ++d)
+      farthest[d] = std::max(farthest[d], std::abs(x[i + d]) + std::abs(displacement[i + d]));
+  farthest_ = model.comm().max(std::max({farthest[0], farthest[1], farthest[2]}));
 }
 
 double Newton::roundOff() const { return std::numeric_limits<double>::epsilon() * farthest_ * normOfDiagonal_; }
@@ -233,7 +224,7 @@ double Newton::roundOff() const { return std::numeric_limits<double>::epsilon() 
 void Newton::springForce(Model& model) {
   chooseTangent(model);
   const Timers::Scope timer(model.timers(), "force of springs", model.nBonds());
-  springs_->force(model.field(fields_.displacement), model.field(fields_.force));
+  springs_->force(model.field(fields_.displacement), model.field(fields_.force), forceError_);
 }
 
 /// What materials derive from displacements beside forces follows from theirs; the forces are those of the springs

@@ -38,6 +38,25 @@ const LinearBonds* linearBondsOf(Block& block) {
   return dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
 }
 
+/// Writes the springs of a block where those of its points belong among all.
+void putInOrder(const Discretization& points, const NeighborhoodData& list, const LinearSprings& own,
+                LinearSprings& all) {
+  if (!own.across.empty()) all.across.resize(all.along.size(), 0.0);
+  if (!own.dilatational.empty()) all.dilatational.resize(static_cast<std::size_t>(points.nOwned), 0.0);
+  std::ptrdiff_t from = 0;
+  const int* at = list.NeighborhoodList();
+  for (int p = 0; p < list.NumOwnedPoints(); ++p) {
+    const auto point = static_cast<std::size_t>(list.OwnedIDs()[p]);
+    const int count = *at;
+    at += count + 1;
+    const auto to = static_cast<std::ptrdiff_t>(points.neighborhoodStart[point]) - list.OwnedIDs()[p];
+    std::copy_n(own.along.begin() + from, count, all.along.begin() + to);
+    if (!own.across.empty()) std::copy_n(own.across.begin() + from, count, all.across.begin() + to);
+    if (!own.dilatational.empty()) all.dilatational[point] = own.dilatational[static_cast<std::size_t>(p)];
+    from += count;
+  }
+}
+
 }  // namespace
 
 std::string SpringTangent::obstacle(Model& model) {
@@ -61,33 +80,25 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
   const Discretization& points = model.discretization();
   LinearSprings all;
   const auto nBonds = static_cast<std::size_t>(points.nBonds());
-  all.along.assign(nBonds, 0.0);
-  all.dilatational.assign(static_cast<std::size_t>(points.nOwned), 0.0);
+  // Millions of bonds: what the one block of a body gives is taken as it is.
+  const bool isOne = model.blocks()->size() == 1;
+  if (!isOne) all.along.assign(nBonds, 0.0);
   for (Block& block : *model.blocks()) {
     if (!hasForce(block)) continue;
     const LinearBonds& bonds = *linearBondsOf(block);
-    if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
     const auto list = block.getNeighborhoodData();
-    if (list->NumOwnedPoints() == 0) continue;
-    const LinearSprings own =
-        bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
-    if (!own.across.empty()) all.across.resize(nBonds, 0.0);
-    std::size_t from = 0;
-    const int* at = list->NeighborhoodList();
-    for (int p = 0; p < list->NumOwnedPoints(); ++p) {
-      const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
-      const auto count = static_cast<std::size_t>(*at);
-      at += count + 1;
-      const std::size_t to = static_cast<std::size_t>(points.neighborhoodStart[point]) - point;
-      std::copy_n(own.along.begin() + static_cast<std::ptrdiff_t>(from), count,
-                  all.along.begin() + static_cast<std::ptrdiff_t>(to));
-      if (!own.across.empty())
-        std::copy_n(own.across.begin() + static_cast<std::ptrdiff_t>(from), count,
-                    all.across.begin() + static_cast<std::ptrdiff_t>(to));
-      if (!own.dilatational.empty()) all.dilatational[point] = own.dilatational[static_cast<std::size_t>(p)];
-      from += count;
+    if (list->NumOwnedPoints() > 0) {
+      LinearSprings own =
+          bonds.springs({list->NumOwnedPoints(), list->OwnedIDs(), list->NeighborhoodList()}, *block.getDataManager());
+      if (isOne)
+        all = std::move(own);
+      else
+        putInOrder(points, *list, own, all);
     }
+    if (bonds.springFamily() != LinearSprings::Family::None) all.family = bonds.springFamily();
   }
+  all.along.resize(nBonds, 0.0);
+  all.dilatational.resize(static_cast<std::size_t>(points.nOwned), 0.0);
   // Other ranks may have blocks of another kind.
   if (model.comm().any(!all.across.empty())) all.across.resize(nBonds, 0.0);
   return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
@@ -112,7 +123,7 @@ SpringTangent::SpringTangent(Model& model, bool isBody)
       bond += static_cast<std::size_t>(*at);
     }
   }
-  for (PointVector<double>* vector : {&right_, &solution_, &full_, &knownImage_})
+  for (PointVector<double>* vector : {&right_, &solution_, &full_, &change_, &knownImage_})
     *vector = PointVector<double>(model.nPoints(), network_.dimension());
   single_ = singleImage_ = PointVector<float>(model.nPoints(), network_.dimension());
 }
@@ -257,47 +268,76 @@ void SpringTangent::rebuildLevels() {
   mustRebuild_ = false;
 }
 
+void SpringTangent::toSinglePrecision(const PointVector<double>& x, double factor) {
+  for (int c = 0; c < x.nComponents(); ++c)
+    for (int i = 0; i < model_.nOwned(); ++i) single_[c][i] = static_cast<float>(factor * x[c][i]);
+}
+
 void SpringTangent::applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y) {
   const int n = model_.nOwned();
   const double largest = model_.comm().max(largestSize(x, n));
   const double scale = largest > 0.0 ? largest : 1.0;
-  for (int c = 0; c < x.nComponents(); ++c)
-    for (int i = 0; i < n; ++i) single_[c][i] = static_cast<float>(x[c][i] / scale);
+  toSinglePrecision(x, 1.0 / scale);
   stiffness_.apply(single_, singleImage_);
   for (int c = 0; c < x.nComponents(); ++c)
     for (int i = 0; i < n; ++i) y[c][i] = scale * static_cast<double>(singleImage_[c][i]);
 }
 
-void SpringTangent::force(const double* displacement, double* forceDensity) {
+void SpringTangent::force(const double* displacement, double* forceDensity, double mostError) {
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
   const auto n = static_cast<std::size_t>(model_.nOwned());
   std::fill(forceDensity, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i) full_[c][i] = displacement[3 * i + static_cast<std::size_t>(c)];
-  applyToDisplacement();
+  applyToDisplacement(mostError);
   const double* volume = model_.field("Volume");
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i)
       forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * knownImage_[c][i] / volume[i];
 }
 
-void SpringTangent::applyToDisplacement() {
+void SpringTangent::applyToDisplacement(double mostError) {
   const auto n = static_cast<std::size_t>(model_.nOwned());
   bool isSame = knowsImage_ && !stiffness_.isDistributed() && changedSince_.size() <= n / mostOfChanged;
   for (int c = 0; c < network_.dimension() && isSame; ++c)
     isSame = std::equal(full_[c], full_[c] + n, knownDisplacement_[c]);
-  if (!isSame) {
-    knownDisplacement_ = full_;
-    stiffness_.applyToAll(full_, knownImage_);
-    knownResponses_ = stiffness_.responses();
-  } else if (!changedSince_.empty()) {
+  if (isSame && !changedSince_.empty()) {
     std::sort(changedSince_.begin(), changedSince_.end());
     changedSince_.erase(std::unique(changedSince_.begin(), changedSince_.end()), changedSince_.end());
     stiffness_.updateAll(changedSince_, full_, knownResponses_, knownImage_);
+  } else if (!isSame && !followDisplacement(mostError)) {
+    knownDisplacement_ = full_;
+    stiffness_.applyToAll(full_, knownImage_);
+    knownResponses_ = stiffness_.responses();
+    knownError_ = 0.0;
   }
   changedSince_.clear();
   knowsImage_ = true;
+}
+
+bool SpringTangent::followDisplacement(double mostError) {
+  if (mostError <= 0.0 || model_.comm().any(!knowsImage_ || !changedSince_.empty())) return false;
+  const int n = model_.nOwned();
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < n; ++i) change_[c][i] = full_[c][i] - knownDisplacement_[c][i];
+  const double largest = model_.comm().max(largestSize(change_, n));
+  if (largest == 0.0) return true;
+  // Each sum of a point's springs is off by no more than what rounding makes of the largest displacement.
+  const double error = std::numeric_limits<float>::epsilon() * largest * normOfDiagonal_;
+  if (!(error > 0.0 && knownError_ + error <= mostError)) return false;
+  knownError_ += error;
+  toSinglePrecision(change_, 1.0 / largest);
+  stiffness_.applyToAll(single_, singleImage_);
+  const PointVector<float>& responses = stiffness_.responses<float>();
+  for (int c = 0; c < network_.dimension(); ++c)
+    for (int i = 0; i < n; ++i) {
+      knownImage_[c][i] += largest * static_cast<double>(singleImage_[c][i]);
+      knownDisplacement_[c][i] = full_[c][i];
+    }
+  for (int c = 0; c < responses.nComponents(); ++c)
+    for (int i = 0; i < n; ++i) knownResponses_[c][i] += largest * static_cast<double>(responses[c][i]);
+  return true;
 }
 
 void SpringTangent::copyForceToBlocks() {
@@ -350,7 +390,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     result = search();
   }
   // Nor is a coarse level the last word that is of bonds that have broken since.
-  if (!product && nChanges_ > 0 && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
+  if (nChanges_ > 0 && (result.hasBrokenDown || result.relativeResidual > tolerance)) {
     rebuildLevels();
     result = search();
   }

@@ -38,9 +38,9 @@ class SpringTangent {
   /// The owned points whose bonds have changed since this was last called, rising.
   std::vector<int> takeChangedPoints();
 
-  /// Writes the force density [3 nPoints] N/m3 that displacements [3 nPoints] cause, complete at owned points.
-  /// Collective.
-  void force(const double* displacement, double* forceDensity);
+  /// Writes the force density [3 nPoints] N/m3 that displacements [3 nPoints] cause, complete at owned points. The
+  /// norm of the forces may be off by `mostError` N, beyond what double precision leaves of them. Collective.
+  void force(const double* displacement, double* forceDensity, double mostError = 0.0);
   /// Where blocks have a Force_Density of their own, the sum for each of them.
   void copyForceToBlocks();
   /// x = K^-1 b over free degrees of freedom [3 nOwned], N, m; zero at held ones. With `product`, of another stiffness
@@ -70,8 +70,12 @@ class SpringTangent {
   void findNormOfDiagonal();
   double normOfRight() const;
   /// knownImage_ = K full_, of which only what has changed is found again.
-  void applyToDisplacement();
+  void applyToDisplacement(double mostError);
+  /// The same where no bond has changed, by what the displacements have changed by, in single precision. False where
+  /// that would leave more than `mostError`. Collective.
+  bool followDisplacement(double mostError);
   bool hasSprings(int point) const;
+  void toSinglePrecision(const PointVector<double>& x, double factor);  ///< single_ = factor x
   void applyInSinglePrecision(const PointVector<double>& x, PointVector<double>& y);
   std::vector<int> allPoints() const;
 
@@ -91,10 +95,11 @@ class SpringTangent {
   /// Norm of the residual that the last solve was to leave; huge: none with these bonds.
   double expectedRest_ = std::numeric_limits<double>::max();
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
-  PointVector<double> right_, solution_, full_;
+  PointVector<double> right_, solution_, full_, change_;
   PointVector<float> single_, singleImage_;
   /// What force() found last, and the points whose bonds have changed since.
   PointVector<double> knownDisplacement_, knownImage_, knownResponses_;
+  double knownError_ = 0.0;  ///< N, bound of what single precision has left of knownImage_
   std::vector<int> changedSince_;
   std::vector<char> isUntaken_;  ///< [nOwned] of takeChangedPoints()
   bool knowsImage_ = false;

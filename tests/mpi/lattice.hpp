@@ -2,6 +2,7 @@
 #ifndef PD_TEST_LATTICE_HPP
 #define PD_TEST_LATTICE_HPP
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -27,8 +28,13 @@ struct Lattice {
   }
   std::vector<int> neighbours(int id) const {
     std::vector<int> result;
-    for (int other = 0; other < size(); ++other)
-      if (other != id && distance(id, other) <= horizon) result.push_back(other);
+    const int reach = static_cast<int>(horizon), x = id % nx, y = id / nx % ny, z = id / (nx * ny);
+    for (int k = std::max(z - reach, 0); k <= std::min(z + reach, nz - 1); ++k)
+      for (int j = std::max(y - reach, 0); j <= std::min(y + reach, ny - 1); ++j)
+        for (int i = std::max(x - reach, 0); i <= std::min(x + reach, nx - 1); ++i) {
+          const int other = (k * ny + j) * nx + i;
+          if (other != id && distance(id, other) <= horizon) result.push_back(other);
+        }
     return result;
   }
   /// Scattered on purpose: every rank borders on every other one.

@@ -111,7 +111,7 @@ class Loops {
       }
       for (int m = 0; m < M::width; ++m) ownResponse[w][m] = load(t[m] + first + w * lanes);
     }
-    const Real *k = tables.stiffness.data(), *gives = tables.own.data(), *takes = tables.others.data();
+    const Real *k = tables.stiffness.data(), *takes = tables.others.data();
     for (const int offset : tables.offsets) {
       for (int w = 0; w < width; ++w) {
         Vector eta[D];
@@ -137,14 +137,14 @@ class Loops {
         if constexpr (M::width > 0) {
           Vector other[nArrays];
           for (int m = 0; m < M::width; ++m) other[m] = load(t[m] + first + w * lanes + offset);
-          M::addGradient(gives, ownResponse[w], sum[w]);
           M::addGradient(takes, other, sum[w]);
         }
       }
       k += nStiffness;
-      gives += D;
       takes += D;
     }
+    if constexpr (M::width > 0)
+      for (int w = 0; w < width; ++w) M::addGradient(tables.sumOfOwn.data(), ownResponse[w], sum[w]);
     for (int w = 0; w < width; ++w)
       for (int d = 0; d < D; ++d) (-sum[w][d]).copy_to(y[d] + first + w * lanes, stdx::element_aligned);
   }

@@ -221,6 +221,7 @@ namespace {
 template <class Real>
 void fill(const SpringPattern& pattern, int dimension, SpringPattern::Tables<Real>& tables) {
   const auto d = static_cast<std::size_t>(dimension);
+  std::array<double, 3> sumOfOwn{};
   for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
     const SpringConstants<double>& c = pattern.constants[k];
     if (!c.acts()) continue;
@@ -231,8 +232,10 @@ void fill(const SpringPattern& pattern, int dimension, SpringPattern::Tables<Rea
         tables.stiffness.push_back(static_cast<Real>(c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0)));
       tables.own.push_back(static_cast<Real>(c.own * xi[a]));
       tables.others.push_back(static_cast<Real>(c.others * xi[a]));
+      sumOfOwn[a] += c.own * xi[a];
     }
   }
+  for (std::size_t a = 0; a < d; ++a) tables.sumOfOwn[a] = static_cast<Real>(sumOfOwn[a]);
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ struct SpringPattern {
     std::vector<int> offsets;       ///< of neighbours within the reach of the material
     std::vector<Real> stiffness;    ///< [neighbours][D (D + 1)/2] upper triangle of radial xi xi^T + across 1
     std::vector<Real> own, others;  ///< [neighbours][D] what the spring gives to the two families, times xi
+    std::array<Real, 3> sumOfOwn{};
   };
   std::vector<int> offsets;
   std::vector<SpringConstants<double>> constants;

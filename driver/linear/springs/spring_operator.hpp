@@ -48,8 +48,11 @@ class SpringOperator {
   template <class Real>
   void apply(PointVector<Real>& x, PointVector<Real>& y);
 
-  /// What the families made of their s in the last applyToAll() in double precision.
-  const PointVector<double>& responses() const { return std::get<PointVector<double>>(families_); }
+  /// What the families made of their s in the last applyToAll() in this precision.
+  template <class Real = double>
+  const PointVector<Real>& responses() const {
+    return std::get<PointVector<Real>>(families_);
+  }
   /// Brings y = K x up to date where only bonds of the owned points `changed` have changed since it was found by
   /// applyToAll(), which left `responses`, in one piece: not distributed. Both are written.
   void updateAll(const std::vector<int>& changed, const PointVector<double>& x, PointVector<double>& responses,

@@ -98,7 +98,8 @@ CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, doubl
   if (!isUsed_) return {peak, ""};
   Model& model = simulation.model;
   model.updateCoordinates();
-  simulation.output.evaluateGlobals(model);
+  for (const std::string* label : {&energyLabel_, &lengthLabel_, &stopLabel_})
+    if (!label->empty()) simulation.output.evaluateGlobal(model, *label);
   Outcome outcome{peak, ""};
   if (peak_ != nullptr) {
     const double a = lengthOf(model);
