@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "../../linear/operator_system.hpp"
-#include "../../linear/row_inverse.hpp"
 #include "../load_steps.hpp"
 #include "../solver.hpp"
 #include "bond_flows.hpp"
-#include "flow_equations.hpp"
+#include "flow_factor.hpp"
 #include "flow_fields.hpp"
 #include "outflow_watch.hpp"
 
@@ -74,7 +73,7 @@ class SteadyFlow : public Solver {
   std::vector<char> isSolid_;  ///< [points] of equations_
   bool wantsFlows_ = false, mustRenew_ = false, hasFactor_ = true, convectsPressure_ = true;
   std::unique_ptr<FlowEquations> equations_;
-  std::unique_ptr<RowInverse> factor_;
+  std::unique_ptr<FlowFactor> factor_;
   FactorPrecision precision_ = FactorPrecision::Single;  ///< Double where that does not do
   OutflowWatch outflows_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
