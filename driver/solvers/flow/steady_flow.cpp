@@ -16,9 +16,11 @@ namespace {
 
 /// Of linear solves: the most exact, the least, and that of a flow's first one, of which nothing is known.
 constexpr double tightestTolerance = 1e-4, loosestTolerance = 0.1, firstTolerance = 1e-2;
-/// Newton's method ends where the next step would change the velocity by this part of the tolerance, by the ratio of
-/// change to residual in the last one, which differs from step to step by factors of up to 4.
+/// Newton's method ends where the next step would change the velocity by this part of the tolerance, by the largest
+/// ratio of change to residual so far, in any flow: where pressures alone change the last one says little.
 constexpr double enoughOfTolerance = 0.2;
+/// Of that ratio, while no flow has told more: round bodies in channels have 0.06 to 0.9.
+constexpr double leastChangePerResidual = 0.1;
 /// With a factor of the very matrix.
 constexpr double newFactorTolerance = 1e-6;
 /// Iterations of GMRES after which a new factor is cheaper.
@@ -86,13 +88,14 @@ void SteadyFlow::initialize(Simulation& simulation) {
   if (wantsFlows_) requireWayOut(simulation, equations_->geometry(), law_->fluxHorizon);
 }
 
-/// At first, where metal has dissolved since, and after a checkpoint, which holds no factors.
+/// At first, where metal has dissolved since, and after a checkpoint, which holds nothing of how flows were found.
 void SteadyFlow::takeUpPhases(Simulation& simulation) {
   Model& model = simulation.model;
   const std::vector<char> isSolid = solidPoints(model);
   if (mustRenew_) {
     factor_ = std::make_unique<FlowFactor>(model.comm());
     precision_ = FactorPrecision::Single;
+    changePerResidual_ = 0.0;
   }
   if (equations_ && !mustRenew_ && !model.comm().any(isSolid != isSolid_)) return;
   isSolid_ = isSolid;
@@ -264,17 +267,17 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     const Timers::Scope timer(model.timers(), "flow factor");
     factor_->follow(*equations_, !isStokes);
   }
-  double relativeChange = isStokes ? 1.0 : 0.0, normBefore = 0.0;
+  double relativeChange = isStokes ? 1.0 : 0.0;
   for (int iteration = 1;; ++iteration) {
     equations_->refreshSmoothing();
     const std::vector<double> residual = equations_->residual(!isStokes);
     nUnknowns_ = model.comm().sum(static_cast<long long>(residual.size()));
     const double norm = flowNorm(model.comm(), residual);
-    const double expectedChange = normBefore > 0.0 ? relativeChange * norm / normBefore : 0.0;
-    if (hasWholeStep && normBefore > 0.0 && expectedChange <= enoughOfTolerance * tolerance_) break;
+    const double expectedChange =
+        iteration > 1 ? std::max(changePerResidual_, leastChangePerResidual) * norm / equations_->scaleOfSpeed() : 0.0;
+    if (hasWholeStep && expectedChange > 0.0 && expectedChange <= enoughOfTolerance * tolerance_) break;
     const std::vector<double> change =
         newtonStep(simulation, isStokes, relativeChange < newFlowChange, linearTolerance(expectedChange), residual);
-    normBefore = isStokes ? 0.0 : norm;  // another equation
     ++nNewtonSteps_;
     const double part = isStokes ? 1.0 : takeStep(simulation, change, norm);
     hasWholeStep = part == 1.0;
@@ -283,6 +286,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     const double changed = model.comm().max(largestVelocity(change));
     if (!std::isfinite(changed)) giveUp(t + dt, iteration, changed, "the velocity is no number");
     relativeChange = changed == 0.0 ? 0.0 : part * changed / largest;
+    if (!isStokes && relativeChange > tolerance_) changePerResidual_ = std::max(changePerResidual_, changed / norm);
     // A fluid at rest has residuals of rounding alone, which no step lessens.
     const bool isAtRest = !isStokes && changed <= tolerance_ * largest && largest > equations_->largestSpeed();
     const bool isDone = isAtRest || (!isStokes && part == 1.0 && relativeChange <= tolerance_);
