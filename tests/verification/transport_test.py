@@ -346,6 +346,28 @@ class DissolvingPin(SceneTest):
         self.assertEqual(factors, 3)  # of the first flow from rest
         self.assertLess(iterations, 2.5 * newton)
 
+    def test_boundaries_that_change_while_metal_dissolves(self):
+        # What a flow keeps from the last one, rows, factor and all, makes no difference, whatever changes: the other run
+        # forgets it, since it writes checkpoints.
+        points = self.mesh()
+        deck = self.deck(film="0.0")
+        deck["Materials"]["Wire"]["Current Density"] = "25.0"
+        deck["Output"]["Output Variables"].append("Pressure")
+        conditions = deck["Boundary Conditions"]
+        conditions["In"]["Velocity"][0] += "*(0.2 + t/14400)"
+        conditions["Sides"]["Velocity"] = ["0.005*sin(t/5000)", 0.0]
+        conditions["Out"]["Pressure"] = "t/28800"
+        keeping = self.solve(deck)
+        deck["Output2"] = {"Output Filename": "kept", "Checkpoint Frequency": 1, "Output Variables": ["Damage"]}
+        forgetting = self.solve(deck)
+        wire = np.hypot(points[:, 0], points[:, 1]) < self.RADIUS
+        flowing = [np.count_nonzero(wire & (keeping.field("Fluid", step) == 1)) for step in (1, 2, 4)]
+        self.assertTrue(flowing[0] < flowing[1] < flowing[2])
+        for step in range(1, 5):
+            for label in ("Velocity", "Pressure"):
+                values = forgetting.field(label, step)
+                np.testing.assert_allclose(keeping.field(label, step), values, atol=1e-7 * np.abs(values).max())
+
     def test_a_pocket_in_the_wire_opens(self):
         # Hollow: what is inside has no way out at first, is at rest and saturated, and flows when its shell is gone.
         points = self.mesh()
