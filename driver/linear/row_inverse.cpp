@@ -1,5 +1,7 @@
 #include "row_inverse.hpp"
 
+#include <stdexcept>
+
 #include "methods/krylov.hpp"
 #include "methods/mumps_factor.hpp"
 #include "methods/rows_to_tpetra.hpp"
@@ -59,6 +61,7 @@ void RowInverse::apply(const double* b, double* x, std::size_t count) const {
     for (std::size_t k = 0; k < count; ++k) self.factor->solve(b + k * self.count, x + k * self.count);
     return;
   }
+  if (self.preconditioner.is_null()) throw std::logic_error("an inverse is applied that has not been made");
   const auto map = self.matrix->getRowMap();
   const tpetra::MultiVector rightSides(map, Teuchos::ArrayView<const double>(b, static_cast<int>(self.count * count)),
                                        self.count, count);

@@ -27,7 +27,7 @@ class RowInverse {
   double factorEntries() const;  ///< of all ranks; 0 without a factor
 
   /// x_k = A^-1 b_k, about, for `count` right sides over the rows of this rank, one after the other in the arrays,
-  /// which differ. Collective.
+  /// which differ. Collective. Throws std::logic_error where nothing has been made.
   void apply(const double* b, double* x, std::size_t count = 1) const;
 
  private:

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import weakref
 
 import h5py
 import numpy as np
@@ -62,12 +63,23 @@ def yaml(value, indent=0):
 
 
 class Result:
-    """What a run wrote. Fields are in the order of the mesh file."""
+    """What a run wrote, also after another of the same name has taken its place. Fields are in the order of the mesh
+    file."""
 
     def __init__(self, folder, name, process):
         self.folder, self.name, self.process = folder, name, process
         self.text = process.stdout + process.stderr
         self.code = process.returncode
+
+    def keep(self):
+        """Copies what the run wrote to a folder of its own."""
+        folder = tempfile.mkdtemp(prefix="pd_kept_")
+        weakref.finalize(self, shutil.rmtree, folder)
+        for ending in (".h5", ".steps", ".csv", ".report.json"):
+            path = os.path.join(self.folder, self.name + ending)
+            if os.path.exists(path):
+                (shutil.copytree if os.path.isdir(path) else shutil.copy)(path, os.path.join(folder, self.name + ending))
+        self.folder = folder
 
     def _open(self):
         return h5py.File(os.path.join(self.folder, self.name + ".h5"), "r")
@@ -108,6 +120,7 @@ class SceneTest(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="pd_scene_")
         self.addCleanup(shutil.rmtree, self.folder)
+        self._results = weakref.WeakSet()
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -128,9 +141,14 @@ class SceneTest(unittest.TestCase):
 
     def run_deck(self, deck, timeout=280, **options):
         """Writes the deck and runs it, with the options of prepare(); does not ask how it ended."""
+        name = deck.get("Output", {}).get("Output Filename", "dump")
+        for earlier in [result for result in self._results if result.name == name and result.folder == self.folder]:
+            earlier.keep()  # the test may look at it once more
         command = self.prepare(deck, **options)
         process = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=timeout)
-        return Result(self.folder, deck.get("Output", {}).get("Output Filename", "dump"), process)
+        result = Result(self.folder, name, process)
+        self._results.add(result)
+        return result
 
     def solve(self, deck, **options):
         """As run_deck, but the run must succeed."""

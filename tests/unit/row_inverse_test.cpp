@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "driver/linear/operator_system.hpp"
 
@@ -33,6 +34,14 @@ void multiply(const SparseRows& rows, const double* x, double* y) {
     y[i] = 0.0;
     for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k) y[i] += rows.values[k] * x[rows.columns[k]];
   }
+}
+
+TEST(RowInverseTest, IsNotAppliedBeforeItIsMade) {
+  const Communicator comm(MPI_COMM_SELF);
+  const RowInverse inverse(comm);
+  double b = 1.0, x = 0.0;
+  EXPECT_FALSE(inverse.isMadeFor(0));
+  EXPECT_THROW(inverse.apply(&b, &x), std::logic_error);
 }
 
 TEST(RowInverseTest, GmresGetsWhereItsPrecisionDoesNot) {

@@ -159,17 +159,15 @@ class Transport(SceneTest):
         return np.sqrt(np.mean((result.field("Concentration")[fluid] - exact)**2) / np.mean(exact**2))
 
     def test_order_of_a_travelling_bell(self):
-        limited = [self.pulse_error(n) for n in (20, 40)]
+        limited = [self.pulse_error(n) for n in (18, 36)]
         self.assertGreater(np.log2(limited[0] / limited[1]), 1.5)
-        upwind = self.pulse_error(40, Scheme="Upwind Biased")
-        self.assertGreater(upwind, 3 * limited[1])
+        self.assertGreater(self.pulse_error(18, Scheme="Upwind Biased"), 2 * limited[0])
 
     def test_ranks_make_no_difference(self):
         self.mesh(0.125, 1.0, (0.3, 0.1), 20.0)
         deck = self.deck(0.125, 1.0, velocity="6*y*(1 - y)", walls="0.0", diffusivity=1e-3, inflow="y")
         one = self.solve(deck).field("Concentration")
-        for ranks in (2, 4):
-            np.testing.assert_allclose(self.solve(deck, ranks=ranks).field("Concentration"), one, atol=1e-7)
+        np.testing.assert_allclose(self.solve(deck, ranks=4).field("Concentration"), one, atol=1e-7)
 
     def test_conjugate_gradients_and_explicit_steps_are_refused(self):
         self.mesh(0.125, 1.0)
@@ -286,6 +284,10 @@ class DissolvingPin(SceneTest):
         deck["Compute Class Parameters"]["Drag"] = {"Compute Class": "Flow_Force", "Inner Radius": 50e-6,
                                                     "Outer Radius": 95e-6, "Output Label": "Drag"}
         deck["Output"]["Output Variables"].append("Drag")
+        deck["Compute Class Parameters"]["Rate"] = {"Compute Class": "Corrosion_Rate", "Over": "Last Interval",
+                                                    "Output Label": "Rate"}
+        deck["Output2"] = {"Output Filename": "early", "Final Output Step": 4, "Checkpoint Frequency": 4,
+                           "Output Variables": ["Damage"]}
         deck["Solver"]["Staggered"]["Load Steps"] = 8
         when = deck["Solver"]["Staggered"]["Solvers"]["Flow"]["When"]
         when.update({"Has Changed By": 4e-10, "Value": "Drag", "Value Change": 0.3})
@@ -312,15 +314,9 @@ class DissolvingPin(SceneTest):
         self.assertAlmostEqual(float(line.split("up to")[1].split()[0]) / (100 * max(changes)), 1, delta=0.01)
 
         # It goes on from a checkpoint, and what counts from the last output does so.
-        loss = result.history()["Loss"]
-        deck["Compute Class Parameters"]["Rate"] = {"Compute Class": "Corrosion_Rate", "Over": "Last Interval",
-                                                    "Output Label": "Rate"}
-        deck["Output"].update({"Output Frequency": 4, "History Frequency": 4})
-        deck["Output2"] = {"Output Filename": "early", "Final Output Step": 4, "Checkpoint Frequency": 4,
-                           "Output Variables": ["Damage"]}
-        whole = self.solve(deck)
-        rate, fields = whole.history()["Rate"], {label: whole.field(label) for label in ("Damage", "Velocity")}
-        self.assertAlmostEqual(rate[2] / rate[1] / ((loss[8] - loss[4]) / (loss[4] - loss[0])), 1, delta=1e-9)
+        loss, rate = result.history()["Loss"], result.history()["Rate"]
+        self.assertAlmostEqual(rate[8] / rate[4] / ((loss[8] - loss[7]) / (loss[4] - loss[3])), 1, delta=1e-9)
+        fields = {label: result.field(label) for label in ("Damage", "Velocity")}
         later = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
         for label, values in fields.items():
             np.testing.assert_array_equal(later.field(label), values)
@@ -332,6 +328,45 @@ class DissolvingPin(SceneTest):
             refused = self.run_deck(deck, arguments=["--check"])
             self.assertNotEqual(refused.code, 0)
             self.assertIn("Staggered: Flow: " + message, refused.text)
+
+    def test_the_factor_of_the_first_flow_does_for_all(self):
+        # A thin wire of which half dissolves: the present equations are solved beside it before the old factor has its
+        # turn, so that a step of Newton's method takes 1.6 iterations; by the old factor alone it takes 4.
+        points = self.mesh()
+        deck = self.deck(film="0.0")
+        wire = np.hypot(points[:, 0], points[:, 1]) < 28e-6
+        deck["Boundary Conditions"]["Wire Node Set"]["Expression"] = "x^2 + y^2 < (28e-6)^2"
+        deck["Materials"]["Wire"]["Current Density"] = "8.0"
+        deck["Solver"]["Staggered"]["Load Steps"] = 8
+        deck["Solver"]["Staggered"]["Solvers"]["Flow"]["When"]["Has Changed By"] = 1e-10
+        result = self.solve(deck)
+        self.assertGreater(np.count_nonzero(wire & (result.field("Fluid") == 1)), 0.5 * np.count_nonzero(wire))
+        words = self.lines(result, "iterations of GMRES")[0].split()
+        newton, factors, iterations = (int(words[words.index(word) - 1]) for word in ("Newton", "factors", "iterations"))
+        self.assertEqual(factors, 3)  # of the first flow from rest
+        self.assertLess(iterations, 2.5 * newton)
+
+    def test_boundaries_that_change_while_metal_dissolves(self):
+        # What a flow keeps from the last one, rows, factor and all, makes no difference, whatever changes: the other run
+        # forgets it, since it writes checkpoints.
+        points = self.mesh()
+        deck = self.deck(film="0.0")
+        deck["Materials"]["Wire"]["Current Density"] = "25.0"
+        deck["Output"]["Output Variables"].append("Pressure")
+        conditions = deck["Boundary Conditions"]
+        conditions["In"]["Velocity"][0] += "*(0.2 + t/14400)"
+        conditions["Sides"]["Velocity"] = ["0.005*sin(t/5000)", 0.0]
+        conditions["Out"]["Pressure"] = "t/28800"
+        keeping = self.solve(deck)
+        deck["Output2"] = {"Output Filename": "kept", "Checkpoint Frequency": 1, "Output Variables": ["Damage"]}
+        forgetting = self.solve(deck)
+        wire = np.hypot(points[:, 0], points[:, 1]) < self.RADIUS
+        flowing = [np.count_nonzero(wire & (keeping.field("Fluid", step) == 1)) for step in (1, 2, 4)]
+        self.assertTrue(flowing[0] < flowing[1] < flowing[2])
+        for step in range(1, 5):
+            for label in ("Velocity", "Pressure"):
+                values = forgetting.field(label, step)
+                np.testing.assert_allclose(keeping.field(label, step), values, atol=1e-7 * np.abs(values).max())
 
     def test_a_pocket_in_the_wire_opens(self):
         # Hollow: what is inside has no way out at first, is at rest and saturated, and flows when its shell is gone.

@@ -187,8 +187,6 @@ void FlowEquations::apply(bool hasConvection, const double* x, double* y) const 
 }
 
 SparseRows FlowEquations::matrix(bool hasConvection) const {
-  const double* velocity = model_.field("Velocity");
-  const double ofMomentum = unit_ * unit_ / viscosity_, ofPressure = viscosity_ / unit_;
   SparseRows result;
   std::vector<std::pair<long long, double>> entries;
   const auto addIdentityUpTo = [&](std::size_t unknown) {
@@ -199,39 +197,10 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
   };
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     addIdentityUpTo(place(row, 0));
-    const int point = geometry_.fluid()[row];
-    const std::array<double, 9>& gradient = gradients_[row];
-    for (std::size_t a = 0; a < n_; ++a) {
-      entries.clear();
-      rows_.viscous.forEach(row, [&](const auto& term) {
-        for (std::size_t b = 0; b < n_; ++b)
-          if (term.weights[3 * a + b] != 0.0)
-            entries.emplace_back(column(term.point, b), -viscosity_ * term.weights[3 * a + b] * ofMomentum);
-      });
-      rows_.pressureGradient.forEach(row, [&](const auto& term) {
-        entries.emplace_back(column(term.point, n_), term.weights[a] * ofMomentum * ofPressure);
-      });
-      if (hasConvection) {
-        rows_.gradient.forEach(row, [&](const auto& term) {
-          double along = 0.0;
-          for (std::size_t b = 0; b < n_; ++b) along += velocity[3 * index(point) + b] * term.weights[3 * a + b];
-          entries.emplace_back(column(term.point, a), density_ * along * ofMomentum);
-        });
-        for (std::size_t b = 0; b < n_; ++b)
-          entries.emplace_back(column(point, b), density_ * gradient[3 * a + b] * ofMomentum);
-      }
+    for (std::size_t component = 0; component <= n_; ++component) {
+      entries = entriesOf(row, component, hasConvection);
       result.addRow(entries);
     }
-    entries.clear();
-    rows_.divergence.forEach(row, [&](const auto& term) {
-      for (std::size_t a = 0; a < n_; ++a) entries.emplace_back(column(term.point, a), term.weights[a] * unit_);
-    });
-    rows_.smoothing.forEach(row, [&](const auto& term) {
-      entries.emplace_back(column(term.point, n_), -tau_[row] * term.weights[0] * unit_ * ofPressure);
-    });
-    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
-    if (pocketColumn_[pocket] >= 0) entries.emplace_back(pocketColumn_[pocket], 1.0);
-    result.addRow(entries);
   }
   addIdentityUpTo(nOfPoints());
   for (const int pocket : ownPockets_) {
@@ -239,6 +208,70 @@ SparseRows FlowEquations::matrix(bool hasConvection) const {
     result.addRow(entries);
   }
   return result;
+}
+
+SparseRows FlowEquations::matrixWithin(const std::vector<std::size_t>& rows, bool hasConvection) const {
+  std::vector<long long> numberOf(count(), -1);
+  long long number = 0;
+  for (const std::size_t row : rows)
+    for (std::size_t component = 0; component <= n_; ++component) numberOf[place(row, component)] = number++;
+  SparseRows result;
+  std::vector<std::pair<long long, double>> within;
+  for (const std::size_t row : rows)
+    for (std::size_t component = 0; component <= n_; ++component) {
+      within.clear();
+      for (const auto& [column, value] : entriesOf(row, component, hasConvection)) {
+        const long long own = column - firstUnknown_;
+        if (own < 0 || own >= static_cast<long long>(count())) continue;
+        if (const long long k = numberOf[static_cast<std::size_t>(own)]; k >= 0) within.emplace_back(k, value);
+      }
+      result.addRow(within);
+    }
+  return result;
+}
+
+/// Of the equation of a component of a row, the divergence's last: columns, some of them several times, and values.
+std::vector<std::pair<long long, double>> FlowEquations::entriesOf(std::size_t row, std::size_t component,
+                                                                   bool hasConvection) const {
+  std::vector<std::pair<long long, double>> entries;
+  const double ofPressure = viscosity_ / unit_;
+  const int point = geometry_.fluid()[row];
+  if (component < n_) {
+    addMomentumEntries(row, component, hasConvection, entries);
+    return entries;
+  }
+  rows_.divergence.forEach(row, [&](const auto& term) {
+    for (std::size_t a = 0; a < n_; ++a) entries.emplace_back(column(term.point, a), term.weights[a] * unit_);
+  });
+  rows_.smoothing.forEach(row, [&](const auto& term) {
+    entries.emplace_back(column(term.point, n_), -tau_[row] * term.weights[0] * unit_ * ofPressure);
+  });
+  const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+  if (pocketColumn_[pocket] >= 0) entries.emplace_back(pocketColumn_[pocket], 1.0);
+  return entries;
+}
+
+void FlowEquations::addMomentumEntries(std::size_t row, std::size_t a, bool hasConvection,
+                                       std::vector<std::pair<long long, double>>& entries) const {
+  const double ofMomentum = unit_ * unit_ / viscosity_, ofPressure = viscosity_ / unit_;
+  const int point = geometry_.fluid()[row];
+  const double* velocity = model_.field("Velocity") + 3 * index(point);
+  rows_.viscous.forEach(row, [&](const auto& term) {
+    for (std::size_t b = 0; b < n_; ++b)
+      if (term.weights[3 * a + b] != 0.0)
+        entries.emplace_back(column(term.point, b), -viscosity_ * term.weights[3 * a + b] * ofMomentum);
+  });
+  rows_.pressureGradient.forEach(row, [&](const auto& term) {
+    entries.emplace_back(column(term.point, n_), term.weights[a] * ofMomentum * ofPressure);
+  });
+  if (!hasConvection) return;
+  rows_.gradient.forEach(row, [&](const auto& term) {
+    double along = 0.0;
+    for (std::size_t b = 0; b < n_; ++b) along += velocity[b] * term.weights[3 * a + b];
+    entries.emplace_back(column(term.point, a), density_ * along * ofMomentum);
+  });
+  for (std::size_t b = 0; b < n_; ++b)
+    entries.emplace_back(column(point, b), density_ * gradients_[row][3 * a + b] * ofMomentum);
 }
 
 /// Of the unknowns `x` of this rank, lambda of all pockets.

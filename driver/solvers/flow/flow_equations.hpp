@@ -38,6 +38,8 @@ class FlowEquations {
   std::vector<double> residual(bool hasConvection) const;
   /// Of the residual by the unknowns.
   SparseRows matrix(bool hasConvection) const;
+  /// The same of some rows of fluid points of this rank, in their order, and of their own unknowns alone.
+  SparseRows matrixWithin(const std::vector<std::size_t>& rows, bool hasConvection) const;
   /// y = matrix x, without the matrix, over the unknowns of this rank. Collective.
   void apply(bool hasConvection, const double* x, double* y) const;
   /// Adds `factor` times a change of the unknowns to the fields; ghosts are brought up to date. Collective.
@@ -84,6 +86,9 @@ class FlowEquations {
   long long column(int point, std::size_t component) const;
   void makeRows(double t);
   void numberUnknowns();
+  std::vector<std::pair<long long, double>> entriesOf(std::size_t row, std::size_t component, bool hasConvection) const;
+  void addMomentumEntries(std::size_t row, std::size_t a, bool hasConvection,
+                          std::vector<std::pair<long long, double>>& entries) const;
   std::array<double, 9> gradientAt(std::size_t row) const;
   void addLinear(std::size_t row, const std::vector<double>& state, double* own) const;
   std::vector<double> ofPockets(const double* x) const;

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "../../linear/operator_system.hpp"
-#include "../../linear/row_inverse.hpp"
 #include "../load_steps.hpp"
 #include "../solver.hpp"
 #include "bond_flows.hpp"
-#include "flow_equations.hpp"
+#include "flow_factor.hpp"
 #include "flow_fields.hpp"
 #include "outflow_watch.hpp"
 
@@ -20,8 +19,8 @@ namespace pd {
 /// At the end of each load step velocity and pressure satisfy the steady equations (flow_equations.hpp) with the
 /// velocities of walls and inlets at that time, by Newton's method for both together. The first step from rest is
 /// Stokes flow; later load steps start from the last flow. Linear systems are solved by GMRES without their matrix,
-/// with the factor of an earlier one (MUMPS) until that takes many iterations. Where metal dissolves, operators are
-/// made anew beside it alone.
+/// with the factor of an earlier one (FlowFactor) until that takes many iterations. Where metal dissolves, operators
+/// are made anew beside it alone.
 class SteadyFlow : public Solver {
  public:
   struct Fields : FieldTable {
@@ -74,11 +73,12 @@ class SteadyFlow : public Solver {
   std::vector<char> isSolid_;  ///< [points] of equations_
   bool wantsFlows_ = false, mustRenew_ = false, hasFactor_ = true, convectsPressure_ = true;
   std::unique_ptr<FlowEquations> equations_;
-  std::unique_ptr<RowInverse> factor_;
+  std::unique_ptr<FlowFactor> factor_;
   FactorPrecision precision_ = FactorPrecision::Single;  ///< Double where that does not do
   OutflowWatch outflows_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;
+  double changePerResidual_ = 0.0;  ///< the largest so far, of the largest velocity of a change and the norm
   long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
   double largestResidual_ = 0.0, largestFactor_ = 0.0, cellReynolds_ = 0.0, leakage_ = 0.0, divergence_ = 0.0;
 };
