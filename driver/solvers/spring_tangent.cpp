@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "../../materials/registry/linear_bonds.hpp"
+#include "../linear/springs/border_bonds.hpp"
 #include "../model/collective.hpp"
 #include "Peridigm_Field.hpp"
 
@@ -57,6 +58,9 @@ void putInOrder(const Discretization& points, const NeighborhoodData& list, cons
   }
 }
 
+/// With other ranks, or with copies of the body beyond planes of symmetry.
+bool hasBorders(const Model& model) { return model.comm().size() > 1 || !model.discretization().symmetry.empty(); }
+
 }  // namespace
 
 std::string SpringTangent::obstacle(Model& model) {
@@ -76,7 +80,9 @@ std::string SpringTangent::obstacle(Model& model) {
   return isKnown ? "" : "no block carries load";
 }
 
-SpringNetwork SpringTangent::networkOf(Model& model) {
+/// Where forces are those of the springs, both ends of a bond have broken it or neither, so that either may have all of
+/// it. Else a bond to another rank may have broken from one end, and each end has a half.
+SpringNetwork SpringTangent::networkOf(Model& model, bool isBody) {
   const Discretization& points = model.discretization();
   LinearSprings all;
   const auto nBonds = static_cast<std::size_t>(points.nBonds());
@@ -101,14 +107,21 @@ SpringNetwork SpringTangent::networkOf(Model& model) {
   all.dilatational.resize(static_cast<std::size_t>(points.nOwned), 0.0);
   // Other ranks may have blocks of another kind.
   if (model.comm().any(!all.across.empty())) all.across.resize(nBonds, 0.0);
-  return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational);
+  SpringNetwork::OtherEnds others{!hasBorders(model), {}, {}};
+  if (isBody && hasBorders(model)) {
+    const BorderBonds border(model.comm(), model.exchange(), points);
+    others.areKnown = border.areMutual();
+    if (others.areKnown) others.along = border.ofOtherEnds(all.along);
+    if (others.areKnown && !all.across.empty()) others.across = border.ofOtherEnds(all.across);
+  }
+  return SpringNetwork(model.comm(), points, all.family, all.along, all.across, all.dilatational, others);
 }
 
 SpringTangent::SpringTangent(Model& model, bool isBody)
     : model_(model),
       isBody_(isBody),
-      network_(networkOf(model)),
-      stiffness_(network_, model.exchange(), model.comm().size() > 1 || !model.discretization().symmetry.empty()),
+      network_(networkOf(model, isBody)),
+      stiffness_(network_, model.exchange(), hasBorders(model)),
       levels_(model.comm(), stiffness_),
       seenDamage_(static_cast<std::size_t>(model.nOwned()), std::numeric_limits<double>::quiet_NaN()),
       firstBond_(seenDamage_.size()),
@@ -190,8 +203,8 @@ void SpringTangent::takeUpDamage() {
 /// Each end gives half of a bond's force: what one damage model breaks and another does not keeps a half, which no
 /// spring of two ends has, nor one for each end, as bonds to other ranks have. Collective.
 void SpringTangent::requireWholeBonds(const std::vector<int>& changed) const {
-  const bool hasOthers = model_.comm().size() > 1 || !model_.discretization().symmetry.empty();
-  const auto across = hasOthers ? network_.brokenFromOtherSide(model_.comm(), changed) : std::pair<int, int>{-1, -1};
+  const auto across =
+      hasBorders(model_) ? network_.brokenFromOtherSide(model_.comm(), changed) : std::pair<int, int>{-1, -1};
   const auto [i, j] = network_.brokenFromOneEnd().first < 0 ? across : network_.brokenFromOneEnd();
   collectively(model_.comm(), [&, broken = i, whole = j] {
     if (broken >= 0) refuseHalfBond(broken, whole);
@@ -299,10 +312,12 @@ void SpringTangent::force(const double* displacement, double* forceDensity, doub
 
 void SpringTangent::applyToDisplacement(double mostError) {
   const auto n = static_cast<std::size_t>(model_.nOwned());
-  bool isSame = knowsImage_ && !stiffness_.isDistributed() && changedSince_.size() <= n / mostOfChanged;
+  bool isSame =
+      knowsImage_ && !(stiffness_.isDistributed() && network_.hasHalves()) && changedSince_.size() <= n / mostOfChanged;
   for (int c = 0; c < network_.dimension() && isSame; ++c)
     isSame = std::equal(full_[c], full_[c] + n, knownDisplacement_[c]);
-  if (isSame && !changedSince_.empty()) {
+  isSame = !model_.comm().any(!isSame);
+  if (isSame && model_.comm().any(!changedSince_.empty())) {
     std::sort(changedSince_.begin(), changedSince_.end());
     changedSince_.erase(std::unique(changedSince_.begin(), changedSince_.end()), changedSince_.end());
     stiffness_.updateAll(changedSince_, full_, knownResponses_, knownImage_);

@@ -60,7 +60,7 @@ class SpringTangent {
   int nStiffenedPoints() const { return static_cast<int>(stiffness_.additions().size()); }
 
  private:
-  static SpringNetwork networkOf(Model& model);
+  static SpringNetwork networkOf(Model& model, bool isBody);
   void takeUpDamage();
   void requireWholeBonds(const std::vector<int>& changed) const;
   /// Throws RunError: point i has broken its bond to j, which has not.

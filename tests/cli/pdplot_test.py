@@ -257,10 +257,9 @@ class PdplotTest(unittest.TestCase):
                 self.assertGreater(min(self.picture("a.png").shape[:2]), 200)
                 (self.folder / "a.png").unlink()
     def test_animations_have_a_frame_for_each_step(self):
-        for arguments in ([], ["--deformed"]):
-            self.pdplot("plate", "--animate", "a.gif", *arguments)
-            with Image.open(self.folder / "a.gif") as image:
-                self.assertEqual(image.n_frames, 3)
+        self.pdplot("plate", "--animate", "a.gif", "--deformed")
+        with Image.open(self.folder / "a.gif") as image:
+            self.assertEqual(image.n_frames, 3)
         if shutil.which("ffmpeg") is None:
             self.skipTest("no ffmpeg")
         self.pdplot("plate", "--animate", "a.mp4")

@@ -1,10 +1,14 @@
 #include "coarse_factor.hpp"
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <experimental/simd>
 #include <iterator>
+#include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace pd {
@@ -18,12 +22,28 @@ constexpr double negligible = 1e-13;
 struct Blocks {
   std::vector<int> start{0};                ///< [blocks + 1] first unknown
   std::vector<std::vector<int>> neighbors;  ///< [blocks] rising, without the block itself
+  std::vector<int> rank;                    ///< [blocks] whose they are; `shared`: those with neighbours on others
+  static constexpr int shared = -1;
   int width(int block) const {
     return start[static_cast<std::size_t>(block) + 1] - start[static_cast<std::size_t>(block)];
   }
 };
 
-Blocks blocksOf(const CoarseMatrix& matrix) {
+void findRanks(Blocks& blocks, const std::vector<int>& endOfRank) {
+  std::vector<int> owner;
+  for (std::size_t block = 0; block < blocks.neighbors.size(); ++block)
+    owner.push_back(static_cast<int>(std::upper_bound(endOfRank.begin(), endOfRank.end(), blocks.start[block]) -
+                                     endOfRank.begin()));
+  for (std::size_t block = 0; block < owner.size(); ++block) {
+    const std::vector<int>& others = blocks.neighbors[block];
+    const bool isAlone = std::all_of(others.begin(), others.end(),
+                                     [&](int other) { return owner[static_cast<std::size_t>(other)] == owner[block]; });
+    blocks.rank.push_back(isAlone ? owner[block] : Blocks::shared);
+  }
+}
+
+/// `endOfRank` [ranks] of their unknowns: a block is of one rank.
+Blocks blocksOf(const CoarseMatrix& matrix, const std::vector<int>& endOfRank) {
   Blocks blocks;
   const auto n = static_cast<int>(matrix.rowStart.size()) - 1;
   const auto columnsOf = [&](int row) {
@@ -36,7 +56,8 @@ Blocks blocksOf(const CoarseMatrix& matrix) {
     const auto [begin, end] = columnsOf(row);
     if (row > 0) {
       const auto [before, endBefore] = columnsOf(row - 1);
-      if (!std::equal(begin, end, before, endBefore) || !std::binary_search(begin, end, row - 1))
+      if (!std::equal(begin, end, before, endBefore) || !std::binary_search(begin, end, row - 1) ||
+          std::binary_search(endOfRank.begin(), endOfRank.end(), row))
         blocks.start.push_back(row);
     }
     blockOf[static_cast<std::size_t>(row)] = static_cast<int>(blocks.start.size()) - 1;
@@ -50,14 +71,16 @@ Blocks blocksOf(const CoarseMatrix& matrix) {
       if (other != static_cast<int>(block) && (found.empty() || found.back() != other)) found.push_back(other);
     }
   }
+  findRanks(blocks, endOfRank);
   return blocks;
 }
 
 /// Eliminates the block with the fewest neighbours, one after another, each of which makes its neighbours neighbours of
-/// each other. Returns the order; leaves in `blocks` the neighbours that each had when its turn came.
+/// each other; shared ones last. Returns the order; leaves in `blocks` the neighbours that each had when its turn came.
 std::vector<int> orderOfLeastDegree(Blocks& blocks) {
   std::vector<int> order, degree;
-  std::set<std::pair<int, int>> waiting;
+  std::set<std::tuple<bool, int, int>> waiting;
+  const auto isShared = [&](int block) { return blocks.rank[static_cast<std::size_t>(block)] == Blocks::shared; };
   const auto degreeOf = [&](const std::vector<int>& neighbors) {
     int sum = 0;
     for (const int other : neighbors) sum += blocks.width(other);
@@ -65,11 +88,11 @@ std::vector<int> orderOfLeastDegree(Blocks& blocks) {
   };
   for (std::size_t block = 0; block < blocks.neighbors.size(); ++block) {
     degree.push_back(degreeOf(blocks.neighbors[block]));
-    waiting.emplace(degree.back(), static_cast<int>(block));
+    waiting.emplace(isShared(static_cast<int>(block)), degree.back(), static_cast<int>(block));
   }
   std::vector<int> merged;
   while (!waiting.empty()) {
-    const int next = waiting.begin()->second;
+    const int next = std::get<2>(*waiting.begin());
     waiting.erase(waiting.begin());
     order.push_back(next);
     const std::vector<int>& clique = blocks.neighbors[static_cast<std::size_t>(next)];
@@ -81,9 +104,9 @@ std::vector<int> orderOfLeastDegree(Blocks& blocks) {
       own.clear();
       for (const int other : merged)
         if (other != next && other != block) own.push_back(other);
-      waiting.erase({degree[b], block});
+      waiting.erase({isShared(block), degree[b], block});
       degree[b] = degreeOf(own);
-      waiting.emplace(degree[b], block);
+      waiting.emplace(isShared(block), degree[b], block);
     }
   }
   return order;
@@ -171,20 +194,22 @@ float product(const float* x, const float* y, int n) {
 /// Front after front. What a front leaves waits for the front of the first unknown that it is about.
 class CoarseFactor::Elimination {
  public:
-  Elimination(const CoarseMatrix& matrix, CoarseFactor& factor)
-      : matrix_(matrix), factor_(factor), blocks_(blocksOf(matrix)) {
+  Elimination(const CoarseMatrix& matrix, const std::vector<int>& endOfRank, CoarseFactor& factor)
+      : matrix_(matrix), factor_(factor), blocks_(blocksOf(matrix, endOfRank)) {
     const std::vector<int> order = orderOfLeastDegree(blocks_);
     const auto n = static_cast<std::size_t>(blocks_.start.back());
     factor_.place_.resize(n);
     unknownAt_.resize(n);
     waiting_.resize(n);
     int place = 0;
-    for (const int block : order)
+    for (const int block : order) {
+      if (rankOf(block) != Blocks::shared) factor_.firstShared_ += blocks_.width(block);
       for (int k = 0; k < blocks_.width(block); ++k, ++place) {
         const int unknown = blocks_.start[static_cast<std::size_t>(block)] + k;
         factor_.place_[static_cast<std::size_t>(unknown)] = place;
         unknownAt_[static_cast<std::size_t>(place)] = unknown;
       }
+    }
     std::size_t first = 0;
     while (first < order.size()) {
       std::size_t last = first + 1;
@@ -195,8 +220,11 @@ class CoarseFactor::Elimination {
   }
 
  private:
+  int rankOf(int block) const { return blocks_.rank[static_cast<std::size_t>(block)]; }
+
   /// Whether a block has the neighbours of the one before, but for itself.
   bool follows(int before, int block) const {
+    if (rankOf(before) != rankOf(block)) return false;
     const std::vector<int>&a = blocks_.neighbors[static_cast<std::size_t>(before)],
           &b = blocks_.neighbors[static_cast<std::size_t>(block)];
     return a.size() == b.size() + 1 && std::binary_search(a.begin(), a.end(), block) &&
@@ -223,7 +251,10 @@ class CoarseFactor::Elimination {
       waiting_[static_cast<std::size_t>(front.unknowns[c])] = {};
     }
     front.eliminate(width, diagonal.data());
-    keep(front, width);
+    const int rank = rankOf(group.front());
+    if (rank == Blocks::shared || rank == factor_.comm_.rank()) keep(front, width);
+    if (rank == factor_.comm_.rank()) ++factor_.nOwnFronts_;
+    leaveRest(front, width);
   }
 
   /// The entries of the matrix below the diagonal of column c; returns the diagonal.
@@ -240,7 +271,7 @@ class CoarseFactor::Elimination {
     return column[c];
   }
 
-  /// Takes the columns of the factor out of an eliminated front, and leaves the rest to a later one.
+  /// Takes the columns of the factor out of an eliminated front.
   void keep(const DenseFront& front, std::size_t width) {
     const std::size_t n = front.size();
     factor_.fronts_.push_back({front.unknowns.front(), static_cast<int>(width), factor_.rows_.size(),
@@ -252,6 +283,11 @@ class CoarseFactor::Elimination {
         const double value = r < c ? 0.0 : front.column(c)[r];
         factor_.values_.push_back(static_cast<float>(r == c ? 1.0 / value : value));
       }
+  }
+
+  /// To a later front.
+  void leaveRest(const DenseFront& front, std::size_t width) {
+    const std::size_t n = front.size();
     if (n == width) return;
     DenseFront left;
     left.unknowns.assign(front.unknowns.begin() + static_cast<std::ptrdiff_t>(width), front.unknowns.end());
@@ -268,18 +304,22 @@ class CoarseFactor::Elimination {
   std::vector<std::vector<DenseFront>> waiting_;  ///< [places]
 };
 
-CoarseFactor::CoarseFactor(const CoarseMatrix& matrix) {
-  Elimination(matrix, *this);
+CoarseFactor::CoarseFactor(const Communicator& comm, const CoarseMatrix& matrix, int nOwn) : comm_(comm), nOwn_(nOwn) {
+  std::vector<int> end(static_cast<std::size_t>(comm.size()));
+  MPI_Allgather(&nOwn, 1, MPI_INT, end.data(), 1, MPI_INT, comm.mpi());
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  first_ = end[static_cast<std::size_t>(comm.rank())] - nOwn;
+  Elimination(matrix, end, *this);
   int most = 0;
   for (const Front& front : fronts_) most = std::max(most, front.nBelow);
   work_.resize(place_.size());
   below_.resize(static_cast<std::size_t>(most));
 }
 
-void CoarseFactor::solve(const double* b, double* x) const {
-  for (std::size_t i = 0; i < place_.size(); ++i) work_[static_cast<std::size_t>(place_[i])] = static_cast<float>(b[i]);
+void CoarseFactor::eliminate(std::size_t firstFront, std::size_t lastFront) const {
   float* below = below_.data();
-  for (const Front& front : fronts_) {
+  for (std::size_t f = firstFront; f < lastFront; ++f) {
+    const Front& front = fronts_[f];
     float* own = &work_[static_cast<std::size_t>(front.first)];
     const int n = front.nBelow, height = front.width + n;
     const float* column = &values_[front.values];
@@ -293,21 +333,40 @@ void CoarseFactor::solve(const double* b, double* x) const {
     const int* row = rows_.data() + front.rows;
     for (int r = 0; r < n; ++r) work_[static_cast<std::size_t>(row[r])] -= below[r];
   }
-  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
-    float* own = &work_[static_cast<std::size_t>(front->first)];
-    const int n = front->nBelow, height = front->width + n;
-    const int* row = rows_.data() + front->rows;
+}
+
+void CoarseFactor::substitute(std::size_t firstFront, std::size_t lastFront) const {
+  float* below = below_.data();
+  for (std::size_t f = lastFront; f-- > firstFront;) {
+    const Front& front = fronts_[f];
+    float* own = &work_[static_cast<std::size_t>(front.first)];
+    const int n = front.nBelow, height = front.width + n;
+    const int* row = rows_.data() + front.rows;
     for (int r = 0; r < n; ++r) below[r] = work_[static_cast<std::size_t>(row[r])];
-    for (int c = front->width - 1; c >= 0; --c) {
-      const float* column = &values_[front->values + static_cast<std::size_t>(c * height)];
+    for (int c = front.width - 1; c >= 0; --c) {
+      const float* column = &values_[front.values + static_cast<std::size_t>(c * height)];
       float sum = own[c];
-      for (int r = c + 1; r < front->width; ++r) sum -= column[r] * own[r];
-      const float* low = column + front->width;
+      for (int r = c + 1; r < front.width; ++r) sum -= column[r] * own[r];
+      const float* low = column + front.width;
       own[c] = (sum - product(low, below, n)) * column[c];
     }
   }
-  for (std::size_t i = 0; i < place_.size(); ++i)
-    x[i] = static_cast<double>(work_[static_cast<std::size_t>(place_[i])]);
+}
+
+void CoarseFactor::solve(const double* b, double* x) const {
+  const int nShared = static_cast<int>(work_.size()) - firstShared_;
+  float* shared = work_.data() + firstShared_;
+  std::fill_n(shared, nShared, 0.0F);  // of which each rank has a part
+  const auto own = [&](int i) -> float& {
+    return work_[static_cast<std::size_t>(place_[static_cast<std::size_t>(first_ + i)])];
+  };
+  for (int i = 0; i < nOwn_; ++i) own(i) = static_cast<float>(b[i]);
+  eliminate(0, nOwnFronts_);
+  if (nShared > 0) MPI_Allreduce(MPI_IN_PLACE, shared, nShared, MPI_FLOAT, MPI_SUM, comm_.mpi());
+  eliminate(nOwnFronts_, fronts_.size());
+  substitute(nOwnFronts_, fronts_.size());
+  substitute(0, nOwnFronts_);
+  for (int i = 0; i < nOwn_; ++i) x[i] = static_cast<double>(own(i));
 }
 
 }  // namespace pd

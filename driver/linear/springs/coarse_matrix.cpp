@@ -123,8 +123,11 @@ class Assembly {
   }
 
   BlockMatrix run() {
-    network_.forEachSpringByOffset(
-        [&](int i, int j, const double* xi, const SpringConstants<double>& c) { addSpring(i, j, xi, c); });
+    network_.forEachSpringByOffset([&](int i, int j, const double* xi, const SpringConstants<double>& c) {
+      // Another rank has the spring, too, or a copy of the body: each gives half of it.
+      const double share = network_.isTwice(j) ? 0.5 : 1.0;
+      addSpring(i, j, xi, {share * c.radial, share * c.across, c.own, c.others});
+    });
     addDiagonal();
     sums_.addTo(matrix_);
     for (const SpringOperator::Addition& addition : stiffness_.additions()) {

@@ -33,7 +33,7 @@ std::array<double, 6> turned(const Symmetry::Matrix& m, int dimension, const dou
 }  // namespace
 
 SpringDiagonal::SpringDiagonal(const SpringOperator& stiffness) : stiffness_(stiffness) {
-  if (!stiffness.isDistributed()) return;
+  if (!stiffness.isDistributed() || !stiffness.network().hasHalves()) return;
   const SpringNetwork& network = stiffness.network();
   const Discretization& points = network.points();
   own_ = PointVector<double>(points.nPoints, points.dimension * (points.dimension + 1) / 2);
@@ -48,7 +48,7 @@ void SpringDiagonal::find(const std::vector<int>& points, PointVector<double>& d
   std::vector<char> isWanted(static_cast<std::size_t>(network.points().nPoints), 0);
   for (const int i : points) isWanted[static_cast<std::size_t>(i)] = 1;
   std::vector<char> isAround = network.around(points);
-  if (!stiffness_.isDistributed()) return findOwn(isWanted, isAround, diagonal);
+  if (!stiffness_.isDistributed() || !network.hasHalves()) return findOwn(isWanted, isAround, diagonal);
   // Springs of changed points end at ghosts and images: of these all are found.
   std::fill(isWanted.begin() + network.points().nOwned, isWanted.end(), 1);
   for (const int i : border_) isAround[static_cast<std::size_t>(i)] = 1;

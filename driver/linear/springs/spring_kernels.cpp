@@ -315,7 +315,7 @@ class Loops {
             xi[d] = places[d][j] - places[d][i];
             eta[d] = list.alive[k] * (x[d][j] - x[d][i]);
           }
-          const Sideways gives = sidewaysOf(c, k, xi, j < nOwned);
+          const Sideways gives = sidewaysOf(c, k, xi, network_.hasOtherShare(j));
           std::array<Real, nArrays> bond{};
           M::add(xi.data(), eta.data(), bond.data());
           for (int m = 0; m < M::width; ++m) sum[m] += gives.own * bond[m];
@@ -332,7 +332,6 @@ class Loops {
                        PointVector<Real>& y) const {
     const PointVector<Real>& places = network_.places<Real>();
     const SpringColumns<Real>& c = list.in<Real>();
-    const int nOwned = network_.points().nOwned;
     for (std::size_t r = 0; r < list.rows.size(); ++r) {
       const int i = list.rows[r];
       std::array<Real, D> sum{};
@@ -347,7 +346,7 @@ class Loops {
         }
         along *= c.radial[k];
         for (int d = 0; d < D; ++d) force[d] = along * xi[d];
-        const bool hasOther = j < nOwned;
+        const bool hasOther = network_.hasOtherShare(j);
         const Sideways gives = sidewaysOf(c, k, xi, hasOther);
         if constexpr (hasAcross)
           for (int d = 0; d < D; ++d) force[d] += gives.across * eta[d];

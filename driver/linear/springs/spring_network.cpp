@@ -43,9 +43,10 @@ std::size_t SpringList::bytes() const {
 /// The springs of a point.
 struct SpringNetwork::Row {
   int point = 0;
-  bool isInside = true;      ///< of owned points that have this one as a neighbour, too
-  std::vector<int> reverse;  ///< position of this point in the neighbour's list; -1: in none on this rank
-  std::vector<double> xi;    ///< [neighbours][D]
+  bool isInside = true;         ///< of springs that are whole
+  std::vector<int> reverse;     ///< position of this point in the neighbour's list; -1: in none on this rank
+  std::size_t firstBorder = 0;  ///< number of its first bond to a ghost or an image
+  std::vector<double> xi;       ///< [neighbours][D]
   std::vector<SpringConstants<double>> constants;
 };
 
@@ -58,10 +59,12 @@ struct SpringNetwork::Proportion {
 /// Reads the rows of points 0, 1, 2 ... one after another.
 class SpringNetwork::RowReader {
  public:
-  RowReader(const SpringNetwork& network, const std::vector<double>& along, const std::vector<double>& across)
+  RowReader(const SpringNetwork& network, const std::vector<double>& along, const std::vector<double>& across,
+            const OtherEnds& others)
       : network_(network),
         along_(along),
         across_(across),
+        others_(others),
         cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
 
   const Row& next(bool needsConstants = true) {
@@ -79,21 +82,25 @@ class SpringNetwork::RowReader {
     const int i = row_.point, n = network_.nNeighbors(i);
     row_.reverse.assign(static_cast<std::size_t>(n), -1);
     row_.isInside = true;
+    row_.firstBorder = nBorder_;
     for (int k = 0; k < n; ++k) {
       const int j = network_.neighbors(i)[k];
-      if (j < network_.points_.nOwned) {
+      if (j >= network_.points_.nOwned) {
+        ++nBorder_;
+      } else {
         int& place = cursor_[static_cast<std::size_t>(j)];
         while (place < network_.nNeighbors(j) && network_.neighbors(j)[place] < i) ++place;
         if (place < network_.nNeighbors(j) && network_.neighbors(j)[place] == i)
           row_.reverse[static_cast<std::size_t>(k)] = place;
       }
-      row_.isInside = row_.isInside && row_.reverse[static_cast<std::size_t>(k)] >= 0;
+      row_.isInside = row_.isInside && (row_.reverse[static_cast<std::size_t>(k)] >= 0 || network_.isTwice(j));
     }
   }
 
   void readConstants() {
     const int i = row_.point, n = network_.nNeighbors(i), d = network_.dimension();
     const PointVector<double>& x = network_.places<double>();
+    std::size_t border = row_.firstBorder;
     row_.xi.resize(static_cast<std::size_t>(n * d));
     row_.constants.resize(static_cast<std::size_t>(n));
     for (int k = 0; k < n; ++k) {
@@ -105,32 +112,46 @@ class SpringNetwork::RowReader {
         length2 += difference * difference;
       }
       const std::size_t own = firstBond(i) + static_cast<std::size_t>(k);
-      const std::size_t other = back < 0 ? own : firstBond(j) + static_cast<std::size_t>(back);
-      const double hasOther = back < 0 ? 0.0 : 1.0, perUnit = 1.0 / network_.stiffnessUnit_;
-      const double along = along_[own] + hasOther * along_[other];
-      const double across = across_.empty() ? 0.0 : across_[own] + hasOther * across_[other];
+      const Ends along = endsOf(along_, others_.along, own, j, back, border);
+      const Ends across = endsOf(across_, others_.across, own, j, back, border);
+      if (network_.isTwice(j)) ++border;
+      const double perUnit = 1.0 / network_.stiffnessUnit_, ofAcross = across.own + across.other;
       SpringConstants<double>& constants = row_.constants[static_cast<std::size_t>(k)];
-      constants = {perUnit * (along - across) / length2, perUnit * across, 0.0, 0.0};
+      constants = {perUnit * (along.own + along.other - ofAcross) / length2, perUnit * ofAcross, 0.0, 0.0};
       if (network_.family_ == Family::None) continue;
-      const std::vector<double>& gives = network_.family_ == Family::Rotation ? across_ : along_;
-      constants.own = perUnit * gives[own];
-      constants.others = perUnit * hasOther * gives[other];
+      const Ends& gives = network_.family_ == Family::Rotation ? across : along;
+      constants.own = perUnit * gives.own;
+      constants.others = perUnit * gives.other;
     }
+  }
+
+  /// What both ends of a bond give.
+  struct Ends {
+    double own, other;
+  };
+  Ends endsOf(const std::vector<double>& ofBonds, const std::vector<double>& ofOthers, std::size_t own, int j, int back,
+              std::size_t border) const {
+    if (ofBonds.empty()) return {0.0, 0.0};
+    if (back >= 0) return {ofBonds[own], ofBonds[firstBond(j) + static_cast<std::size_t>(back)]};
+    return {ofBonds[own], network_.isTwice(j) ? ofOthers[border] : 0.0};
   }
 
   const SpringNetwork& network_;
   const std::vector<double>&along_, &across_;
+  const OtherEnds& others_;
   std::vector<int> cursor_;
+  std::size_t nBorder_ = 0;
   int next_ = 0;
   Row row_;
 };
 
 SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& points, Family family,
                              const std::vector<double>& along, const std::vector<double>& across,
-                             const std::vector<double>& dilatational, bool findsRuns)
+                             const std::vector<double>& dilatational, const OtherEnds& others)
     : points_(points),
       family_(points.dimension == 1 ? Family::None : family),
       shape_{!across.empty(), family_ != Family::None, 0.0},
+      hasHalves_(!others.areKnown),
       dilatational_(dilatational) {
   lengthUnit_ = points.shortestBond > 0.0 ? points.shortestBond : 1.0;
   stiffnessUnit_ = 0.0;
@@ -154,22 +175,17 @@ SpringNetwork::SpringNetwork(const Communicator& comm, const Discretization& poi
     }
   }
   const auto nOwned = static_cast<std::size_t>(points.nOwned);
-  isComplete_.assign(nOwned, 0);
+  isComplete_.assign(static_cast<std::size_t>(points.nPoints), 0);
   aliveOfPoint_.resize(nOwned);
   Proportion proportion;
-  if (findsRuns) {
-    findRuns(RowReader(*this, along, across), proportion);
-  } else {
-    RowReader reader(*this, along, across);
-    for (int i = 0; i < points.nOwned && family_ == Family::Rotation; ++i) look(reader.next(), proportion);
-  }
+  findRuns(RowReader(*this, along, across, others), proportion);
   if (family_ == Family::Rotation) {
     const double largest = comm.max(proportion.ratio), smallest = -comm.max(-proportion.ratio);
     if (!comm.any(!proportion.isOne || !shape_.hasAcross))
       shape_.acrossPerRadial = largest > -smallest ? largest : smallest;
   }
-  if (findsRuns) findStrips(RowReader(*this, along, across));
-  makeLists(RowReader(*this, along, across));
+  findStrips(RowReader(*this, along, across, others));
+  makeLists(RowReader(*this, along, across, others));
 }
 
 void SpringNetwork::look(const Row& row, Proportion& proportion) const {
@@ -183,7 +199,7 @@ void SpringNetwork::look(const Row& row, Proportion& proportion) const {
     const double radial = c.radial * length2, bound = tolerance * std::abs(radial + c.across);
     if (proportion.ratio == 0.0 && std::abs(radial) > least * std::abs(radial + c.across))
       proportion.ratio = c.across / radial;
-    const bool isShared = neighbors(row.point)[k] >= points_.nOwned || std::abs(c.own - c.others) <= bound;
+    const bool isShared = !hasOtherShare(neighbors(row.point)[k]) || std::abs(c.own - c.others) <= bound;
     proportion.isOne = isShared && std::abs(proportion.ratio * radial - c.across) <= bound;
   }
 }
@@ -195,7 +211,7 @@ SpringConstants<double> SpringNetwork::constantsOf(const SpringColumns<double>& 
     return {columns.radial[k], value(columns.across), value(columns.own), value(columns.others)};
   const double length2 = xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2];
   const double across = shape_.acrossPerRadial * columns.radial[k] * length2;
-  if (j >= points_.nOwned) return {columns.radial[k], across, across, 0.0};
+  if (!hasOtherShare(j)) return {columns.radial[k], across, across, 0.0};
   return {columns.radial[k], across, 0.5 * across, 0.5 * across};
 }
 
@@ -310,7 +326,7 @@ void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
 
 void SpringNetwork::findStrips(RowReader reader) {
   const bool hasOneConstant = shape_.acrossPerRadial != 0.0 || (!shape_.hasAcross && !shape_.hasFamily);
-  const auto inRuns = std::count(isComplete_.begin(), isComplete_.end(), 1);
+  const auto inRuns = std::count(isComplete_.begin(), isComplete_.end(), 1);  // ghosts and images are in none
   if (2 * inRuns < points_.nOwned && !hasOneConstant) return;
   SpringStrip strip{};
   std::vector<Row> rows;
@@ -350,7 +366,7 @@ void SpringNetwork::makeLists(RowReader reader) {
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
       if (!row.constants[k].acts()) continue;
-      if (j < points_.nOwned && isComplete(j))
+      if (isComplete(j) || isTwice(j))
         add(singles_, i, j, 1.0F, row.constants[k]);
       else if (j > i || row.reverse[k] < 0)
         add(pairs_, i, j, 1.0F, row.constants[k]);

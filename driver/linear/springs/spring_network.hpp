@@ -121,8 +121,9 @@ struct BrokenStretch {
 
 /// Every bond between two owned points is here once: in the runs and strips, seen from a point that belongs to one, and
 /// else in `pairs`, which act on both ends. Between a point of neither and one of either a `single` acts on the former.
-/// A bond to a ghost or an image is a pair of which each rank (or copy) has its own end's share. What is broken of runs
-/// and strips, `brokenStretches` and `corrections` take away, from both ends, and where the other end is in neither,
+/// A bond to a ghost or an image acts on its owned end alone, as a whole, since its other end's rank (or copy) has it,
+/// too; where hasHalves(), it is a pair of which each rank has its own end's share. What is broken of runs and strips,
+/// `brokenStretches` and `corrections` take away, from both ends, and where the other end is in neither,
 /// `singleCorrections` from their rows alone.
 ///
 /// Lengths and stiffnesses are in units of their own, so that single precision will do wherever the body is and
@@ -131,10 +132,17 @@ class SpringNetwork {
  public:
   using Family = LinearSprings::Family;
 
+  /// What bonds to ghosts and images have in the lists of their other ends, in the order in which they come in those of
+  /// this rank's points (BorderBonds).
+  struct OtherEnds {
+    bool areKnown = false;
+    std::vector<double> along, across;
+  };
+
   /// `along`, `across` (empty: none) [bonds, in the order of the discretization] N/m, `dilatational` [nOwned] 1/(N m):
-  /// LinearSprings. Refers to `points`. Collective.
+  /// LinearSprings. Without known `others` springs to ghosts and images are halves. Refers to `points`. Collective.
   SpringNetwork(const Communicator& comm, const Discretization& points, Family family, const std::vector<double>& along,
-                const std::vector<double>& across, const std::vector<double>& dilatational, bool findsRuns = true);
+                const std::vector<double>& across, const std::vector<double>& dilatational, const OtherEnds& others);
 
   /// Takes up the bond damage of the owned points `changed`; damageOf(point): of its bonds, in the order of its list.
   void setDamage(const std::vector<int>& changed, const std::function<const double*(int)>& damageOf);
@@ -157,8 +165,13 @@ class SpringNetwork {
   bool hasAcross() const { return shape_.hasAcross; }
   double acrossPerRadial() const { return shape_.acrossPerRadial; }  ///< of SpringShape
   bool hasNegative() const { return hasNegative_; }                  ///< some spring pushes where it should pull
-  double stiffnessUnit() const { return stiffnessUnit_; }            ///< N/m, the same on all ranks
-  double lengthUnit() const { return lengthUnit_; }                  ///< m
+  bool hasHalves() const { return hasHalves_; }                      ///< those to ghosts and images, if there are any
+  /// Whether the spring is one of which another rank, or a copy of the body, has the like: both are the bond.
+  bool isTwice(int neighbor) const { return !hasHalves_ && neighbor >= points_.nOwned; }
+  /// Whether the spring has the share of this end, too.
+  bool hasOtherShare(int neighbor) const { return !hasHalves_ || neighbor < points_.nOwned; }
+  double stiffnessUnit() const { return stiffnessUnit_; }  ///< N/m, the same on all ranks
+  double lengthUnit() const { return lengthUnit_; }        ///< m
   const std::vector<double>& dilatational() const { return dilatational_; }
 
   const std::vector<SpringRun>& runs() const { return runs_; }
@@ -241,7 +254,7 @@ class SpringNetwork {
   /// Of the points of a run from `first` to before `last`.
   void correctRun(const SpringRun& run, int first, int last);
   template <class IsWanted, class Visit>
-  void forEachPair(const IsWanted& isWanted, const Visit& visit) const;
+  void forEachOfLists(const IsWanted& isWanted, const Visit& visit) const;
   /// alive() of a neighbour that is not known by its place in the list.
   float aliveTo(int point, int neighbor) const;
   static SpringConstants<double> scaled(const SpringConstants<double>& c, double share) {
@@ -253,14 +266,14 @@ class SpringNetwork {
   const Discretization& points_;
   Family family_;
   SpringShape shape_;
-  bool hasNegative_ = false;
+  bool hasNegative_ = false, hasHalves_;
   double stiffnessUnit_ = 1.0, lengthUnit_ = 1.0;
   std::tuple<PointVector<double>, PointVector<float>> places_;
   std::vector<double> dilatational_;
   std::vector<SpringRun> runs_;
   std::vector<SpringPattern> patterns_;
   std::vector<SpringStrip> strips_;
-  std::vector<char> isComplete_;  ///< [nOwned]
+  std::vector<char> isComplete_;  ///< [nPoints]
   SpringList pairs_, singles_, corrections_, singleCorrections_;
   std::vector<BrokenStretch> brokenStretches_;
   std::vector<int> pairRow_, singleRow_;          ///< [nOwned] -1: none
@@ -307,20 +320,24 @@ void SpringNetwork::forEachSpringIn(const IsWanted& isWanted, const Visit& visit
       const auto xi = difference(i, j);
       visit(i, j, xi.data(), scaled(constantsOf(strip.in<double>(), at, xi, j), alive(i, k)));
     });
-  forEachPair(isWanted, visit);
+  forEachOfLists(isWanted, visit);
 }
 
 template <class IsWanted, class Visit>
-void SpringNetwork::forEachPair(const IsWanted& isWanted, const Visit& visit) const {
-  for (std::size_t r = 0; r < pairs_.rows.size(); ++r) {
-    if (!isWanted(pairs_.rows[r])) continue;
-    for (std::size_t k = pairs_.start[r]; k < pairs_.start[r + 1]; ++k) {
-      if (pairs_.alive[k] == 0.0F) continue;
-      const int i = pairs_.rows[r], j = pairs_.other[k];
-      const auto xi = difference(i, j);
-      visit(i, j, xi.data(), scaled(constantsOf(pairs_.in<double>(), k, xi, j), pairs_.alive[k]));
+void SpringNetwork::forEachOfLists(const IsWanted& isWanted, const Visit& visit) const {
+  const auto forEachOf = [&](const SpringList& list, const auto& isOf) {
+    for (std::size_t r = 0; r < list.rows.size(); ++r) {
+      if (!isWanted(list.rows[r])) continue;
+      for (std::size_t k = list.start[r]; k < list.start[r + 1]; ++k) {
+        const int i = list.rows[r], j = list.other[k];
+        if (list.alive[k] == 0.0F || !isOf(j)) continue;
+        const auto xi = difference(i, j);
+        visit(i, j, xi.data(), scaled(constantsOf(list.in<double>(), k, xi, j), list.alive[k]));
+      }
     }
-  }
+  };
+  forEachOf(pairs_, [](int) { return true; });
+  forEachOf(singles_, [this](int j) { return isTwice(j); });  // others are in the rows of their other ends
 }
 
 template <class Visit>
@@ -349,7 +366,7 @@ void SpringNetwork::forEachSpringByOffset(const Visit& visit) const {
         const auto xi = difference(i, j);
         visit(i, j, xi.data(), scaled(constantsOf(strip.in<double>(), at, xi, j), share));
       }
-  forEachPair([](int) { return true; }, visit);
+  forEachOfLists([](int) { return true; }, visit);
 }
 
 }  // namespace pd

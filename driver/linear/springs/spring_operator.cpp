@@ -121,19 +121,28 @@ void SpringOperator::zeroHeld(PointVector<Real>& x) const {
 }
 
 template <class Real>
-void SpringOperator::importInto(PointVector<Real>& x) {
+void SpringOperator::import(PointVector<Real>& x, int width, int first, Reflection rule) {
   if (!isDistributed_) return;
   const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
+  const auto at = [&](int c, int i) -> double& { return exchanged_[static_cast<std::size_t>(width * i + first + c)]; };
   for (int c = 0; c < x.nComponents(); ++c)
-    for (const int i : sources_) exchanged_[static_cast<std::size_t>(3 * i + c)] = static_cast<double>(x[c][i]);
-  exchange_.import(exchanged_.data(), 3, Reflection::Vector);
+    for (const int i : sources_) at(c, i) = static_cast<double>(x[c][i]);
+  exchange_.import(exchanged_.data(), width, rule);
   for (int c = 0; c < x.nComponents(); ++c)
-    for (int i = nOwned; i < nPoints; ++i) x[c][i] = static_cast<Real>(exchanged_[static_cast<std::size_t>(3 * i + c)]);
+    for (int i = nOwned; i < nPoints; ++i) x[c][i] = static_cast<Real>(at(c, i));
+}
+
+/// The families at the other ends of springs that are no halves.
+template <class Real>
+void SpringOperator::importResponses(PointVector<Real>& t) {
+  if (network_.hasHalves()) return;
+  if (network_.family() == Family::Dilatation) return import(t, 1, 0, Reflection::Even);
+  import(t, 3, t.nComponents() == 1 ? 2 : 0, Reflection::AxialVector);
 }
 
 template <class Real>
 void SpringOperator::exportFrom(PointVector<Real>& y) {
-  if (!isDistributed_) return;
+  if (!isDistributed_ || !network_.hasHalves()) return;
   const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
   const auto copy = [&](int c, int i) {
     exchanged_[static_cast<std::size_t>(3 * i + c)] = c < y.nComponents() ? static_cast<double>(y[c][i]) : 0.0;
@@ -163,6 +172,7 @@ void SpringOperator::applyToAll(PointVector<Real>& x, PointVector<Real>& y) {
       t[1][i] = response[1][i] * s[0] + response[3][i] * s[1] + response[4][i] * s[2];
       t[2][i] = response[2][i] * s[0] + response[4][i] * s[1] + response[5][i] * s[2];
     }
+    importResponses(t);
   }
   springForces(network_, x, t, y);
   exportFrom(y);
@@ -198,7 +208,7 @@ Vector3 familyVector(const PointVector<double>& t, int point) {
 }  // namespace
 
 void SpringOperator::updateResponses(const std::vector<int>& changed, const PointVector<double>& x,
-                                     PointVector<double>& responses) const {
+                                     PointVector<double>& responses) {
   const int nOwned = network_.points().nOwned, width = network_.familyWidth();
   std::vector<char> isChanged(static_cast<std::size_t>(network_.points().nPoints), 0);
   for (const int i : changed) isChanged[static_cast<std::size_t>(i)] = 1;
@@ -225,20 +235,47 @@ void SpringOperator::updateResponses(const std::vector<int>& changed, const Poin
     responses[1][i] = r[1][i] * own[0] + r[3][i] * own[1] + r[4][i] * own[2];
     responses[2][i] = r[2][i] * own[0] + r[4][i] * own[1] + r[5][i] * own[2];
   }
+  importResponses(responses);
+}
+
+/// Owned points that are among these or have one of them as a neighbour: they feel what its family turns by.
+/// `otherHasChanged` [nPoints] of ghosts and images; empty: none.
+std::vector<int> SpringOperator::pointsThatFeel(const std::vector<int>& changed,
+                                                const std::vector<char>& otherHasChanged) const {
+  const std::vector<char> isAround = network_.around(changed);
+  std::vector<int> felt;
+  for (int i = 0; i < network_.points().nOwned; ++i) {
+    const int *first = network_.neighbors(i), *last = first + network_.nNeighbors(i);
+    bool feels = isAround[static_cast<std::size_t>(i)] != 0;
+    if (!otherHasChanged.empty() && first != last && last[-1] >= network_.points().nOwned)
+      feels =
+          feels || std::any_of(first, last, [&](int j) { return otherHasChanged[static_cast<std::size_t>(j)] != 0; });
+    if (feels) felt.push_back(i);
+  }
+  return felt;
 }
 
 void SpringOperator::updateAll(const std::vector<int>& changed, const PointVector<double>& x,
-                               PointVector<double>& responses, PointVector<double>& y) const {
-  const int nOwned = network_.points().nOwned;
+                               PointVector<double>& responses, PointVector<double>& y) {
+  const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;
   const bool hasFamily = network_.familyWidth() > 0;
-  if (hasFamily) updateResponses(changed, x, responses);
-  // Neighbours feel what their families' members turn by.
-  const std::vector<char> isFelt = network_.around(changed);
-  std::vector<int> felt;
-  for (int i = 0; i < nOwned; ++i)
-    if (isFelt[static_cast<std::size_t>(i)] != 0) felt.push_back(i);
-  for (const int i : felt)
+  std::vector<char> otherHasChanged;
+  if (hasFamily) {
+    const PointVector<double> before = responses;
+    updateResponses(changed, x, responses);
+    for (int c = 0; c < responses.nComponents(); ++c)
+      for (int i = nOwned; i < nPoints; ++i) {
+        if (responses[c][i] == before[c][i]) continue;
+        otherHasChanged.resize(static_cast<std::size_t>(nPoints), 0);
+        otherHasChanged[static_cast<std::size_t>(i)] = 1;
+      }
+  }
+  const std::vector<int> felt = pointsThatFeel(changed, otherHasChanged);
+  std::vector<char> isFelt(static_cast<std::size_t>(nPoints), 0);
+  for (const int i : felt) {
+    isFelt[static_cast<std::size_t>(i)] = 1;
     for (int c = 0; c < y.nComponents(); ++c) y[c][i] = 0.0;
+  }
   const std::vector<char> isAround = network_.around(felt);
   network_.forEachSpringIn(
       [&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },

@@ -54,9 +54,10 @@ class SpringOperator {
     return std::get<PointVector<Real>>(families_);
   }
   /// Brings y = K x up to date where only bonds of the owned points `changed` have changed since it was found by
-  /// applyToAll(), which left `responses`, in one piece: not distributed. Both are written.
+  /// applyToAll(), which left `responses` and x of ghosts and images; no spring may be a half. Both are written.
+  /// Collective.
   void updateAll(const std::vector<int>& changed, const PointVector<double>& x, PointVector<double>& responses,
-                 PointVector<double>& y) const;
+                 PointVector<double>& y);
 
   /// The same for a smoother of what is short: there families hardly turn, and are taken not to, which saves a loop.
   void applyStiffly(PointVector<float>& x, PointVector<float>& y);
@@ -68,14 +69,21 @@ class SpringOperator {
 
  private:
   template <class Real>
-  void importInto(PointVector<Real>& x);
+  void importInto(PointVector<Real>& x) {
+    import(x, 3, 0, Reflection::Vector);
+  }
+  template <class Real>
+  void importResponses(PointVector<Real>& t);
+  /// Components of x are those of the exchange, which has `width`, from `first` on.
+  template <class Real>
+  void import(PointVector<Real>& x, int width, int first, Reflection rule);
   template <class Real>
   void exportFrom(PointVector<Real>& y);
 
   void findSources();
   void findResponse(const std::vector<int>& changed);
-  void updateResponses(const std::vector<int>& changed, const PointVector<double>& x,
-                       PointVector<double>& responses) const;
+  void updateResponses(const std::vector<int>& changed, const PointVector<double>& x, PointVector<double>& responses);
+  std::vector<int> pointsThatFeel(const std::vector<int>& changed, const std::vector<char>& otherHasChanged) const;
 
   const SpringNetwork& network_;
   const PointExchange& exchange_;

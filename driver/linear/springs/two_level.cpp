@@ -145,14 +145,9 @@ void TwoLevel::rebuild() {
   space_->exchange(stiffness_);
   const CoarseMatrix matrix = makeCoarseMatrix(comm_, stiffness_, *space_);
   factor_.reset();
-  if (space_->nUnknowns() > 0) factor_ = std::make_unique<CoarseFactor>(matrix);
-  right_.assign(static_cast<std::size_t>(space_->nUnknowns()), 0.0);
+  if (space_->nUnknowns() > 0) factor_ = std::make_unique<CoarseFactor>(comm_, matrix, space_->nOwnUnknowns());
+  right_.assign(static_cast<std::size_t>(space_->nOwnUnknowns()), 0.0);
   solution_ = right_;
-  counts_.resize(static_cast<std::size_t>(comm_.size()));
-  starts_.assign(counts_.size(), 0);
-  const int mine = space_->nOwnUnknowns();
-  MPI_Allgather(&mine, 1, MPI_INT, counts_.data(), 1, MPI_INT, comm_.mpi());
-  for (std::size_t rank = 1; rank < counts_.size(); ++rank) starts_[rank] = starts_[rank - 1] + counts_[rank - 1];
 }
 
 void TwoLevel::smooth(const PointVector<float>& r, PointVector<float>& z) {
@@ -183,15 +178,10 @@ void TwoLevel::subtract(const PointVector<float>& x, PointVector<float>& from) c
 
 void TwoLevel::correct(PointVector<float>& r, PointVector<float>& z) {
   if (!factor_) return;
-  const auto rank = static_cast<std::size_t>(comm_.rank());
-  double* own = right_.data() + starts_[rank];
-  space_->restrict(r, own);
-  if (comm_.size() > 1)
-    MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, right_.data(), counts_.data(), starts_.data(), MPI_DOUBLE,
-                   comm_.mpi());
+  space_->restrict(r, right_.data());
   factor_->solve(right_.data(), solution_.data());
   direction_.zero();
-  space_->addTo(direction_, solution_.data() + starts_[rank]);
+  space_->addTo(direction_, solution_.data());
   stiffness_.zeroHeld(direction_);  // points without springs may be held since the level was made
   stiffness_.apply(direction_, product_);
   subtract(product_, r);

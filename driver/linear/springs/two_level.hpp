@@ -49,8 +49,7 @@ class TwoLevel {
   float largest_ = 2.0F;          ///< bound of the eigenvalues of D^-1 K
   std::unique_ptr<CoarseSpace> space_;
   std::unique_ptr<CoarseFactor> factor_;
-  std::vector<double> right_, solution_;  ///< of all ranks
-  std::vector<int> counts_, starts_;
+  std::vector<double> right_, solution_;  ///< of this rank's unknowns
   PointVector<float> rest_, sum_, direction_, product_, scaled_, left_;
 };
 
