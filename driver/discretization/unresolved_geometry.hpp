@@ -67,6 +67,7 @@ class UnresolvedGeometry {
   };
   /// Each pair of points of this rank once.
   Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);
+  void markAsMet(Entry& entry);
   void markMet(const decomposition::NearDiscontinuities& near, const decomposition::Cell& a,
                const decomposition::Cell& b);
 
@@ -75,6 +76,7 @@ class UnresolvedGeometry {
   decomposition::DecompositionRule rule_;
   bool countsCracks_ = true;
   std::vector<Entry> entries_;
+  std::size_t nMet_ = 0;  ///< of these
   std::unordered_map<const decomposition::Screen*, std::size_t> entryOf_;
   std::vector<double> solid_;  ///< share of the cell that is material, of points that are left
   // Bins as long as bonds reach, each with what meets it or its surroundings.
