@@ -172,7 +172,23 @@ Cell UnresolvedGeometry::cellOf(const double* place, double spacing) const {
   return cell;
 }
 
+/// Ends of cracks are known to some 1e-9 of the length of a side.
+void UnresolvedGeometry::requireEndsOfCracks(double spacing) const {
+  constexpr double most = 1e6;  // spacings
+  for (const Entry& entry : entries_)
+    for (const auto& screen : entry.screens) {
+      const decomposition::Box box = screen->box();
+      for (std::size_t d = 0; entry.isCrack && d < static_cast<std::size_t>(dimension_); ++d)
+        if (!(box.high[d] - box.low[d] <= most * spacing))
+          throw DeckError(
+              fmt::format("{}: {} is {:g} m long, more than {:g} spacings of {:.4g} m, so that its end would be off by "
+                          "rounding; let it end just outside of the body",
+                          entry.node.keyPlace(), entry.node.path(), box.high[d] - box.low[d], most, spacing));
+    }
+}
+
 void UnresolvedGeometry::requireSizes(double spacing) const {
+  requireEndsOfCracks(spacing);
   constexpr double least = 1e-6;  // of the spacing; of less, rounding makes anything
   const Entry* first = nullptr;
   std::size_t nSmall = 0;
