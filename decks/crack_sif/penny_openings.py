@@ -66,7 +66,8 @@ def draw(folder):
         of_opening.plot(rho * 1e3, v * 1e6, "o", color=color, fillstyle="none" if rule == "Adaptive" else "full",
                         markersize=6 if rule == "Adaptive" else 3, label=label)
     for what, name, height, spacing in (("through points", "penny_10.0_0.5_0_Adaptive", 0.5e-3, SPACING),
-                                        ("points two thirds as far apart", "penny_fine", 0.0, 2 / 3 * SPACING)):
+                                        ("points 0.67 mm apart", "penny_0.667", 0.0, 2 / 3 * SPACING),
+                                        ("points 0.5 mm apart", "penny_0.5", 0.0, 0.5 * SPACING)):
         ratios = np.array(ratios_of(folder, name, 10e-3, height, 0.0, spacing))
         print(f"crack {what}: error of K, %", np.round(100 * (ratios - 1), 2))
     rho = np.linspace(0, 10e-3, 400)

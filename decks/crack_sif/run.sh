@@ -29,10 +29,13 @@ penny penny_10.0_0.5_0_Adaptive 10.0 0.5 0 Adaptive # through points
 penny penny_10.0_0_20_Adaptive 10.0 0 20 Adaptive
 penny penny_10.0_0_20_Intersection 10.0 0 20 Intersection
 penny penny_10.0_0_45_Adaptive 10.0 0 45 Adaptive # through points; Intersection leaves some of them without a bond
-grid=Discretization/TensorProduct3DMeshGenerator # points two thirds as far apart
-penny penny_fine 10.0 0 0 Adaptive --set "Blocks/Cube/Horizon=2.0 mm" \
-  --set "$grid={X Origin: -0.0133333333333, Y Origin: -0.0133333333333, Z Origin: -0.0133333333333,
-                X Length: 0.0266666666667, Y Length: 0.0266666666667, Z Length: 0.0266666666667,
-                Number Points X: 40, Number Points Y: 40, Number Points Z: 40}" \
-  --set "Boundary Conditions/Rim Node Set/Expression=\"max(max(abs(x), abs(y)), abs(z)) > 11.3e-3\""
+finer() { # name, distance of points in mm, how many along an edge, where the rim begins in mm
+  local grid=Discretization/TensorProduct3DMeshGenerator length=$(computed "$2 * $3")e-3 origin=$(computed "-0.5 * $2 * $3")e-3
+  penny "$1" 10.0 0 0 Adaptive --set "Blocks/Cube/Horizon=$(computed "3 * $2") mm" \
+    --set "$grid={X Origin: $origin, Y Origin: $origin, Z Origin: $origin, X Length: $length, Y Length: $length, Z Length: $length,
+                  Number Points X: $3, Number Points Y: $3, Number Points Z: $3}" \
+    --set "Boundary Conditions/Rim Node Set/Expression=\"max(max(abs(x), abs(y)), abs(z)) > ${4}e-3\""
+}
+finer penny_0.667 "2 / 3" 40 11.3
+finer penny_0.5 0.5 52 11.47
 "$here/plot.py" "$results"

@@ -168,11 +168,12 @@ def draw_spacing():
 def print_controls():
     far = STRESS * 1e6 / YOUNG
     for place in ("0.26_0.0", "0.02_0.0", "0.26_0.31"):
-        for per_cell in (1, 6, 8) if place == "0.26_0.0" else (1, 6):
+        for per_cell in (1, 4, 6, 8) if place == "0.02_0.0" else (1, 4, 6):
             strain = strain_of_cells(f"whole_{place}_{per_cell}")
             print(f"horizon {HORIZON} mm, pore at {place}, {per_cell} points an edge: strain between cells "
-                  f"{strain / far:.4f} of the far one, life {life_of_range(2 * strain):.0f}; first bond of all "
-                  f"{life(f'same_{place}_{per_cell}'):.1f}")
+                  f"{strain / far:.4f} of the far one, life {life_of_range(2 * strain):.0f}")
+        for per_cell in (1, 6, 8) if place == "0.26_0.0" else (1, 6):
+            print(f"  {per_cell} points an edge: first bond of all {life(f'same_{place}_{per_cell}'):.1f}")
     known = strength("map_100_0.26")
     for stress in (150, 155, 160, 200, 300):
         strain = amplitude(life("map_100_0.26")) * stress / STRESS

@@ -55,19 +55,18 @@ control() { # name, edge of the plate, rim of it, spacing, horizon, x and y of t
     --set "Discretization/Bond Decomposition={Rule: $8}" \
     --set "Boundary Conditions/Rim Node Set/Expression=\"max(abs(x), abs(y)) > ${rim}e-3\"" "${@:9}"
 }
-same() { # points along the edge of a cell, x and y of the pore, rule: the horizon of the map
-  local spacing
-  spacing=$(times 0.64 "1 / $1")
-  control "same_$2_$3_$1" 11.52 1.92 "$spacing" 1.92 "$2" "$3" "$4"
-  # Displacements of the whole body: nothing breaks.
-  control "whole_$2_$3_$1" 11.52 1.92 "$spacing" 1.92 "$2" "$3" "$4" --set "Damage Models/Fatigue/Strain Limit=1"
+same() { # points along the edge of a cell, x and y of the pore, rule, more overrides: the horizon of the map
+  control "${5:-same}_$2_$3_$1" 11.52 1.92 "$(times 0.64 "1 / $1")" 1.92 "$2" "$3" "$4" "${@:6}"
 }
+whole() { same "$1" "$2" "$3" Adaptive whole --set "Damage Models/Fatigue/Strain Limit=1"; } # nothing breaks
 for place in "0.26 0.0" "0.02 0.0" "0.26 0.31"; do
   read -r x y <<< "$place"
   same 1 "$x" "$y" Adaptive
   same 6 "$x" "$y" Intersection
+  for points in 1 4 6; do whole "$points" "$x" "$y"; done
 done
 same 8 0.26 0.0 Intersection
+whole 8 0.02 0.0
 for spacing in 0.05 0.025 0.0125; do # three spacings a horizon
   control "local_$spacing" 3.2 1.3 "$spacing" "$(times 3 "$spacing")" 0.0 0.0 Intersection
 done

@@ -30,11 +30,13 @@ gmsh -v 1 -2 "$here/plate.geo" -setnumber IsCut 0 -o "$here/triangles.msh"
 for height in 5 7; do run "triangles_$height" "$height" triangles.txt --set "$(hole "$height")"; done
 run triangles_9 9 triangles.txt --set "$(hole 9)" --set "$(until_long 35)" # it passes
 run straight 7 triangles.txt --set "Discretization/Voids={}" --set "$(until_long 20)"
-# Half as large triangles: both again.
-for height in 5 7 9; do
+# Half as large triangles, and what they do without a hole.
+for height in 5 6 7 8 9 11; do
+  passes=()
+  if [[ $height == 11 ]]; then passes=(--set "$(until_long 38)"); fi
   gmsh -v 1 -2 "$here/plate.geo" -setnumber Size 0.6 -setnumber Height "$height" -o "$here/fine_$height.msh"
   "$pdmesh" convert "$here/fine_$height.msh" "$here/fine_$height.txt" --scale 1e-3 --thickness 0.001 --quiet
-  run "fine_$height" "$height" "fine_$height.txt" --set "Discretization/Voids={}"
+  run "fine_$height" "$height" "fine_$height.txt" --set "Discretization/Voids={}" "${passes[@]}"
 done
 gmsh -v 1 -2 "$here/plate.geo" -setnumber Size 0.6 -setnumber IsCut 0 -o "$here/fine.msh"
 "$pdmesh" convert "$here/fine.msh" "$here/fine.txt" --scale 1e-3 --thickness 0.001 --quiet

@@ -105,14 +105,19 @@ void fillPoints(const MeshPoints& body, const std::vector<double>& horizon, Disc
 /// What is wrong with the neighbourhoods of this rank, a line each: points that have no bond.
 std::string lonelyPoints(const MeshPoints& points, const BondFilters& filters, const Discretization& d) {
   std::string lines;
+  const char* remedy = !filters.empty() ? "choose a larger Horizon, or set `Count In Damage: true` on the bond filter "
+                                          "that takes its bonds away"
+                       : d.isDecomposed
+                           ? "choose a larger Horizon (3 to 6 spacings), remove the point, or, where Cracks or "
+                             "Voids cut all of its bonds, move them off it, or set `Rule: Adaptive`, by which "
+                             "parts of bonds are left"
+                           : "choose a larger Horizon (3 to 6 spacings) or remove the point";
   int count = 0;
   for (int i = 0; i < d.nOwned; ++i) {
     if (d.neighborhoodList[d.neighborhoodStart[i]] != 0 || ++count > maximumListedPoints) continue;
-    lines += fmt::format("{}: the point ({:g}, {:g}, {:g}) has no neighbours within its horizon of {:g} m; {}\n",
-                         points.place(d.globalIds[i]), d.x[3 * i], d.x[3 * i + 1], d.x[3 * i + 2], d.horizon[i],
-                         filters.empty() ? "choose a larger Horizon (3 to 6 spacings) or remove the point"
-                                         : "choose a larger Horizon, or set `Count In Damage: true` on the bond filter "
-                                           "that takes its bonds away");
+    lines +=
+        fmt::format("{}: the point ({:g}, {:g}, {:g}) has no neighbours within its horizon of {:g} m; {}\n",
+                    points.place(d.globalIds[i]), d.x[3 * i], d.x[3 * i + 1], d.x[3 * i + 2], d.horizon[i], remedy);
   }
   if (count > maximumListedPoints)
     lines += fmt::format("{}: {} more points without neighbours\n", points.fileName, count - maximumListedPoints);

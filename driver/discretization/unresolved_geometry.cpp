@@ -151,7 +151,10 @@ void UnresolvedGeometry::sortIntoBins(const MeshPoints& points, double reach) {
   };
   for (const Entry& entry : entries_) {
     for (const auto& screen : entry.screens)
-      forEachBin(screen->box(), [&](NearDiscontinuities& bin) { bin.screens.push_back(screen.get()); });
+      forEachBin(screen->box(), [&, box = screen->box()](NearDiscontinuities& bin) {
+        bin.screens.push_back(screen.get());
+        bin.screenBoxes.push_back(box);
+      });
     for (const auto& v : entry.voids)
       forEachBin(v->box(), [&](NearDiscontinuities& bin) { bin.voids.push_back(v.get()); });
   }
@@ -169,7 +172,23 @@ Cell UnresolvedGeometry::cellOf(const double* place, double spacing) const {
   return cell;
 }
 
+/// Ends of cracks are known to some 1e-9 of the length of a side.
+void UnresolvedGeometry::requireEndsOfCracks(double spacing) const {
+  constexpr double most = 1e6;  // spacings
+  for (const Entry& entry : entries_)
+    for (const auto& screen : entry.screens) {
+      const decomposition::Box box = screen->box();
+      for (std::size_t d = 0; entry.isCrack && d < static_cast<std::size_t>(dimension_); ++d)
+        if (!(box.high[d] - box.low[d] <= most * spacing))
+          throw DeckError(
+              fmt::format("{}: {} is {:g} m long, more than {:g} spacings of {:.4g} m, so that its end would be off by "
+                          "rounding; let it end just outside of the body",
+                          entry.node.keyPlace(), entry.node.path(), box.high[d] - box.low[d], most, spacing));
+    }
+}
+
 void UnresolvedGeometry::requireSizes(double spacing) const {
+  requireEndsOfCracks(spacing);
   constexpr double least = 1e-6;  // of the spacing; of less, rounding makes anything
   const Entry* first = nullptr;
   std::size_t nSmall = 0;
@@ -206,7 +225,7 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
     if (solid_[i] == 1.0) continue;
     for (Entry& entry : entries_)
       for (const auto& v : entry.voids)
-        if (std::find(within.voids.begin(), within.voids.end(), v.get()) != within.voids.end()) entry.isMet = true;
+        if (std::find(within.voids.begin(), within.voids.end(), v.get()) != within.voids.end()) markAsMet(entry);
   }
   const auto nLeft = static_cast<int>(std::count(isKept.begin(), isKept.end(), 1));
   if (nLeft == points.size()) return;
@@ -230,16 +249,22 @@ void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, 
   keep(isKept, 1, solid_);
 }
 
+void UnresolvedGeometry::markAsMet(Entry& entry) {
+  if (!entry.isMet) ++nMet_;
+  entry.isMet = true;
+}
+
 void UnresolvedGeometry::markMet(const NearDiscontinuities& near, const Cell& a, const Cell& b) {
   for (const decomposition::Screen* screen : near.screens) {
     Entry& entry = entries_[entryOf_.at(screen)];
-    if (!entry.isMet && screen->box().meets(boxAround(a, b)) && screen->isBetween(a, b)) entry.isMet = true;
+    if (!entry.isMet && screen->box().meets(boxAround(a, b)) && screen->isBetween(a, b)) markAsMet(entry);
   }
 }
 
 NearDiscontinuities UnresolvedGeometry::withoutCracks(const NearDiscontinuities& near) const {
   NearDiscontinuities rest = near;
   const auto isCrack = [&](const auto* screen) { return entries_[entryOf_.at(screen)].isCrack; };
+  rest.screenBoxes.clear();
   rest.screens.erase(std::remove_if(rest.screens.begin(), rest.screens.end(), isCrack), rest.screens.end());
   return rest;
 }
@@ -274,7 +299,7 @@ UnresolvedGeometry::Shares UnresolvedGeometry::sharesOf(const MeshPoints& points
         const int first = std::min(id, other), second = std::max(id, other);  // the same from both ends
         const Cell a = cellOf(points.at(first), spacing[first]), b = cellOf(points.at(second), spacing[second]);
         left = counted = shares.of({first, a}, {second, b}, around);
-        if (left < 1.0) markMet(around, a, b);
+        if (left < 1.0 && nMet_ < entries_.size()) markMet(around, a, b);
         if (left < 1.0 && countsCracks && hasCracks) counted = sharesWithoutCracks.of({first, a}, {second, b}, rest);
       }
       const auto set = [&](std::size_t at) {

@@ -47,8 +47,9 @@ class UnresolvedGeometry {
   };
   void read(const DeckNode& list, bool areCracks, const Communicator& comm);
   GeometryFile readFile(const DeckNode& fileName, const Communicator& comm) const;
-  /// Throws DeckError where a void is far smaller than the spacing.
+  /// Throws DeckError where a void is far smaller than the spacing, or a crack far longer.
   void requireSizes(double spacing) const;
+  void requireEndsOfCracks(double spacing) const;
   void sortIntoBins(const MeshPoints& points, double reach);
   std::array<int, 3> binOf(const double* place) const;
   /// What may be near the cell or the bonds of a point at this place.
@@ -67,6 +68,7 @@ class UnresolvedGeometry {
   };
   /// Each pair of points of this rank once.
   Shares sharesOf(const MeshPoints& points, const std::vector<double>& spacing, const Discretization& discretization);
+  void markAsMet(Entry& entry);
   void markMet(const decomposition::NearDiscontinuities& near, const decomposition::Cell& a,
                const decomposition::Cell& b);
 
@@ -75,6 +77,7 @@ class UnresolvedGeometry {
   decomposition::DecompositionRule rule_;
   bool countsCracks_ = true;
   std::vector<Entry> entries_;
+  std::size_t nMet_ = 0;  ///< of these
   std::unordered_map<const decomposition::Screen*, std::size_t> entryOf_;
   std::vector<double> solid_;  ///< share of the cell that is material, of points that are left
   // Bins as long as bonds reach, each with what meets it or its surroundings.

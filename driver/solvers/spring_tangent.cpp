@@ -352,6 +352,7 @@ bool SpringTangent::followDisplacement(double mostError) {
     }
   for (int c = 0; c < responses.nComponents(); ++c)
     for (int i = 0; i < n; ++i) knownResponses_[c][i] += largest * static_cast<double>(responses[c][i]);
+  stiffness_.bringToOthers(full_, knownResponses_);
   return true;
 }
 

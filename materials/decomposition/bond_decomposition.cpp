@@ -61,8 +61,10 @@ bool hidesAll(const Screen& screen, const Cell& a, const Cell& b) {
 void keepNear(const NearDiscontinuities& candidates, const Box& box, NearDiscontinuities& near) {
   near.screens.clear();
   near.voids.clear();
-  for (const Screen* screen : candidates.screens)
-    if (screen->box().meets(box)) near.screens.push_back(screen);
+  const bool hasBoxes = candidates.screenBoxes.size() == candidates.screens.size();
+  for (std::size_t k = 0; k < candidates.screens.size(); ++k)
+    if (hasBoxes ? candidates.screenBoxes[k].meets(box) : candidates.screens[k]->box().meets(box))
+      near.screens.push_back(candidates.screens[k]);
   for (const Void* v : candidates.voids)
     if (v->box().meets(box)) near.voids.push_back(v);
 }
@@ -92,8 +94,21 @@ double InteractionShares::of(const NamedCell& a, const NamedCell& b, const NearD
     return first.isAbove(a.cell.center) == first.isAbove(b.cell.center) ? 1.0 : 0.0;
   for (const Screen* screen : screens)
     if (hidesAll(*screen, a.cell, b.cell)) return 0.0;
+  narrow(a.cell, b.cell);
   if (rule_.kind == Kind::Uniform) return std::max(0.0, byMiddles(a, b, near, rule_.partitions));
   return adaptively(a, b, near);
+}
+
+void InteractionShares::narrow(const Cell& a, const Cell& b) {
+  auto& screens = between_.screens;
+  const auto hidesNothing = [&](const Screen* screen) { return !screen->mayHideFrom(a); };
+  screens.erase(std::remove_if(screens.begin(), screens.end(), hidesNothing), screens.end());
+  narrowed_.clear();
+  for (const Screen*& screen : screens)
+    if (std::unique_ptr<Screen> narrowed = screen->narrowed(a, b)) {
+      screen = narrowed.get();
+      narrowed_.push_back(std::move(narrowed));
+    }
 }
 
 double InteractionShares::byMiddles(const NamedCell& a, const NamedCell& b, const NearDiscontinuities& near, int n) {

@@ -106,6 +106,11 @@ class Screen {
   virtual Range heights(const Place& axis) const;
   /// False only where no connection of the two cells meets it.
   virtual bool isBetween(const Cell& a, const Cell& b) const = 0;
+  /// False only where it hides nothing from any place of the cell.
+  virtual bool mayHideFrom(const Cell&) const { return true; }
+  /// One that hides from places of `a` the same of lines within `b`, for less work, and lives no longer than this one;
+  /// nothing where there is none.
+  virtual std::unique_ptr<Screen> narrowed(const Cell& /*a*/, const Cell& /*b*/) const { return nullptr; }
   virtual Box box() const = 0;
   /// Of a flat crack: whether it cuts all of what is between the two cells in two, without an end there.
   virtual bool divides(const Cell&, const Cell&) const { return false; }

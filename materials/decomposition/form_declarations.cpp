@@ -40,7 +40,10 @@ Forms declareVoids() {
   ParameterDeclarations& ellipse = addForm(voids, "Ellipse", 2);
   ellipse.reals("Center", "m", "In a plane: centre of the hole, [x, y].").required();
   ellipse.reals("Half Axes", "m", "Its half axes, [a, b].").required();
-  ellipse.real("Angle", "rad", "From x to the first axis; 30 deg is read, too.").defaultTo(0.0);
+  constexpr double fullTurn = 6.2831853071795864769;  // what is more was meant in degrees
+  ellipse.real("Angle", "rad", "From x to the first axis; 30 deg is read, too.")
+      .between(-fullTurn, fullTurn)
+      .defaultTo(0.0);
   ParameterDeclarations& polygon = addForm(voids, "Polygon", 2);
   polygon
       .reals("Corners", "m",

@@ -17,6 +17,7 @@ namespace pd::decomposition {
 struct NearDiscontinuities {
   std::vector<const Screen*> screens;
   std::vector<const Void*> voids;
+  std::vector<Box> screenBoxes{};  ///< of many screens, so that they need not be asked; or empty
   bool empty() const { return screens.empty() && voids.empty(); }
 };
 

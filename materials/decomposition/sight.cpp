@@ -28,10 +28,37 @@ Vector lengthOfMany(const std::vector<RangePerLane>& ranges) {
   return length;
 }
 
+/// The same of several ranges from 0 on, of which lanes have few each: as lengthOfUnion, to the last digit.
+Vector lengthOfSeveral(const std::vector<RangePerLane>& ranges) {
+  static thread_local std::array<std::vector<Range>, kernels::lanes> ofLanes;
+  for (auto& ofLane : ofLanes) ofLane.clear();
+  for (const RangePerLane& range : ranges)
+    for (unsigned bits = greaterBits(range.high, range.low); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(bits));
+      const Range latest{range.low[lane], range.high[lane]};
+      auto& ofLane = ofLanes[lane];
+      ofLane.push_back(latest);
+      std::size_t k = ofLane.size() - 1;
+      for (; k > 0 && ofLane[k - 1].low > latest.low; --k) ofLane[k] = ofLane[k - 1];
+      ofLane[k] = latest;
+    }
+  Vector length = 0.0;
+  for (std::size_t lane = 0; lane < ofLanes.size(); ++lane) {
+    double sum = 0.0, end = 0.0;
+    for (const Range& range : ofLanes[lane]) {
+      sum += std::max(range.high - std::max(range.low, end), 0.0);
+      end = std::max(end, range.high);
+    }
+    length[lane] = sum;
+  }
+  return length;
+}
+
 /// The same of ranges from 0 on, which it puts in order.
 PD_EACH_BOND Vector lengthOfUnion(std::vector<RangePerLane>& ranges) {
-  constexpr std::size_t many = 32;  // exchanges of neighbours go as the square
+  constexpr std::size_t several = 6, many = 32;  // exchanges of neighbours go as the square
   if (ranges.size() > many) return lengthOfMany(ranges);
+  if (ranges.size() > several) return lengthOfSeveral(ranges);
   sortEach(ranges);
   Vector length = 0.0, end = 0.0;
   for (const RangePerLane& range : ranges) {
@@ -111,16 +138,21 @@ double Sight::seen(const Places& places, int nPlaces) {
   return nPlaces * measure_.whole() * grid_.size() - sum;
 }
 
-/// Of what the half-spaces have in common.
-Sight::Cover Sight::coverOfShadow() const {
+/// Of what the half-spaces have in common; leaves those out that have all of the cell in them.
+Sight::Cover Sight::coverOfShadow() {
+  constexpr double surely = 1.0 + 1e-9;  // beyond rounding
   bool isAll = true;
+  std::size_t n = 0;
   for (const HalfSpace& half : shadow_) {
     Vector reach = 0.0;
     for (const Place& edge : cell_->edges) reach += 0.5 * stdx::abs(alongOf(half, edge));
     if (greaterBits(-reach, half.offset) == allLanes) return Cover::Nothing;
     isAll = isAll && greaterBits(reach, half.offset) == 0;
+    if (greaterBits(half.offset, surely * reach) != allLanes) shadow_[n++] = half;
   }
-  return isAll ? Cover::All : Cover::Something;
+  if (isAll) return Cover::All;
+  shadow_.resize(n);
+  return Cover::Something;
 }
 
 /// Of the half-spaces in shadow_: bounds of the part of each line that is in all of them.

@@ -22,7 +22,7 @@ class Sight {
 
  private:
   enum class Cover { Nothing, Something, All };
-  Cover coverOfShadow() const;
+  Cover coverOfShadow();
   /// Both find what one screen hides of the lines, in the measure, but for counts not rounded up yet.
   void castShadow();
   bool castHidden(const Screen& screen, const Places& places);

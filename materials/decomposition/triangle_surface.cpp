@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "convex_geometry.hpp"
+#include "triangle_geometry.hpp"
 
 namespace pd::decomposition {
 
@@ -14,56 +14,6 @@ using kernels::wherePositive;
 
 namespace {
 
-using Triangle = std::array<std::size_t, 3>;
-
-constexpr double farthest = std::numeric_limits<double>::infinity();
-
-/// Twice the area long, outwards.
-Place normalOf(const TriangleSurface& surface, const Triangle& triangle) {
-  const Place& origin = surface.vertices[triangle[0]];
-  return crossed(minus(surface.vertices[triangle[1]], origin), minus(surface.vertices[triangle[2]], origin));
-}
-
-Place normalized(const Place& direction) { return plus({}, direction, 1.0 / decomposition::lengthOf(direction)); }
-
-/// A ball around places.
-struct Ball {
-  Place center{};
-  double radius = 0.0;
-  explicit Ball(const std::vector<Place>& places) {
-    for (const Place& place : places) center = plus(center, place, 1.0 / static_cast<double>(places.size()));
-    for (const Place& place : places) radius = std::max(radius, decomposition::lengthOf(minus(place, center)));
-  }
-};
-
-/// Whether a plane across the shortest way from the middle of a convex body to the bond parts the body from all
-/// connections of the two cells.
-bool areParted(const std::vector<Place>& body, const Ball& ball, const Cell& a, const Cell& b) {
-  const Place bond = minus(b.center, a.center), from = minus(ball.center, a.center);
-  const double length2 = dot(bond, bond);
-  const double s = length2 == 0.0 ? 0.0 : std::clamp(dot(from, bond) / length2, 0.0, 1.0);
-  const Place way = minus(plus(a.center, bond, s), ball.center);
-  double reach = 0.0;
-  for (const Cell* cell : {&a, &b})
-    reach = std::max(reach, 0.5 * (decomposition::lengthOf(cell->edges[0]) + decomposition::lengthOf(cell->edges[1]) +
-                                   decomposition::lengthOf(cell->edges[2])));
-  if (decomposition::lengthOf(way) > ball.radius + reach) return true;
-  double ofBody = -farthest, ofCells = farthest;
-  for (const Place& place : body) ofBody = std::max(ofBody, dot(place, way));
-  for (const Place& corner : cornersOf(a, b)) ofCells = std::min(ofCells, dot(corner, way));
-  return ofBody < ofCells;
-}
-
-void hideNothing(const Lines& lines, double* from, double* to) {
-  std::fill(from, from + lines.size(), 1.0);
-  std::fill(to, to + lines.size(), 0.0);
-}
-
-void hideEverything(const Lines& lines, double* from, double* to) {
-  std::fill(from, from + lines.size(), 0.0);
-  std::fill(to, to + lines.size(), 1.0);
-}
-
 /// A triangle of a surface that is not convex.
 class TriangleScreen : public Screen {
  public:
@@ -71,6 +21,7 @@ class TriangleScreen : public Screen {
       : corners_{a, b, c},
         ball_(corners_),
         normal_(normalized(crossed(minus(b, a), minus(c, a)))),
+        box_(boxOf(corners_)),
         tolerance_(1e-12 * ball_.radius) {}
 
   void hide(const Place& place, const Lines& lines, double* from, double* to) const override {
@@ -101,17 +52,21 @@ class TriangleScreen : public Screen {
   bool isBetween(const Cell& a, const Cell& b) const override {
     return !areParted(corners_, ball_, a, b) && !areOnOneSide(cornersOf(a, b), corners_[0], normal_);
   }
-  Box box() const override { return boxOf(corners_); }
+  /// Places behind it see it not: others of the surface are before it.
+  bool mayHideFrom(const Cell& cell) const override {
+    const Corners corners = cell.corners();
+    return std::any_of(corners.begin(), corners.end(), [&](const Place& corner) {
+      return dot(minus(corner, corners_[0]), normal_) > -2.0 * tolerance_;
+    });
+  }
+  Box box() const override { return box_; }
 
  private:
   std::vector<Place> corners_;
   Ball ball_;
   Place normal_;
+  Box box_;
   double tolerance_;
-};
-
-struct Edge {
-  std::size_t from, to, left, right;  ///< vertices; triangles, of which the left one has it in this direction
 };
 
 /// Each edge once.
@@ -137,72 +92,6 @@ bool isConvex(const TriangleSurface& surface, const std::vector<Edge>& edges) {
     });
   });
 }
-
-class ConvexScreen : public Screen {
- public:
-  ConvexScreen(const TriangleSurface& surface, std::vector<Edge> edges)
-      : vertices_(surface.vertices), edges_(std::move(edges)), ball_(vertices_), tolerance_(1e-12 * ball_.radius) {
-    for (const Triangle& triangle : surface.triangles)
-      faces_.push_back({vertices_[triangle[0]], normalized(normalOf(surface, triangle))});
-  }
-
-  /// Hidden is what lies behind all faces that the place sees, within the cone over their common outline.
-  void hide(const Place& place, const Lines& lines, double* from, double* to) const override {
-    static thread_local std::vector<char> isSeen;
-    isSeen.resize(faces_.size());
-    Place apex = place;
-    const std::size_t highest = look(apex, isSeen);
-    if (isSeen[highest] == 0) {
-      const double height = faces_[highest].height(apex);
-      if (height < -tolerance_) return hideNothing(lines, from, to);
-      apex = plus(place, faces_[highest].normal, 2.0 * tolerance_ - height);  // a place on the surface is outside
-      isSeen[highest] = 1;
-    }
-    hideEverything(lines, from, to);
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      if (isSeen[f] != 0) keepBelow(faces_[f].normal, faces_[f].origin, 0.0, lines, from, to);
-    for (const Edge& edge : edges_) {
-      if (isSeen[edge.left] == isSeen[edge.right]) continue;
-      const Place toFrom = minus(vertices_[edge.from], apex), toTo = minus(vertices_[edge.to], apex);
-      keepBelow(isSeen[edge.left] != 0 ? crossed(toFrom, toTo) : crossed(toTo, toFrom), apex, 0.0, lines, from, to);
-    }
-  }
-
-  bool isBetween(const Cell& a, const Cell& b) const override {
-    if (areParted(vertices_, ball_, a, b)) return false;
-    const Corners corners = cornersOf(a, b);
-    return std::none_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](const Place& corner) { return face.height(corner) > 0.0; });
-    });
-  }
-  Box box() const override { return boxOf(vertices_); }
-
- private:
-  struct Face {
-    Place origin, normal;
-    double height(const Place& place) const { return dot(minus(place, origin), normal); }
-  };
-  /// Which faces a place sees, and the one that it is highest above.
-  std::size_t look(const Place& place, std::vector<char>& isSeen) const {
-    std::size_t highest = 0;
-    double most = -farthest;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const double height = faces_[f].height(place);
-      isSeen[f] = height > tolerance_ ? 1 : 0;
-      if (height <= most) continue;
-      most = height;
-      highest = f;
-    }
-    return highest;
-  }
-
-  std::vector<Place> vertices_;
-  std::vector<Edge> edges_;
-  std::vector<Face> faces_;
-  Ball ball_;
-  double tolerance_;
-};
 
 /// Triangles by where they are as seen along an axis.
 class TriangleBins {
@@ -268,6 +157,10 @@ class SurfaceVoid : public Void {
   Box box() const override { return box_; }
   /// Where it begins and ends: corners are too many to integrate from one to the next.
   std::vector<double> heights(const Place& axis) const override {
+    for (std::size_t d = 0; d < 3; ++d)
+      if (axis[(d + 1) % 3] == 0.0 && axis[(d + 2) % 3] == 0.0)
+        return {std::min(box_.low[d] * axis[d], box_.high[d] * axis[d]),
+                std::max(box_.low[d] * axis[d], box_.high[d] * axis[d])};
     double low = farthest, high = -farthest;
     for (const Place& vertex : surface_.vertices) {
       low = std::min(low, dot(vertex, axis));
@@ -327,7 +220,7 @@ std::vector<std::unique_ptr<Screen>> surfaceScreens(const TriangleSurface& surfa
   std::vector<std::unique_ptr<Screen>> screens;
   std::vector<Edge> edges = edgesOf(surface);
   if (isConvex(surface, edges)) {
-    screens.push_back(std::make_unique<ConvexScreen>(surface, std::move(edges)));
+    screens.push_back(convexScreen(surface, std::move(edges)));
     return screens;
   }
   for (const Triangle& triangle : surface.triangles)

@@ -177,4 +177,39 @@ TEST(TriangleSurface, ThatIsNotConvexHidesByItsTriangles) {
   }
 }
 
+/// Of all parallel lines, as seen from a place; from 1 to 0 where nothing is.
+std::vector<Range> hiddenBy(const Screen& screen, const Place& place, const Lines& lines) {
+  std::vector<double> from(lines.size()), to(lines.size());
+  screen.hide(place, lines, from.data(), to.data());
+  std::vector<Range> ranges;
+  for (std::size_t r = 0; r < lines.size(); ++r)
+    ranges.push_back(from[r] < to[r] ? Range{from[r], to[r]} : Range{1.0, 0.0});
+  return ranges;
+}
+
+TEST(TriangleSurface, NarrowedToTwoCellsHidesTheSameToTheLastDigit) {
+  const Pore pore(ellipsoidSurface({0.55, 0.35, 0.4}, {0.45, 0.2, 0.3}, 3));
+  const Screen& whole = *pore.screens.front();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-0.5, 0.5);
+  int nHidden = 0;
+  for (const auto& [a, b] :
+       {std::pair(cube(-1.0, 0.0, 0.0), cube(2.0, 1.0, 1.0)), std::pair(cube(0.0, 0.0, 0.0), cube(1.0, 1.0, 0.0)),
+        std::pair(cube(0.5, 0.4, 0.4), cube(1.5, 0.4, 0.4)), std::pair(cube(1.0, 0.0, 0.0), cube(0.0, 1.0, 0.0))}) {
+    const auto narrowed = whole.narrowed(a, b);
+    ASSERT_NE(narrowed, nullptr);
+    const Lines lines = linesOf(LineGrid(b, 1, 4));
+    for (int k = 0; k < 2000; ++k) {
+      const Place place = plus(a.center, Place{part(random), part(random), part(random)});
+      const std::vector<Range> expected = hiddenBy(whole, place, lines), found = hiddenBy(*narrowed, place, lines);
+      for (std::size_t r = 0; r < lines.size(); ++r) {
+        ASSERT_EQ(found[r].low, expected[r].low);
+        ASSERT_EQ(found[r].high, expected[r].high);
+        nHidden += expected[r].low < expected[r].high ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(nHidden, 10000);
+}
+
 }  // namespace

@@ -255,6 +255,11 @@ std::vector<int> SpringOperator::pointsThatFeel(const std::vector<int>& changed,
   return felt;
 }
 
+void SpringOperator::bringToOthers(PointVector<double>& x, PointVector<double>& responses) {
+  importInto(x);
+  if (network_.familyWidth() > 0) importResponses(responses);
+}
+
 void SpringOperator::updateAll(const std::vector<int>& changed, const PointVector<double>& x,
                                PointVector<double>& responses, PointVector<double>& y) {
   const int nOwned = network_.points().nOwned, nPoints = network_.points().nPoints;

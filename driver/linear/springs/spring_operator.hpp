@@ -59,6 +59,9 @@ class SpringOperator {
   void updateAll(const std::vector<int>& changed, const PointVector<double>& x, PointVector<double>& responses,
                  PointVector<double>& y);
 
+  /// Gives ghosts and images what owned points have: x, and what their families made of their s. Collective.
+  void bringToOthers(PointVector<double>& x, PointVector<double>& responses);
+
   /// The same for a smoother of what is short: there families hardly turn, and are taken not to, which saves a loop.
   void applyStiffly(PointVector<float>& x, PointVector<float>& y);
 
