@@ -98,8 +98,7 @@ CrackControl::Outcome CrackControl::look(Simulation& simulation, double t, doubl
   if (!isUsed_) return {peak, ""};
   Model& model = simulation.model;
   model.updateCoordinates();
-  for (const std::string* label : {&energyLabel_, &lengthLabel_, &stopLabel_})
-    if (!label->empty()) simulation.output.evaluateGlobal(model, *label);
+  simulation.output.evaluateGlobals(model);
   Outcome outcome{peak, ""};
   if (peak_ != nullptr) {
     const double a = lengthOf(model);

@@ -10,10 +10,10 @@
 
 namespace pd {
 
-/// Looks at those computes of the run that it needs, in equilibrium at the load of its conditions. The stress intensity
-/// is K = sqrt(J E'). With a wanted range dK the largest load of a cycle is dK / ((1 - R) K) of that of the conditions:
-/// in a linear body one equilibrium serves for all loads (S3 of the sources: P_n = P_0 dK_0/dK_n). Or it is a function
-/// of the crack length, as in a test with a K-gradient.
+/// Looks at computes of the run in equilibrium at the load of its conditions. The stress intensity is K = sqrt(J E').
+/// With a wanted range dK the largest load of a cycle is dK / ((1 - R) K) of that of the conditions: in a linear body
+/// one equilibrium serves for all loads (S3 of the sources: P_n = P_0 dK_0/dK_n). Or it is a function of the crack
+/// length, as in a test with a K-gradient.
 class CrackControl {
  public:
   static void declareParameters(ParameterDeclarations& declare);
@@ -38,7 +38,7 @@ class CrackControl {
   /// In equilibrium after t cycles; the cycles to come would have this peak without the control. Throws RunError where
   /// there is no stress intensity to follow. Collective.
   Outcome look(Simulation& simulation, double t, double peak, double loadRatio) const;
-  /// Whether look() evaluates some.
+  /// Whether look() evaluates computes.
   bool looks() const { return isUsed_; }
   bool setsLoad() const { return wantedRange_ != nullptr || peak_ != nullptr; }
 

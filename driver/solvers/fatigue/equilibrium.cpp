@@ -159,9 +159,11 @@ bool Equilibrium::completeForComputes(Simulation& simulation, double t, bool are
   const auto someLookEverywhere = [&] { return !simulation.output.markRead(model, isRead).empty(); };
   if (someLookEverywhere()) return areEvaluated && complete(simulation, t);  // else where they are written
   if (std::find(isRead.begin(), isRead.end(), 1) == isRead.end()) return false;
-  // Where they look may depend on a tip that another of them finds.
-  simulation.output.evaluateGlobals(model);
-  someLookEverywhere();
+  if (!areEvaluated) {
+    // Where they look may depend on a tip that another of them finds.
+    simulation.output.evaluateGlobals(model);
+    someLookEverywhere();
+  }
   return !window_->has(isRead) && complete(simulation, t);
 }
 

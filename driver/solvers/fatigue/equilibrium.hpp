@@ -47,7 +47,7 @@ class Equilibrium {
   bool isComplete() const { return isComplete_; }
   /// Finds the displacements of all points, where find() has not. Returns whether they have changed.
   bool complete(Simulation& simulation, double t);
-  /// The same where computes of whole bodies look at points that find() has left out. `areEvaluated`: some, for loads.
+  /// The same where computes of whole bodies look at points that find() has left out. `areEvaluated`: in this state.
   bool completeForComputes(Simulation& simulation, double t, bool areEvaluated);
 
   std::vector<std::string> summary() const;
