@@ -106,7 +106,20 @@ void ComputeSet::add(const std::string& className, const DeckNode& node, const D
     }
   });
   entry.followsFromState = followsFromState(entry);
-  entries_.push_back(entry);
+  entries_.insert(placeFor(entry), entry);
+}
+
+/// Before those that read its values, wherever the deck names it, so that none looks at values of an earlier state.
+std::vector<ComputeSet::Entry>::const_iterator ComputeSet::placeFor(const Entry& entry) const {
+  const auto readsOf = [](const Entry& reader, const Entry& maker) {
+    return std::any_of(maker.writes.begin(), maker.writes.end(),
+                       [&](const std::string& label) { return reader.reads.count(label) != 0; });
+  };
+  if (fieldTableOf(*entry.compute) == nullptr) return entries_.end();
+  const auto place =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& other) { return readsOf(other, entry); });
+  const bool isInTurn = std::any_of(place, entries_.end(), [&](const Entry& other) { return readsOf(entry, other); });
+  return isInTurn ? entries_.end() : place;
 }
 
 /// A table says all that it reads, of the whole body values of earlier ones that do so, too; of displacements those of
@@ -144,7 +157,7 @@ std::set<std::string> ComputeSet::fieldsOfState(bool onlyGlobal) const {
   return labels;
 }
 
-/// In the order of the computes, of which none reads values of a later one.
+/// In the order in which they run, in which none reads values of a later one.
 std::vector<const ComputeSet::Entry*> ComputeSet::makersOf(const std::string& label) const {
   std::set<std::string> wanted = {label};
   std::vector<const Entry*> makers;

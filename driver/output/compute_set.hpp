@@ -64,6 +64,7 @@ class ComputeSet {
     bool followsFromState = false;        ///< from mesh, bonds and displacements alone, as others that it reads do
     bool isDue(bool onlyGlobal) const { return isGlobal || !onlyGlobal; }
   };
+  std::vector<Entry>::const_iterator placeFor(const Entry& entry) const;
   std::vector<const Entry*> makersOf(const std::string& label) const;
   bool followsFromState(const Entry& entry) const;
   void evaluate(Model& model, const Entry& entry) const;

@@ -326,6 +326,17 @@ void FlowEquations::add(double factor, const std::vector<double>& change) {
   model_.importGhosts("Pressure");
 }
 
+void FlowEquations::comeToRest() {
+  double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
+  for (const int point : geometry_.fluid()) {
+    std::fill_n(velocity + 3 * index(point), 3, 0.0);
+    pressure[point] = 0.0;
+  }
+  std::fill(lambda_.begin(), lambda_.end(), 0.0);
+  model_.importGhosts("Velocity");
+  model_.importGhosts("Pressure");
+}
+
 void FlowEquations::settle(double t) {
   double* pressure = model_.field("Pressure");
   const std::vector<double>& volume = model_.discretization().volume;

@@ -46,6 +46,8 @@ class FlowEquations {
   void add(double factor, const std::vector<double>& change);
   /// tau of the present velocities, and their gradients, for matrix() and apply().
   void refreshSmoothing();
+  /// No velocity and no pressure: what a fluid at rest has of them is rounding. Collective.
+  void comeToRest();
   /// Pressures of closed pockets get zero mean, and points that are not fluid the boundary's values. Collective.
   void settle(double t);
 

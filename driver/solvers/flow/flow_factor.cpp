@@ -11,10 +11,11 @@ constexpr double mostChanged = 0.25;
 
 }  // namespace
 
-FlowFactor::FlowFactor(const Communicator& comm) : comm_(comm), factor_(comm), around_(alone_) {}
+FlowFactor::FlowFactor(const Communicator& comm) : comm_(comm), factor_(comm) {}
 
 std::string FlowFactor::make(const FlowEquations& equations, bool hasConvection, FactorPrecision precision) {
   unknowns_.clear();
+  around_.reset();
   hasChanged_ = isOld_ = false;
   wasSolid_ = solidOf(equations.geometry());
   return factor_.factor(equations.matrix(hasConvection), precision);
@@ -26,6 +27,7 @@ bool FlowFactor::isMadeFor(const FlowEquations& equations) const {
 
 void FlowFactor::follow(const FlowEquations& equations, bool hasConvection) {
   unknowns_.clear();
+  around_.reset();
   hasChanged_ = false;
   if (!isMadeFor(equations)) return;
   const std::vector<std::size_t> rows = rowsAroundChanges(equations.geometry());
@@ -34,7 +36,8 @@ void FlowFactor::follow(const FlowEquations& equations, bool hasConvection) {
   isOld_ = nChanged > mostChanged * sum(equations.geometry().fluid().size());
   hasChanged_ = nChanged > 0.0;
   if (isOld_ || rows.empty()) return;
-  if (!around_.factor(equations.matrixWithin(rows, hasConvection), FactorPrecision::Single).empty()) return;
+  around_ = std::make_unique<RowInverse>(alone_);
+  if (!around_->factor(equations.matrixWithin(rows, hasConvection), FactorPrecision::Single).empty()) return;
   const auto nComponents = static_cast<std::size_t>(equations.geometry().dimension()) + 1;
   for (const std::size_t row : rows)
     for (std::size_t component = 0; component < nComponents; ++component)
@@ -68,7 +71,7 @@ void FlowFactor::apply(const FlowEquations& equations, bool hasConvection, const
   std::vector<double> near(count, 0.0), left(count), given(unknowns_.size()), found(unknowns_.size());
   if (!unknowns_.empty()) {
     std::transform(unknowns_.begin(), unknowns_.end(), given.begin(), [&](std::size_t k) { return r[k]; });
-    around_.apply(given.data(), found.data());
+    around_->apply(given.data(), found.data());
     for (std::size_t k = 0; k < unknowns_.size(); ++k) near[unknowns_[k]] = found[k];
   }
   equations.apply(hasConvection, near.data(), left.data());

@@ -2,6 +2,7 @@
 #ifndef PD_FLOW_FACTOR_HPP
 #define PD_FLOW_FACTOR_HPP
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,12 @@ class FlowFactor {
 
   const Communicator& comm_;
   const Communicator alone_{MPI_COMM_SELF};
-  RowInverse factor_, around_;         ///< around_: of this rank
-  std::vector<char> wasSolid_;         ///< [points] when factor_ was made
-  std::vector<std::size_t> unknowns_;  ///< of around_
-  bool hasChanged_ = false;            ///< on some rank there are such
-  bool isOld_ = false;                 ///< they are too many
+  RowInverse factor_;
+  std::unique_ptr<RowInverse> around_;  ///< of this rank
+  std::vector<char> wasSolid_;          ///< [points] when factor_ was made
+  std::vector<std::size_t> unknowns_;   ///< of around_
+  bool hasChanged_ = false;             ///< on some rank there are such
+  bool isOld_ = false;                  ///< they are too many
 };
 
 }  // namespace pd

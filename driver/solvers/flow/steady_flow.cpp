@@ -16,12 +16,15 @@ namespace {
 
 /// Of linear solves: the most exact, the least, and that of a flow's first one, of which nothing is known.
 constexpr double tightestTolerance = 1e-4, loosestTolerance = 0.1, firstTolerance = 1e-2;
-/// With an old factor, or none, Newton's method ends where the next step would change the velocity by this part of the
-/// tolerance, by the largest ratio of change to residual so far, in any flow: where pressures alone change the last one
-/// says little. With a factor of this flow that step takes two iterations, and leaves nothing but rounding.
+/// With an old factor Newton's method ends where the next step would change the velocity by this part of the tolerance,
+/// by the largest ratio of change to residual so far, in any flow: where pressures alone change the last one says
+/// little. With a factor of this flow that step takes two iterations, and leaves nothing but rounding; without one the
+/// residuals are of inexact steps, whose ratio is another.
 constexpr double enoughOfTolerance = 0.2;
 /// Of that ratio, while no flow has told more: round bodies in channels have 0.06 to 0.9.
 constexpr double leastChangePerResidual = 0.1;
+/// Velocities below this part of the fastest flow's so far are rounding of a fluid at rest.
+constexpr double restingPart = 1e-12;
 /// With a factor of the very matrix.
 constexpr double newFactorTolerance = 1e-6;
 /// Iterations of GMRES after which a new factor is cheaper.
@@ -96,7 +99,7 @@ void SteadyFlow::takeUpPhases(Simulation& simulation) {
   if (mustRenew_) {
     factor_ = std::make_unique<FlowFactor>(model.comm());
     precision_ = FactorPrecision::Single;
-    changePerResidual_ = 0.0;
+    changePerResidual_ = fastest_ = 0.0;
   }
   if (equations_ && !mustRenew_ && !model.comm().any(isSolid != isSolid_)) return;
   isSolid_ = isSolid;
@@ -237,6 +240,15 @@ double SteadyFlow::takeStep(Simulation& simulation, const std::vector<double>& c
   return part;
 }
 
+/// What velocities and their changes are measured by, m/s: a fluid that comes to rest has no speed of its own.
+double SteadyFlow::scaleOfSpeed() const { return std::max(equations_->scaleOfSpeed(), restingPart * fastest_); }
+
+void SteadyFlow::takeUpSpeed() {
+  const double speed = equations_->scaleOfSpeed();
+  fastest_ = std::max(fastest_, speed);
+  if (speed <= restingPart * fastest_) equations_->comeToRest();
+}
+
 void SteadyFlow::giveUp(double t, int iterations, double change, const std::string& why) const {
   // Of what has divergence, as beside corners at which the velocities of walls jump: lap v - 2/3 grad div v in a plane,
   // - 1/2 in space (flow_weights.hpp).
@@ -276,27 +288,27 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     nUnknowns_ = model.comm().sum(static_cast<long long>(residual.size()));
     const double norm = flowNorm(model.comm(), residual);
     const double expectedChange =
-        iteration > 1 ? std::max(changePerResidual_, leastChangePerResidual) * norm / equations_->scaleOfSpeed() : 0.0;
-    const bool isCheap = nFactors_ > nFactorsBefore;
-    if (!isCheap && hasWholeStep && expectedChange > 0.0 && expectedChange <= enoughOfTolerance * tolerance_) break;
+        iteration > 1 ? std::max(changePerResidual_, leastChangePerResidual) * norm / scaleOfSpeed() : 0.0;
+    const bool mayEnd = hasFactor_ && nFactors_ == nFactorsBefore && hasWholeStep;
+    if (mayEnd && expectedChange > 0.0 && expectedChange <= enoughOfTolerance * tolerance_) break;
     const std::vector<double> change =
         newtonStep(simulation, isStokes, relativeChange < newFlowChange, linearTolerance(expectedChange), residual);
     ++nNewtonSteps_;
     const double part = isStokes ? 1.0 : takeStep(simulation, change, norm);
-    hasWholeStep = part == 1.0;
+    hasWholeStep = !isStokes && part == 1.0;
     if (isStokes) equations_->add(1.0, change);
-    const double largest = equations_->scaleOfSpeed();
+    const double largest = scaleOfSpeed();
     const double changed = model.comm().max(largestVelocity(change));
     if (!std::isfinite(changed)) giveUp(t + dt, iteration, changed, "the velocity is no number");
     relativeChange = changed == 0.0 ? 0.0 : part * changed / largest;
     if (!isStokes && relativeChange > tolerance_) changePerResidual_ = std::max(changePerResidual_, changed / norm);
     // A fluid at rest has residuals of rounding alone, which no step lessens.
     const bool isAtRest = !isStokes && changed <= tolerance_ * largest && largest > equations_->largestSpeed();
-    const bool isDone = isAtRest || (!isStokes && part == 1.0 && relativeChange <= tolerance_);
+    if (isAtRest || (hasWholeStep && relativeChange <= tolerance_)) break;
     isStokes = false;
-    if (isDone) break;
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
   }
+  takeUpSpeed();
   requireNoNetFlow(equations_->largestNetFlow(),
                    fmt::format("Steady Flow: load step {} (t = {:.6g} s)", nLoadSteps_, t + dt),
                    "the fluid is incompressible");

@@ -60,6 +60,8 @@ class SteadyFlow : public Solver {
                                const std::vector<double>& rightSide, std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
+  double scaleOfSpeed() const;
+  void takeUpSpeed();
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
 
   const Teuchos::ParameterList parameters_;
@@ -78,6 +80,7 @@ class SteadyFlow : public Solver {
   OutflowWatch outflows_;
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;
+  double fastest_ = 0.0;            ///< scale of speed of all flows so far, m/s
   double changePerResidual_ = 0.0;  ///< the largest so far, of the largest velocity of a change and the norm
   long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
   double largestResidual_ = 0.0, largestFactor_ = 0.0, cellReynolds_ = 0.0, leakage_ = 0.0, divergence_ = 0.0;
