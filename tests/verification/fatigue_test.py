@@ -219,6 +219,20 @@ class CrackedPlate(SceneTest):
         self.assertGreaterEqual(history["Length"][-1], 0.009)  # where the range is 1.1 times the first
         self.assertLess(history["Length"][-2], 0.009)
 
+    def test_loads_follow_the_present_tip_wherever_the_deck_names_it(self):
+        tip = {"Compute Class": "Crack_Tip", "Start X": 0.0, "Start Y": 0.0, "Output Label": "Tip"}
+        ring = {"Compute Class": "J_Integral", "Plane Stress": True, "Thickness": THICKNESS, "Tip Field": "Tip",
+                "Inner Radius": 3e-3, "Outer Radius": 6e-3, "Output Label": "J"}
+        lives = []
+        for computes in ({"Tip": tip, "J": ring}, {"J": ring, "Tip": tip}):
+            deck = cracked_plate(self, solver={
+                "Stress Intensity": {"Energy Release Rate": "J", "Effective Modulus": 200e9, "Range": 10e6},
+                "Stop When": {"Value": "Length", "Reaches": CRACK + 3.9 * SPACING}})
+            deck["Compute Class Parameters"] = {**computes, **deck["Compute Class Parameters"]}
+            deck["Output"]["History Frequency"] = 1000
+            lives.append(self.solve(deck).history()["time"][-1])
+        self.assertEqual(*lives)
+
     def test_thresholds_that_no_law_of_bonds_meets_are_refused(self):
         deck = cracked_plate(self)
         deck["Damage Models"]["Breakage"] = {

@@ -48,6 +48,18 @@ class HardFlows(SceneTest):
                 values = by_factor.field(label)
                 np.testing.assert_allclose(result.field(label), values, atol=1e-7 * np.max(np.abs(values)))
 
+    def test_a_fluid_that_comes_to_rest_flows_again(self):
+        self.write((0.0, 0.0), (2.0, 1.0), 0.1)
+        for solver in SOLVERS:
+            deck = self.channel(0.1, "4*y*(1 - y)*(1 - t/0.5)", viscosity=1.0,
+                                solver={"Load Steps": 4, "Linear Solver": solver})
+            result = self.solve(deck)
+            fastest = [np.max(np.abs(result.field("Velocity", step))) for step in result.steps()]
+            self.assertEqual(fastest[2], 0.0, solver)
+            np.testing.assert_allclose(result.field("Velocity", 3)[:, 1], result.field("Velocity", 4)[:, 1] / 2,
+                                       atol=0.02)
+            self.assertAlmostEqual(fastest[4], 2.0 * fastest[3], delta=0.02)
+
     def test_reynolds_numbers_without_a_steady_flow_end_the_run(self):
         for solver in SOLVERS:
             deck = self.cavity(12, viscosity=1e-6, solver={"Linear Solver": solver, "Maximum Solver Iterations": 12})
