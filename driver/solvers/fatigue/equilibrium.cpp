@@ -152,6 +152,8 @@ bool Equilibrium::complete(Simulation& simulation, double t) {
   return true;
 }
 
+bool Equilibrium::breaksOutsideWindow(Model& model) const { return !isComplete_ && window_->breaksOutside(model); }
+
 bool Equilibrium::completeForComputes(Simulation& simulation, double t, bool areEvaluated) {
   if (isComplete_) return false;
   Model& model = simulation.model;

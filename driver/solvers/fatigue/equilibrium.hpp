@@ -47,6 +47,8 @@ class Equilibrium {
   bool isComplete() const { return isComplete_; }
   /// Finds the displacements of all points, where find() has not. Returns whether they have changed.
   bool complete(Simulation& simulation, double t);
+  /// Whether Damage has changed, in the present step, where find() has but estimated displacements.
+  bool breaksOutsideWindow(Model& model) const;
   /// The same where computes of whole bodies look at points that find() has left out. `areEvaluated`: in this state.
   bool completeForComputes(Simulation& simulation, double t, bool areEvaluated);
 

@@ -92,6 +92,13 @@ bool EventWindow::holds(const WindowNeeds& needs) const {
   return has(needs.isRead);
 }
 
+bool EventWindow::breaksOutside(Model& model) const {
+  const double *damage = model.field("Damage"), *before = model.fieldAtN("Damage");
+  for (std::size_t i = 0; i < isInside_.size(); ++i)
+    if (damage[i] != before[i] && isInside_[i] == 0) return true;
+  return false;
+}
+
 bool EventWindow::loadsAreTheSame(Simulation& simulation, const std::vector<double>& externalForce) const {
   if (externalForce != force_) return false;
   const double* displacement = simulation.model.field("Displacement");

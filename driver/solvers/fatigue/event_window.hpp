@@ -35,6 +35,8 @@ class EventWindow {
   double releasedSinceWhole() const { return window_ ? window_->releasedEnergy() - releasedAtWhole_ : 0.0; }
   /// Whether displacements are right at all points marked. [nPoints]
   bool has(const std::vector<char>& isRead) const;
+  /// Whether Damage has changed, in the present step, at a point whose bonds the window does not know.
+  bool breaksOutside(Model& model) const;
 
   /// What follows depends on the restart state alone, not on what else has been.
   void forget();

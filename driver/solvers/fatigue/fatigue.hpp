@@ -62,6 +62,7 @@ class Fatigue : public EventSolver {
   };
   /// Damage, and lost lives, after so many cycles at the present strains. Returns whether bonds have broken.
   bool passCycles(Simulation& simulation, double cycles);
+  bool breakAtOnce(Simulation& simulation, double t);
   Worst worst(Model& model) const;
   double passBlock(Simulation& simulation, double cycles, bool& hasBroken);
   double passToFailure(Simulation& simulation, double cycles, double most, bool& hasBroken);
@@ -82,7 +83,8 @@ class Fatigue : public EventSolver {
   std::string reasonToStop_;
 
   bool hasStarted_ = false, isSettled_ = false;
-  bool ratesAreKnown_ = false;  ///< Life_Loss_Rate is that of the present strains and loads
+  bool ratesAreKnown_ = false;     ///< Life_Loss_Rate is that of the present strains and loads
+  bool hasBrokenOutside_ = false;  ///< at once, at strains that were estimates
   int nLoadedParts_ = 0;
   double bondDamage_ = 0.0;  ///< sum over all bonds
   double firstBreak_ = 0.0;  ///< cycles
