@@ -120,26 +120,23 @@ class SpringNetwork::RowReader {
     const double perUnit = 1.0 / network_.stiffnessUnit_;
     const bool hasAcross = !across_.empty(), hasFamily = network_.family_ != Family::None;
     const bool givesAcross = network_.family_ == Family::Rotation;
-    std::size_t border = row_.firstBorder, own = firstBond(i);
+    readOtherEnds(along_, others_.along, otherAlong_);
+    if (hasAcross) readOtherEnds(across_, others_.across, otherAcross_);
     row_.xi.resize(static_cast<std::size_t>(n * d));
     row_.constants.resize(static_cast<std::size_t>(n));
     double* xi = row_.xi.data();
-    SpringConstants<double>* constants = row_.constants.data();
-    for (int k = 0; k < n; ++k, ++own, xi += d, ++constants) {
-      const int j = neighbors[k];
-      const std::ptrdiff_t back = row_.reverse[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0, own = firstBond(i); k < row_.constants.size(); ++k, ++own, xi += d) {
       double length2 = 0.0;
       for (int c = 0; c < d; ++c) {
-        xi[c] = x[c][j] - x[c][i];
+        xi[c] = x[c][neighbors[k]] - x[c][i];
         length2 += xi[c] * xi[c];
       }
-      const Ends along = endsOf(along_, others_.along, own, j, back, border);
-      const Ends across = hasAcross ? endsOf(across_, others_.across, own, j, back, border) : Ends{0.0, 0.0};
-      if (network_.isTwice(j)) ++border;
+      const Ends along{along_[own], otherAlong_[k]};
+      const Ends across = hasAcross ? Ends{across_[own], otherAcross_[k]} : Ends{0.0, 0.0};
       const double ofAcross = across.own + across.other;
       const Ends& gives = givesAcross ? across : along;
-      *constants = {perUnit * (along.own + along.other - ofAcross) / length2, perUnit * ofAcross,
-                    hasFamily ? perUnit * gives.own : 0.0, hasFamily ? perUnit * gives.other : 0.0};
+      row_.constants[k] = {perUnit * (along.own + along.other - ofAcross) / length2, perUnit * ofAcross,
+                           hasFamily ? perUnit * gives.own : 0.0, hasFamily ? perUnit * gives.other : 0.0};
     }
   }
 
@@ -147,16 +144,26 @@ class SpringNetwork::RowReader {
   struct Ends {
     double own, other;
   };
-  Ends endsOf(const std::vector<double>& ofBonds, const std::vector<double>& ofOthers, std::size_t own, int j,
-              std::ptrdiff_t back, std::size_t border) const {
-    if (back >= 0) return {ofBonds[own], ofBonds[static_cast<std::size_t>(back)]};
-    return {ofBonds[own], network_.isTwice(j) ? ofOthers[border] : 0.0};
+  /// They lie far from each other: a loop of its own waits for many of them at once.
+  void readOtherEnds(const std::vector<double>& ofBonds, const std::vector<double>& ofOthers,
+                     std::vector<double>& ofRow) const {
+    const int* neighbors = network_.neighbors(row_.point);
+    std::size_t border = row_.firstBorder;
+    ofRow.assign(row_.reverse.size(), 0.0);
+    for (std::size_t k = 0; k < ofRow.size(); ++k) {
+      const std::ptrdiff_t back = row_.reverse[k];
+      if (back >= 0)
+        ofRow[k] = ofBonds[static_cast<std::size_t>(back)];
+      else if (network_.isTwice(neighbors[k]))
+        ofRow[k] = ofOthers[border++];
+    }
   }
 
   const SpringNetwork& network_;
   const std::vector<double>&along_, &across_;
   const OtherEnds& others_;
   std::vector<int> cursor_;
+  std::vector<double> otherAlong_, otherAcross_;  ///< [neighbours] of the row
   std::size_t nBorder_ = 0;
   int next_ = 0;
   Row row_;
