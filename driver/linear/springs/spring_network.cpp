@@ -80,6 +80,7 @@ class SpringNetwork::RowReader {
     readConstants();
     return row_;
   }
+  /// The next row: those after it find their places without it.
   void skip() {
     const int i = next_++;
     for (int k = network_.nNeighbors(i); k > 0 && network_.neighbors(i)[k - 1] >= network_.points_.nOwned; --k)
