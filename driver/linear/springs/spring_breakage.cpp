@@ -173,10 +173,16 @@ void SpringNetwork::makeCorrections() {
 
 std::vector<char> SpringNetwork::around(const std::vector<int>& points) const {
   std::vector<char> isAround(static_cast<std::size_t>(points_.nPoints), 0);
+  int nMarked = 0;
   for (const int i : points) {
+    nMarked += isAround[static_cast<std::size_t>(i)] == 0 ? 1 : 0;
     isAround[static_cast<std::size_t>(i)] = 1;
-    for (int k = 0; k < nNeighbors(i); ++k) isAround[static_cast<std::size_t>(neighbors(i)[k])] = 1;
   }
+  // Around all owned points there are others alone, at the ends of their lists.
+  const int known = nMarked == points_.nOwned ? points_.nOwned : 0;
+  for (const int i : points)
+    for (int k = nNeighbors(i); k > 0 && neighbors(i)[k - 1] >= known; --k)
+      isAround[static_cast<std::size_t>(neighbors(i)[k - 1])] = 1;
   return isAround;
 }
 

@@ -59,20 +59,32 @@ void SpringDiagonal::find(const std::vector<int>& points, PointVector<double>& d
 /// What the springs around them that this rank has hold at the points that are wanted.
 void SpringDiagonal::findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
                              PointVector<double>& diagonal) const {
-  const int d = stiffness_.network().dimension();
   for (int c = 0; c < diagonal.nComponents(); ++c)
     for (std::size_t i = 0; i < isWanted.size(); ++i)
       if (isWanted[i] != 0) diagonal[c][i] = 0.0;
-  // A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
+  const int d = stiffness_.network().dimension();
+  if (d == 1) return addOwn<1>(isWanted, isAround, diagonal);
+  if (d == 2) return addOwn<2>(isWanted, isAround, diagonal);
+  addOwn<3>(isWanted, isAround, diagonal);
+}
+
+/// A point's springs come in the same order, whatever else has changed: so its sums are the same to the last bit.
+template <int D>
+void SpringDiagonal::addOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
+                            PointVector<double>& diagonal) const {
+  constexpr std::size_t nStiffness = D * (D + 1) / 2;
+  std::array<double*, nStiffness> sums{};
+  for (std::size_t k = 0; k < nStiffness; ++k) sums[k] = diagonal[static_cast<int>(k)];
   stiffness_.network().forEachSpringIn([&](int i) { return isAround[static_cast<std::size_t>(i)] != 0; },
                                        [&](int i, int j, const double* xi, const SpringConstants<double>& c) {
-                                         for (const int point : {i, j}) {
-                                           if (isWanted[static_cast<std::size_t>(point)] == 0) continue;
-                                           for (int a = 0, at = 0; a < d; ++a)
-                                             for (int b = a; b < d; ++b, ++at)
-                                               diagonal[at][point] +=
-                                                   c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
-                                         }
+                                         std::array<double, nStiffness> own{};
+                                         for (std::size_t a = 0, k = 0; a < D; ++a)
+                                           for (std::size_t b = a; b < D; ++b, ++k)
+                                             own[k] = c.radial * xi[a] * xi[b] + (a == b ? c.across : 0.0);
+                                         for (const int point : {i, j})
+                                           for (std::size_t k = 0; k < nStiffness; ++k)
+                                             if (isWanted[static_cast<std::size_t>(point)] != 0)
+                                               sums[k][point] += own[k];
                                        });
 }
 

@@ -18,6 +18,9 @@ class SpringDiagonal {
  private:
   void findOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
                PointVector<double>& diagonal) const;
+  template <int D>
+  void addOwn(const std::vector<char>& isWanted, const std::vector<char>& isAround,
+              PointVector<double>& diagonal) const;
   void sumOverCopies(const std::vector<int>& points, PointVector<double>& diagonal) const;
 
   const SpringOperator& stiffness_;

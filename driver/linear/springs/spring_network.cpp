@@ -43,11 +43,18 @@ std::size_t SpringList::bytes() const {
 /// The springs of a point.
 struct SpringNetwork::Row {
   int point = 0;
-  bool isInside = true;         ///< of springs that are whole
-  std::vector<int> reverse;     ///< position of this point in the neighbour's list; -1: in none on this rank
-  std::size_t firstBorder = 0;  ///< number of its first bond to a ghost or an image
-  std::vector<double> xi;       ///< [neighbours][D]
+  bool isInside = true;                 ///< of springs that are whole
+  std::vector<std::ptrdiff_t> reverse;  ///< number of the bond in the neighbour's list; -1: in none on this rank
+  std::size_t firstBorder = 0;          ///< number of its first bond to a ghost or an image
+  std::vector<double> xi;               ///< [neighbours][D]
   std::vector<SpringConstants<double>> constants;
+};
+
+/// Points that follow each other, and may become a strip.
+struct SpringNetwork::StripRows {
+  int first = 0, count = 0;
+  std::vector<int> offsets;                        ///< that a spring of any of them has, rising
+  std::vector<SpringConstants<double>> constants;  ///< of their springs, row after row
 };
 
 /// Whether all springs resist across in one proportion to what they resist along, and give half of it to either family.
@@ -67,11 +74,17 @@ class SpringNetwork::RowReader {
         others_(others),
         cursor_(static_cast<std::size_t>(network.points_.nOwned), 0) {}
 
-  const Row& next(bool needsConstants = true) {
+  const Row& next() {
     row_.point = next_++;
     findReverse();
-    if (needsConstants) readConstants();
+    readConstants();
     return row_;
+  }
+  /// The next row: those after it find their places without it.
+  void skip() {
+    const int i = next_++;
+    for (int k = network_.nNeighbors(i); k > 0 && network_.neighbors(i)[k - 1] >= network_.points_.nOwned; --k)
+      ++nBorder_;
   }
 
  private:
@@ -79,49 +92,52 @@ class SpringNetwork::RowReader {
 
   /// Lists are sorted: this point's place in a neighbour's list comes after those of the points before.
   void findReverse() {
-    const int i = row_.point, n = network_.nNeighbors(i);
+    const int i = row_.point, n = network_.nNeighbors(i), nOwned = network_.points_.nOwned;
+    const int* neighbors = network_.neighbors(i);
     row_.reverse.assign(static_cast<std::size_t>(n), -1);
     row_.isInside = true;
     row_.firstBorder = nBorder_;
     for (int k = 0; k < n; ++k) {
-      const int j = network_.neighbors(i)[k];
-      if (j >= network_.points_.nOwned) {
+      const int j = neighbors[k];
+      bool isWhole = network_.isTwice(j);
+      if (j >= nOwned) {
         ++nBorder_;
       } else {
-        int& place = cursor_[static_cast<std::size_t>(j)];
-        while (place < network_.nNeighbors(j) && network_.neighbors(j)[place] < i) ++place;
-        if (place < network_.nNeighbors(j) && network_.neighbors(j)[place] == i)
-          row_.reverse[static_cast<std::size_t>(k)] = place;
+        const int *others = network_.neighbors(j), nOthers = network_.nNeighbors(j);
+        int place = cursor_[static_cast<std::size_t>(j)];
+        while (place < nOthers && others[place] < i) ++place;
+        cursor_[static_cast<std::size_t>(j)] = place;
+        isWhole = place < nOthers && others[place] == i;
+        if (isWhole) row_.reverse[static_cast<std::size_t>(k)] = static_cast<std::ptrdiff_t>(firstBond(j)) + place;
       }
-      row_.isInside = row_.isInside && (row_.reverse[static_cast<std::size_t>(k)] >= 0 || network_.isTwice(j));
+      row_.isInside = row_.isInside && isWhole;
     }
   }
 
   void readConstants() {
     const int i = row_.point, n = network_.nNeighbors(i), d = network_.dimension();
+    const int* neighbors = network_.neighbors(i);
     const PointVector<double>& x = network_.places<double>();
-    std::size_t border = row_.firstBorder;
+    const double perUnit = 1.0 / network_.stiffnessUnit_;
+    const bool hasAcross = !across_.empty(), hasFamily = network_.family_ != Family::None;
+    const bool givesAcross = network_.family_ == Family::Rotation;
+    readOtherEnds(along_, others_.along, otherAlong_);
+    if (hasAcross) readOtherEnds(across_, others_.across, otherAcross_);
     row_.xi.resize(static_cast<std::size_t>(n * d));
     row_.constants.resize(static_cast<std::size_t>(n));
-    for (int k = 0; k < n; ++k) {
-      const int j = network_.neighbors(i)[k], back = row_.reverse[static_cast<std::size_t>(k)];
+    double* xi = row_.xi.data();
+    for (std::size_t k = 0, own = firstBond(i); k < row_.constants.size(); ++k, ++own, xi += d) {
       double length2 = 0.0;
       for (int c = 0; c < d; ++c) {
-        const double difference = x[c][j] - x[c][i];
-        row_.xi[static_cast<std::size_t>(k * d + c)] = difference;
-        length2 += difference * difference;
+        xi[c] = x[c][neighbors[k]] - x[c][i];
+        length2 += xi[c] * xi[c];
       }
-      const std::size_t own = firstBond(i) + static_cast<std::size_t>(k);
-      const Ends along = endsOf(along_, others_.along, own, j, back, border);
-      const Ends across = endsOf(across_, others_.across, own, j, back, border);
-      if (network_.isTwice(j)) ++border;
-      const double perUnit = 1.0 / network_.stiffnessUnit_, ofAcross = across.own + across.other;
-      SpringConstants<double>& constants = row_.constants[static_cast<std::size_t>(k)];
-      constants = {perUnit * (along.own + along.other - ofAcross) / length2, perUnit * ofAcross, 0.0, 0.0};
-      if (network_.family_ == Family::None) continue;
-      const Ends& gives = network_.family_ == Family::Rotation ? across : along;
-      constants.own = perUnit * gives.own;
-      constants.others = perUnit * gives.other;
+      const Ends along{along_[own], otherAlong_[k]};
+      const Ends across = hasAcross ? Ends{across_[own], otherAcross_[k]} : Ends{0.0, 0.0};
+      const double ofAcross = across.own + across.other;
+      const Ends& gives = givesAcross ? across : along;
+      row_.constants[k] = {perUnit * (along.own + along.other - ofAcross) / length2, perUnit * ofAcross,
+                           hasFamily ? perUnit * gives.own : 0.0, hasFamily ? perUnit * gives.other : 0.0};
     }
   }
 
@@ -129,17 +145,26 @@ class SpringNetwork::RowReader {
   struct Ends {
     double own, other;
   };
-  Ends endsOf(const std::vector<double>& ofBonds, const std::vector<double>& ofOthers, std::size_t own, int j, int back,
-              std::size_t border) const {
-    if (ofBonds.empty()) return {0.0, 0.0};
-    if (back >= 0) return {ofBonds[own], ofBonds[firstBond(j) + static_cast<std::size_t>(back)]};
-    return {ofBonds[own], network_.isTwice(j) ? ofOthers[border] : 0.0};
+  /// They lie far from each other: a loop of its own waits for many of them at once.
+  void readOtherEnds(const std::vector<double>& ofBonds, const std::vector<double>& ofOthers,
+                     std::vector<double>& ofRow) const {
+    const int* neighbors = network_.neighbors(row_.point);
+    std::size_t border = row_.firstBorder;
+    ofRow.assign(row_.reverse.size(), 0.0);
+    for (std::size_t k = 0; k < ofRow.size(); ++k) {
+      const std::ptrdiff_t back = row_.reverse[k];
+      if (back >= 0)
+        ofRow[k] = ofBonds[static_cast<std::size_t>(back)];
+      else if (network_.isTwice(neighbors[k]))
+        ofRow[k] = ofOthers[border++];
+    }
   }
 
   const SpringNetwork& network_;
   const std::vector<double>&along_, &across_;
   const OtherEnds& others_;
   std::vector<int> cursor_;
+  std::vector<double> otherAlong_, otherAcross_;  ///< [neighbours] of the row
   std::size_t nBorder_ = 0;
   int next_ = 0;
   Row row_;
@@ -225,9 +250,9 @@ bool SpringNetwork::follows(const Row& row, const SpringPattern& pattern) const 
     if (std::abs(row.xi[k] - pattern.xi[k]) > patternTolerance) return false;
   for (std::size_t k = 0; k < n; ++k) {
     const SpringConstants<double>&a = row.constants[k], &b = pattern.constants[k];
-    const double difference = std::max({std::abs(a.radial - b.radial), std::abs(a.across - b.across),
-                                        std::abs(a.own - b.own), std::abs(a.others - b.others)});
-    if (difference > patternTolerance) return false;
+    if (std::abs(a.radial - b.radial) > patternTolerance || std::abs(a.across - b.across) > patternTolerance ||
+        std::abs(a.own - b.own) > patternTolerance || std::abs(a.others - b.others) > patternTolerance)
+      return false;
   }
   return true;
 }
@@ -263,12 +288,12 @@ void SpringNetwork::endRun(SpringRun& run, SpringPattern& pattern) {
       fill(pattern, dimension(), std::get<0>(pattern.tables));
       fill(pattern, dimension(), std::get<1>(pattern.tables));
       patterns_.push_back(std::move(pattern));
+      pattern = {};
     }
     std::fill_n(isComplete_.begin() + run.first, run.count, 1);
     runs_.push_back(run);
   }
   run = {0, 0, -1};
-  pattern = {};
 }
 
 /// Rows that follow a pattern are in proportion where the pattern is.
@@ -292,6 +317,7 @@ void SpringNetwork::findRuns(RowReader reader, Proportion& proportion) {
     for (std::size_t p = patterns_.size(); p-- > first && run.pattern < 0;)
       if (follows(row, patterns_[p])) run.pattern = static_cast<int>(p);
     if (run.pattern >= 0) continue;
+    pattern.offsets.clear();
     for (std::size_t k = 0; k < row.constants.size(); ++k) pattern.offsets.push_back(neighbors(i)[k] - i);
     pattern.constants = row.constants;
     pattern.xi = row.xi;
@@ -299,70 +325,79 @@ void SpringNetwork::findRuns(RowReader reader, Proportion& proportion) {
   endRun(run, pattern);
 }
 
-/// Writes the columns of points that follow each other, and starts anew.
-void SpringNetwork::endStrip(SpringStrip& strip, std::vector<Row>& rows) {
-  strip.count = static_cast<int>(rows.size());
-  const int end = strip.first + (strip.count + SpringStrip::lanes - 1) / SpringStrip::lanes * SpringStrip::lanes;
+/// Makes a strip of them, where one is worth it, and starts anew.
+void SpringNetwork::endStrip(StripRows& rows) {
+  const int end = rows.first + (rows.count + SpringStrip::lanes - 1) / SpringStrip::lanes * SpringStrip::lanes;
   const int nPoints = points_.nPoints;
   // Lanes without a point read beside the others.
-  const bool isInside = !rows.empty() && strip.first + strip.offsets.front() >= 0 && end <= nPoints &&
-                        end + strip.offsets.back() <= nPoints;
-  if (strip.count >= shortestStrip && isInside) {
-    const std::size_t size = strip.offsets.size() * rows.size() + SpringStrip::lanes;
-    std::get<0>(strip.columns).resize(size, shape_);
-    std::get<1>(strip.columns).resize(size, shape_);
-    for (const Row& row : rows)
-      for (std::size_t k = 0, offset = 0; k < row.constants.size(); ++k) {
-        while (strip.offsets[offset] < neighbors(row.point)[k] - row.point) ++offset;
-        std::get<0>(strip.columns).set(strip.at(offset, row.point), row.constants[k]);
-        std::get<1>(strip.columns).set(strip.at(offset, row.point), row.constants[k]);
+  const bool isInside = rows.count > 0 && rows.first + rows.offsets.front() >= 0 && end <= nPoints &&
+                        end + rows.offsets.back() <= nPoints;
+  if (rows.count >= shortestStrip && isInside) {
+    SpringStrip strip{rows.first, rows.count, rows.offsets, {}};
+    const std::size_t size =
+        strip.offsets.size() * static_cast<std::size_t>(rows.count) + static_cast<std::size_t>(SpringStrip::lanes);
+    auto& [columns, floatColumns] = strip.columns;
+    columns.resize(size, shape_);
+    floatColumns.resize(size, shape_);
+    const SpringConstants<double>* constants = rows.constants.data();
+    for (int i = rows.first; i < rows.first + rows.count; ++i)
+      for (int k = 0, offset = 0; k < nNeighbors(i); ++k, ++constants) {
+        while (strip.offsets[static_cast<std::size_t>(offset)] < neighbors(i)[k] - i) ++offset;
+        const std::size_t at = strip.at(static_cast<std::size_t>(offset), i);
+        columns.set(at, *constants);
+        floatColumns.set(at, *constants);
       }
     std::fill_n(isComplete_.begin() + strip.first, strip.count, 1);
     strips_.push_back(std::move(strip));
   }
-  strip = {};
-  rows.clear();
+  rows.count = 0;
+  rows.offsets.clear();
+  rows.constants.clear();
 }
 
 void SpringNetwork::findStrips(RowReader reader) {
   const bool hasOneConstant = shape_.acrossPerRadial != 0.0 || (!shape_.hasAcross && !shape_.hasFamily);
   const auto inRuns = std::count(isComplete_.begin(), isComplete_.end(), 1);  // ghosts and images are in none
   if (2 * inRuns < points_.nOwned && !hasOneConstant) return;
-  SpringStrip strip{};
-  std::vector<Row> rows;
-  std::size_t nSprings = 0;
+  StripRows rows;
+  std::vector<int> own, all;
   for (int i = 0; i < points_.nOwned; ++i) {
-    const bool isInRun = isComplete(i);
-    const Row& row = reader.next(!isInRun);
-    if (isInRun || !row.isInside || row.constants.empty()) {
-      endStrip(strip, rows);
+    if (isComplete(i)) {  // in a run
+      reader.skip();
+      endStrip(rows);
       continue;
     }
-    std::vector<int> own, all;
+    const Row& row = reader.next();
+    if (!row.isInside || row.constants.empty()) {
+      endStrip(rows);
+      continue;
+    }
+    own.clear();
+    all.clear();
     for (std::size_t k = 0; k < row.constants.size(); ++k) own.push_back(neighbors(i)[k] - i);
-    std::set_union(own.begin(), own.end(), strip.offsets.begin(), strip.offsets.end(), std::back_inserter(all));
-    const double places = static_cast<double>(all.size() * (rows.size() + 1));
-    if (rows.size() == longestStrip || static_cast<double>(nSprings + own.size()) < leastFilled * places) {
-      endStrip(strip, rows);
-      all = own;
+    std::set_union(own.begin(), own.end(), rows.offsets.begin(), rows.offsets.end(), std::back_inserter(all));
+    const double places = static_cast<double>(all.size()) * (rows.count + 1);
+    const bool isSparse = static_cast<double>(rows.constants.size() + own.size()) < leastFilled * places;
+    if (rows.count == longestStrip || isSparse) {
+      endStrip(rows);
+      all.swap(own);
     }
-    if (rows.empty()) {
-      strip.first = i;
-      nSprings = 0;
-    }
-    strip.offsets = all;
-    nSprings += own.size();
-    rows.push_back(row);
+    if (rows.count++ == 0) rows.first = i;
+    rows.offsets.swap(all);
+    rows.constants.insert(rows.constants.end(), row.constants.begin(), row.constants.end());
   }
-  endStrip(strip, rows);
+  endStrip(rows);
 }
 
 void SpringNetwork::makeLists(RowReader reader) {
   pairRow_.assign(static_cast<std::size_t>(points_.nOwned), -1);
   singleRow_ = pairRow_;
   for (int i = 0; i < points_.nOwned; ++i) {
-    const Row& row = reader.next(!isComplete(i));
-    if (isComplete(i)) continue;
+    if (isComplete(i)) {
+      reader.skip();
+      continue;
+    }
+    const Row& row = reader.next();
     for (std::size_t k = 0; k < row.constants.size(); ++k) {
       const int j = neighbors(i)[k];
       if (!row.constants[k].acts()) continue;

@@ -216,6 +216,7 @@ class SpringNetwork {
 
  private:
   struct Row;
+  struct StripRows;
   class RowReader;
   /// Of the point, or of the one that an image mirrors.
   int globalIdOf(int point) const { return points_.globalIds[static_cast<std::size_t>(points_.sourceOf(point))]; }
@@ -236,7 +237,7 @@ class SpringNetwork {
   void endRun(SpringRun& run, SpringPattern& pattern);
   void findRuns(RowReader reader, Proportion& proportion);
   void findStrips(RowReader reader);
-  void endStrip(SpringStrip& strip, std::vector<Row>& rows);
+  void endStrip(StripRows& rows);
   void makeLists(RowReader reader);
   /// visit(point, number of the neighbour, place in the columns) for each spring of those points of a strip that
   /// isWanted(point).

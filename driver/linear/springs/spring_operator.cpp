@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "../../solvers/symmetric_eigen.hpp"
 #include "spring_kernels.hpp"
@@ -44,9 +43,6 @@ SpringOperator::SpringOperator(const SpringNetwork& network, const PointExchange
       std::get<1>(response_)[0][i] = static_cast<float>(std::get<0>(response_)[0][i]);
     }
   }
-  std::vector<int> all(static_cast<std::size_t>(nOwned));
-  std::iota(all.begin(), all.end(), 0);
-  refresh(all);
 }
 
 /// What ghosts and images add reaches the points that they stand for.

@@ -15,7 +15,8 @@ namespace pd {
 /// are over all local points; their owned values count.
 class SpringOperator {
  public:
-  /// Refers to both. `isDistributed`: some rank has ghosts or images.
+  /// Refers to both. `isDistributed`: some rank has ghosts or images. What families make of a rotation is not known
+  /// before the first refresh(), of all points.
   SpringOperator(const SpringNetwork& network, const PointExchange& exchange, bool isDistributed);
 
   /// After the network's damage has changed, at these owned points alone.
