@@ -16,6 +16,17 @@ def circle(x, y, radius):
     return {"Type": "Circle", "Center": [x, y], "Radius": radius}
 
 
+def assert_goes_on(test, half, final_time, whole):
+    """Of `half`, a deck that writes a checkpoint at its end: what goes on from there ends as `whole`, to the last bit."""
+    half["Output"]["Output Filename"] = "half"
+    test.solve(half)
+    half["Solver"]["Final Time"] = final_time
+    half["Output"]["Output Filename"] = "rest"
+    rest = test.solve(half, arguments=["--restart", "half.checkpoint.h5"])
+    for label in ("Damage", "Displacement"):
+        np.testing.assert_array_equal(rest.field(label), whole.field(label))
+
+
 class PorousPlate(SceneTest):
     SPACING = 1.0e-3
 

@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
-from porous_plate import SMALL_STRAIN, THICKNESS, YOUNG, PorousPlate, prescribed  # noqa: E402
+from porous_plate import SMALL_STRAIN, THICKNESS, YOUNG, PorousPlate, assert_goes_on, prescribed  # noqa: E402
 from scene import SceneTest, lattice, plate_deck  # noqa: E402
 
 
@@ -111,14 +111,9 @@ class Pores(PorousPlate):
         before, after = whole.field("Damage", 0), whole.field("Damage")
         self.assertTrue(np.all(after >= before))
         self.assertGreater(np.max(after - before), 0.2)
-        deck["Output"].update({"Output Frequency": 200, "Output Filename": "half"})
+        deck["Output"]["Output Frequency"] = 200
         deck["Solver"]["Final Time"] = 1e-5
-        self.solve(deck)
-        deck["Solver"]["Final Time"] = 2e-5
-        deck["Output"]["Output Filename"] = "rest"
-        rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
-        for label in ("Damage", "Displacement"):
-            np.testing.assert_array_equal(rest.field(label), whole.field(label))
+        assert_goes_on(self, deck, 2e-5, whole)
 
 
 class Surfaces(SceneTest):
@@ -203,13 +198,7 @@ class Surfaces(SceneTest):
         often = {"Output Frequency": 20, "Checkpoint Frequency": 20}
         whole = self.solve(deck(steps, "20.0*t", **often))
         self.assertGreater(np.max(whole.field("Damage")), 0.1)
-        half = deck({**steps, "Final Time": 2e-6}, "20.0*t", **often, **{"Output Filename": "half"})
-        self.solve(half)
-        half["Solver"]["Final Time"] = 4e-6
-        half["Output"]["Output Filename"] = "rest"
-        rest = self.solve(half, arguments=["--restart", "half.checkpoint.h5"])
-        for label in ("Damage", "Displacement"):
-            np.testing.assert_array_equal(rest.field(label), whole.field(label))
+        assert_goes_on(self, deck({**steps, "Final Time": 2e-6}, "20.0*t", **often), 4e-6, whole)
 
 
 if __name__ == "__main__":
