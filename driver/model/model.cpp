@@ -144,10 +144,8 @@ bool isAtRest(Model& model) {
   const double* displacement = model.field("Displacement");
   const bool hasMoved =
       std::any_of(displacement, displacement + 3LL * model.nOwned(), [](double value) { return value != 0.0; });
-  const int force = fields::forceDensity().id();
-  const bool mayPush = std::any_of(model.blocks()->begin(), model.blocks()->end(), [&](Block& block) {
-    const auto ids = block.getMaterialModel()->FieldIds();
-    if (std::find(ids.begin(), ids.end(), force) == ids.end()) return false;
+  const bool mayPush = std::any_of(model.blocks()->begin(), model.blocks()->end(), [](Block& block) {
+    if (!computesForces(block)) return false;
     const auto* bonds = dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
     return bonds == nullptr || !bonds->springsObstacle().empty() || derivesFields(block);
   });

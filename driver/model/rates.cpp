@@ -38,6 +38,11 @@ std::vector<std::string> fieldsWithRates(std::vector<Block>& blocks) {
   return labelsOf(ids);
 }
 
+bool computesForces(Block& block) {
+  const std::vector<int> ids = block.getMaterialModel()->FieldIds();
+  return std::find(ids.begin(), ids.end(), FieldManager::self().getFieldId("Force_Density")) != ids.end();
+}
+
 bool derivesFields(Block& block) {
   const FieldTable fields = fieldsIn(*block.getMaterialModel());
   return std::any_of(fields.uses().begin(), fields.uses().end(), [](const FieldUse& use) {

@@ -15,6 +15,9 @@ std::vector<std::string> summedFields(std::vector<PeridigmNS::Block>& blocks);
 /// Labels of the fields whose rates they give, in the order of their ids.
 std::vector<std::string> fieldsWithRates(std::vector<PeridigmNS::Block>& blocks);
 
+/// Whether the block's material has forces.
+bool computesForces(PeridigmNS::Block& block);
+
 /// Whether the block's material writes fields each time that it computes forces (as Elastic does the dilatation).
 bool derivesFields(PeridigmNS::Block& block);
 

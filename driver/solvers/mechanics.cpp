@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "Peridigm_Field.hpp"
+#include "../model/rates.hpp"
 
 namespace pd {
 
@@ -29,13 +29,9 @@ std::vector<double> pointDensity(Model& model) {
 }
 
 void requireMechanics(const Model& model, const char* solver) {
-  const int force = FieldManager::self().getFieldId("Force_Density");
   const auto& blocks = *model.blocks();
-  const bool hasForce = std::any_of(blocks.begin(), blocks.end(), [&](Block block) {
-    const auto ids = block.getMaterialModel()->FieldIds();
-    return std::find(ids.begin(), ids.end(), force) != ids.end();
-  });
-  if (!hasForce) throw RunError(std::string(solver) + ": no material of this run computes forces");
+  if (std::none_of(blocks.begin(), blocks.end(), [](Block block) { return computesForces(block); }))
+    throw RunError(std::string(solver) + ": no material of this run computes forces");
 }
 
 void externalForce(const Simulation& simulation, double t, std::vector<double>& force) {

@@ -12,6 +12,7 @@
 #include "../../materials/registry/linear_bonds.hpp"
 #include "../linear/springs/border_bonds.hpp"
 #include "../model/collective.hpp"
+#include "../model/rates.hpp"
 #include "Peridigm_Field.hpp"
 
 namespace pd {
@@ -29,11 +30,6 @@ constexpr double singlePrecision = 1e-6;
 constexpr double mostMissed = 10.0;
 // Forces are found again around changed bonds alone where these are at no more than one in so many points.
 constexpr std::size_t mostOfChanged = 50;
-
-bool hasForce(Block& block) {
-  const auto ids = block.getMaterialModel()->FieldIds();
-  return std::find(ids.begin(), ids.end(), FieldManager::self().getFieldId("Force_Density")) != ids.end();
-}
 
 const LinearBonds* linearBondsOf(Block& block) {
   return dynamic_cast<const LinearBonds*>(block.getMaterialModel().get());
@@ -67,7 +63,7 @@ std::string SpringTangent::obstacle(Model& model) {
   bool isKnown = false;
   LinearSprings::Family family{};
   for (Block& block : *model.blocks()) {
-    if (!hasForce(block)) continue;
+    if (!computesForces(block)) continue;
     const LinearBonds* bonds = linearBondsOf(block);
     const std::string obstacle = bonds == nullptr ? "its material has none" : bonds->springsObstacle();
     if (!obstacle.empty()) return "block \"" + block.getName() + "\": " + obstacle;
@@ -90,7 +86,7 @@ SpringNetwork SpringTangent::networkOf(Model& model, bool isBody) {
   const bool isOne = model.blocks()->size() == 1;
   if (!isOne) all.along.assign(nBonds, 0.0);
   for (Block& block : *model.blocks()) {
-    if (!hasForce(block)) continue;
+    if (!computesForces(block)) continue;
     const LinearBonds& bonds = *linearBondsOf(block);
     const auto list = block.getNeighborhoodData();
     if (list->NumOwnedPoints() > 0) {

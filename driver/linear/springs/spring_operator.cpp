@@ -262,11 +262,14 @@ void SpringOperator::updateAll(const std::vector<int>& changed, const PointVecto
   const bool hasFamily = network_.familyWidth() > 0;
   std::vector<char> otherHasChanged;
   if (hasFamily) {
-    const PointVector<double> before = responses;
+    std::vector<double> before;  // of ghosts and images
+    for (int c = 0; c < responses.nComponents(); ++c)
+      before.insert(before.end(), responses[c] + nOwned, responses[c] + nPoints);
     updateResponses(changed, x, responses);
+    auto known = before.begin();
     for (int c = 0; c < responses.nComponents(); ++c)
       for (int i = nOwned; i < nPoints; ++i) {
-        if (responses[c][i] == before[c][i]) continue;
+        if (responses[c][i] == *known++) continue;
         otherHasChanged.resize(static_cast<std::size_t>(nPoints), 0);
         otherHasChanged[static_cast<std::size_t>(i)] = 1;
       }
