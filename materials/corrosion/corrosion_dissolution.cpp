@@ -108,10 +108,9 @@ struct CorrosionDissolution::Views {
     ph = fields.ph.ifIn(dataManager);
     blockId = fields.blockId.ifIn(dataManager);
   }
+  double filmAt(int j) const { return film == nullptr ? 0.0 : film[j]; }  ///< near a liquid point
   /// Share of the surface of a phase near a liquid point that no film covers.
-  double open(int j, const SolidPhases::Phase& phase) const {
-    return film == nullptr ? 1.0 : 1.0 - phase.filmShare * film[j];
-  }
+  double open(int j, const SolidPhases::Phase& phase) const { return phase.open(filmAt(j)); }
 };
 
 /// Of rings; 1 without them.
@@ -219,6 +218,7 @@ void CorrosionDissolution::takeUpPhases(double dt, Cache& cache, const Views& vi
   if (isChanged) refreshAroundChanges(cache, views);
   if (weights_.isCalibratedByTrial()) return;
   findSurfaces(cache, views);
+  if (views.film != nullptr && phases_.filmsDiffer()) takeUpFilms(cache, views);
   findDissolutionCorrections(dt, cache, views);
 }
 
@@ -269,18 +269,41 @@ void CorrosionDissolution::findSurfaces(Cache& cache, const Views& views) const 
   }
 }
 
+/// Visits points of chunks that have bonds from metal to electrolyte.
+template <class Visit>
+void CorrosionDissolution::forSolid(const Cache& cache, Visit visit) {
+  for (const std::size_t c : cache.phases.solidChunks()) {
+    const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
+    for (int lane = 0; lane < chunk.nLanes; ++lane) visit(cache.neighborhood.pointIds(chunk)[lane]);
+  }
+}
+
+/// Where phases bear different shares of a film, it decides which of them a front leaves behind. A point has the mean
+/// of its dissolving bonds.
+void CorrosionDissolution::takeUpFilms(Cache& cache, const Views& views) const {
+  const kernels::PhaseBonds& phases = cache.phases;
+  const PhaseGeometry bonds = geometry(views, phases.steppedDamage());
+  const auto addSum = [&](const double* values, double* sum) {
+    forSolid(cache, [&](int i) { sum[i] = 0.0; });
+    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
+                            values, sum);
+  };
+  for (const int j : phases.sources()) cache.current[0][j] = views.film[j];
+  addSum(nullptr, cache.weightSum[0]);
+  addSum(cache.current[0], cache.currentSum[0]);
+  forSolid(cache, [&](int i) {
+    PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
+    if (!surface.passed.empty() && cache.weightSum[0][i] != 0.0)
+      surface.plane = bonds.planeUnder(cache.currentSum[0][i] / cache.weightSum[0][i], i, surface);
+  });
+}
+
 /// Of a step, by the surface in the middle of it: a front moves at i/(z F C_solid), i of bare metal and as much of it
 /// as there is by now.
 void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
-  const auto forSolid = [&](auto visit) {
-    for (const std::size_t c : phases.solidChunks()) {
-      const kernels::Chunk& chunk = cache.neighborhood.chunks()[c];
-      for (int lane = 0; lane < chunk.nLanes; ++lane) visit(cache.neighborhood.pointIds(chunk)[lane]);
-    }
-  };
   bool isBent = false;
-  forSolid([&](int i) {
+  forSolid(cache, [&](int i) {
     const PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
     views.dissolutionCorrection[i] = surface.correctionAfter(0.0);
     isBent = isBent || surface.spread != 0.0;
@@ -290,14 +313,14 @@ void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, c
   kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
                           nullptr, cache.weightSum[0]);
   for (std::size_t p = 0; p < phases_.count(); ++p) {
-    forSolid([&](int i) { cache.currentSum[0][i] = 0.0; });
+    forSolid(cache, [&](int i) { cache.currentSum[0][i] = 0.0; });
     for (const int j : phases.sources())
       cache.current[0][j] = (1.0 - views.salt[j]) * views.open(j, phases_[p]) *
                             phases_[p].currentDensity.at(views.concentration[j]).current;
     kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
                             cache.current[0], cache.currentSum[0]);
     const double perCurrent = 1.0 / (chargeNumber_ * faraday * phases_[p].solidConcentration);
-    forSolid([&](int i) {
+    forSolid(cache, [&](int i) {
       if (cache.weightSum[0][i] == 0.0 || (!cache.isOfPhase.empty() && cache.isOfPhase[p][0][i] == 0.0)) return;
       const double speed = perCurrent * cache.currentSum[0][i] / cache.weightSum[0][i];
       views.dissolutionCorrection[i] = cache.surface[static_cast<std::size_t>(i)].correctionAfter(0.5 * dt * speed);
@@ -336,7 +359,7 @@ bool CorrosionDissolution::dissolve(Cache& cache, const Views& views, int j) con
   for (std::size_t p = 0; p < phases_.count(); ++p) {
     const double perCurrent = (1.0 - saturation_ / phases_[p].solidConcentration) / (chargeNumber_ * faraday);
     const double area = cache.area[p][0][j];
-    double flux = phases_[p].pace * views.demand[j];
+    double flux = views.demand[j] == 0.0 ? 0.0 : phases_.pace(p, views.filmAt(j)) * views.demand[j];
     if (bare != 0.0) {
       const CurrentDensity::Value i = phases_[p].currentDensity.at(views.concentration[j]);
       const double open = views.open(j, phases_[p]);

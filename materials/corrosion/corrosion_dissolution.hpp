@@ -10,10 +10,10 @@
 //   Q_j = (1 - S_j) (1 - F_j) i(C_j)/(z F) (1 - C_sat/C_solid) + B_j,
 // S: share of the surface under salt, F: under a film (of a condition on Film_Coverage, times the Phase Film Share), B:
 // further flux that a solver asks for; i, C_solid and F of the phase that the solid end belongs to. Where phases meet,
-// each gives of B what its pace is (solid_phases.hpp). A plane front passes Q exactly (a trial calibration has c of its
-// own and b = 1). A solid point becomes liquid at C_sat and takes that much with it, hence the last factor: the front
-// then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru, Electrochim. Acta 401 (2022)
-// 139512.
+// each gives of B what its pace is under the film (solid_phases.hpp). A plane front passes Q exactly (a trial
+// calibration has c of its own and b = 1). A solid point becomes liquid at C_sat and takes that much with it, hence the
+// last factor: the front then moves at i/(z F C_solid). Kinetics after Jafarzadeh, Zhao, Shakouri & Bobaru,
+// Electrochim. Acta 401 (2022) 139512.
 //
 // In a body of revolution (kernels/rings.hpp) volumes in these sums are those of the plane, d has the share of the
 // rings, and a solid ring loses what it would in the plane, so that its front moves as there; the liquid one gains
@@ -105,12 +105,12 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
     kernels::PhaseBonds phases;
     kernels::PointArrays concentration, diffusionCorrection;
     std::vector<kernels::PointArrays> isOfPhase, correction, area,
-        lostFlux;                                 ///< by solid phase; the first empty where there is one
-    std::vector<PhaseGeometry::Surface> surface;  ///< of owned points, by local id
-    kernels::PointArrays current, currentSum, weightSum;
-    std::vector<int> liquid;         ///< owned points, where pH is kept
-    std::vector<char> isListed;      ///< by local id: in `liquid`
-    bool hasAreas = false;           ///< `area` is of the present phases
+        lostFlux;                                         ///< by solid phase; the first empty where there is one
+    std::vector<PhaseGeometry::Surface> surface;          ///< of owned points, by local id
+    kernels::PointArrays current, currentSum, weightSum;  ///< of sums over dissolving bonds, as they are needed
+    std::vector<int> liquid;                              ///< owned points, where pH is kept
+    std::vector<char> isListed;                           ///< by local id: in `liquid`
+    bool hasAreas = false;                                ///< `area` is of the present phases
     bool isPrepared = false;         ///< precompute() has been called: it will be whenever phases change
     const double* zeroed = nullptr;  ///< rates that are 0 wherever nothing flows
     std::vector<int> ofOtherBlocks;  ///< owned points, whose rates the host may have written
@@ -124,6 +124,9 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   void takeUpPhases(double dt, Cache& cache, const Views& views) const;
   void refreshAroundChanges(Cache& cache, const Views& views) const;
   void findSurfaces(Cache& cache, const Views& views) const;
+  template <class Visit>
+  static void forSolid(const Cache& cache, Visit visit);
+  void takeUpFilms(Cache& cache, const Views& views) const;
   void findDissolutionCorrections(double dt, Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;
   void findAcidity(const Cache& cache, const Views& views) const;

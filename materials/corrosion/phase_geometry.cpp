@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pd {
 
@@ -25,6 +26,16 @@ std::array<double, 3> solved(const double (&m)[6], const double (&b)[3]) {
   const double c01 = m[4] * m[5] - m[3] * m[2], c12 = m[3] * m[5] - m[0] * m[4], c02 = m[3] * m[4] - m[1] * m[5];
   return {c00 * b[0] + c01 * b[1] + c02 * b[2], c01 * b[0] + c11 * b[1] + c12 * b[2],
           c02 * b[0] + c12 * b[1] + c22 * b[2]};
+}
+
+/// Correction of a plane front of which bonds pass so much, before and behind a point. Sides of the body beside the
+/// point cut both halves alike, and by the mean an error of the normal counts in second order alone; a side before or
+/// behind it cuts one half. Of points that are no grid the halves differ by chance: where the larger one counts, a
+/// front is slow.
+double planeOf(const std::array<double, 2>& passed) {
+  const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
+  constexpr double isCut = 0.5, least = 0.1;  // the latter of points that hang by a corner
+  return 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
 }
 
 }  // namespace
@@ -125,7 +136,7 @@ PhaseGeometry::Surface PhaseGeometry::surface(int point, const int* neighbors, i
   };
   const std::array<double, 3> n = normal(point, neighbors, solidOf).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
-  double passed[2] = {};
+  std::vector<std::array<double, 2>> passed(blockId_ == nullptr ? 1 : phases_->count());
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
     const Bond& bond = bonds_[static_cast<std::size_t>(k)];
@@ -133,17 +144,27 @@ PhaseGeometry::Surface PhaseGeometry::surface(int point, const int* neighbors, i
     if (weight == 0.0) continue;
     const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
     const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
-    const double share = mayDiffer ? phases_->keepsUp(own, phases_->ofBlock(blockId_[j])) : 1.0;
-    passed[across > 0.0] += share * weight * volume_[j] * std::abs(across);
+    passed[mayDiffer ? phases_->ofBlock(blockId_[j]) : own][across > 0.0] += weight * volume_[j] * std::abs(across);
   }
-  const double more = std::max(passed[0], passed[1]), less = std::min(passed[0], passed[1]);
-  // Sides of the body beside the point cut both halves alike, and by the mean an error of the normal counts in second
-  // order alone; a side before or behind it cuts one half. Of points that are no grid the halves differ by chance:
-  // where the larger one counts, a front is slow.
-  constexpr double isCut = 0.5, least = 0.1;  // the latter of points that hang by a corner
-  const double plane = 1.0 / std::max(less > isCut * more ? 0.5 * (less + more) : more, least);
   const Bend bend = bendOf(point, neighbors, n);
-  return {plane, bend.spread, bend.gap, weights_.dimension() - 1};
+  Surface surface{1.0, {}, bend.spread, bend.gap, weights_.dimension() - 1};
+  if (blockId_ == nullptr) {
+    surface.plane = planeOf(passed[0]);
+  } else {
+    surface.passed = std::move(passed);
+    surface.plane = planeUnder(0.0, point, surface);
+  }
+  return surface;
+}
+
+double PhaseGeometry::planeUnder(double filmCoverage, int point, const Surface& surface) const {
+  const std::size_t own = phases_->ofBlock(blockId_[point]);
+  std::array<double, 2> passed{};
+  for (std::size_t p = 0; p < surface.passed.size(); ++p) {
+    const double share = phases_->keepsUp(own, p, filmCoverage);
+    for (std::size_t side = 0; side < 2; ++side) passed[side] += share * surface.passed[p][side];
+  }
+  return planeOf(passed);
 }
 
 /// Exact where curvatures are alike, as of a circle and a ball.

@@ -1,5 +1,6 @@
 #include "solid_phases.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -66,14 +67,30 @@ SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation
                          concentrations[p], filmShares[p]});
     }
   }
-  double fastest = 0.0;
-  for (const Phase& phase : phases_) fastest = std::max(fastest, phase.currentDensity.at(saturation).current);
-  constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
-  for (Phase& phase : phases_)
-    if (fastest > 0.0) phase.pace = std::max(phase.currentDensity.at(saturation).current / fastest, least);
-  for (const Phase& phase : phases_)
+  for (Phase& phase : phases_) {
+    phase.atSaturation = phase.currentDensity.at(saturation).current;
+    filmsDiffer_ = filmsDiffer_ || phase.filmShare != phases_.front().filmShare;
     if (!(phase.solidConcentration > saturation))
       throw std::invalid_argument(owner + ": \"Saturation Concentration\" must be below \"Solid Concentration\"");
+  }
+}
+
+double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
+  const double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
+  double fastest = 0.0;
+  for (const Phase& other : phases_) fastest = std::max(fastest, other.open(film) * other.atSaturation);
+  constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
+  return fastest > 0.0 ? std::max(phases_[phase].open(film) * phases_[phase].atSaturation / fastest, least) : 1.0;
+}
+
+double SolidPhases::keepsUp(std::size_t first, std::size_t second, double filmCoverage) const {
+  const double paces = pace(second, filmCoverage) / pace(first, filmCoverage);
+  return std::min(1.0, paces * phases_[first].solidConcentration / phases_[second].solidConcentration);
+}
+
+bool SolidPhases::areAlike(std::size_t a, std::size_t b) const {
+  return phases_[a].filmShare == phases_[b].filmShare && phases_[a].atSaturation / phases_[a].solidConcentration ==
+                                                             phases_[b].atSaturation / phases_[b].solidConcentration;
 }
 
 std::size_t SolidPhases::ofBlock(double blockId) const {

@@ -2,7 +2,6 @@
 #ifndef PD_SOLID_PHASES_HPP
 #define PD_SOLID_PHASES_HPP
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,8 +17,8 @@ class SolidPhases {
     CurrentDensity currentDensity;
     double solidConcentration;  ///< mol/m3
     double filmShare = 1.0;     ///< of what Film_Coverage covers of a surface, what it covers of this phase
-    /// Current density at saturation over that of the fastest phase; at least 1e-6.
-    double pace = 1.0;
+    double atSaturation = 0.0;  ///< current density, A/m2
+    double open(double filmCoverage) const { return 1.0 - filmShare * filmCoverage; }  ///< share without a film
   };
 
   static void declareParameters(ParameterDeclarations& declare);
@@ -30,14 +29,17 @@ class SolidPhases {
   const Phase& operator[](std::size_t phase) const { return phases_[phase]; }
   /// Phase of the points of a block, by the value of the field Block_Id.
   std::size_t ofBlock(double blockId) const;
+  /// Current density at saturation, of what a film leaves open, over that of the fastest phase; at least 1e-6.
+  double pace(std::size_t phase, double filmCoverage) const;
   /// Share of the second phase that a front through the first takes along, 0 to 1.
-  double keepsUp(std::size_t first, std::size_t second) const {
-    return std::min(1.0, phases_[second].pace / phases_[first].pace);
-  }
-  /// Whether a front passes through both alike.
-  bool areAlike(std::size_t a, std::size_t b) const { return phases_[a].pace == phases_[b].pace; }
+  double keepsUp(std::size_t first, std::size_t second, double filmCoverage) const;
+  /// Whether a front passes through both alike, whatever the film.
+  bool areAlike(std::size_t a, std::size_t b) const;
+  /// Whether phases bear different shares of a film.
+  bool filmsDiffer() const { return filmsDiffer_; }
 
  private:
+  bool filmsDiffer_ = false;
   std::vector<Phase> phases_;  ///< that of all other blocks first
 };
 

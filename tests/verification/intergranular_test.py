@@ -137,6 +137,65 @@ class Boundaries(PhasesTest):
             self.assertAlmostEqual(lost / expected, 1.0, delta=0.15)
 
 
+class PhasesUnderFilms(PhasesTest):
+    """What decides where phases meet is the current that a film leaves to each, and how fast that takes its atoms."""
+
+    OPEN = 0.1  # of the metal around, under its film
+    TIME = 14e-6 / front_speed(STEEL)
+
+    def setUp(self):
+        super().setUp()
+        self.make_lattice([24e-6, 15e-6], [-4e-6, -7.5e-6])
+        x, y = np.round(self.x[:, 0] / SPACING - 0.5), np.round(self.x[:, 1] / SPACING)
+        self.boundary = (y == 0) & (x >= 0)
+        self.particles = (x >= 0) & (x % 6 < 3) & (y % 5 < 3)
+
+    def deck(self, inside, currents, solid=None):
+        """`inside`: points of the second phase; `currents` of both."""
+        self.write_mesh(self.x, self.volume, 1 + inside)
+        atoms = STEEL["Solid Concentration"]
+        metal = {**STEEL, "Current Density": repr(float(currents[0]))}
+        deck = self.phases_deck(2, metal, [(2, currents[1], solid or atoms)], self.TIME, 14)
+        deck["Solver"]["Corrosion"]["Solver Tolerance"] = 1e-12
+        deck["Boundary Conditions"]["All Node Set"] = {"Expression": "x < 1"}
+        return deck
+
+    def test_a_film_is_as_good_as_less_current(self):
+        # Bare beside metal under a film, and half bare; a film that comes late, too.
+        current = float(STEEL["Current Density"])
+        for inside, share, ratio in ((self.boundary, 0.0, 1.0), (self.particles, 0.0, 1.0), (self.particles, 0.5, 0.4)):
+            left = 1.0 - share * (1.0 - self.OPEN)
+            bare = self.solve(self.deck(inside, (self.OPEN * current, left * ratio * current)))
+            deck = self.deck(inside, (current, ratio * current))
+            deck["Materials"]["Metal"]["Phase Film Shares"] = [share]
+            deck["Boundary Conditions"]["Film"] = {"Type": "Film Coverage", "Node Set": "All Node Set",
+                                                   "Value": 1.0 - self.OPEN}
+            film = self.solve(deck)
+            self.assertGreater(np.sum(film.field("Damage") >= 1.0), 15)
+            np.testing.assert_allclose(film.field("Damage"), bare.field("Damage"), atol=1e-4)
+        deck["Boundary Conditions"]["Film"]["Value"] = f"t > {0.5 * self.TIME!r} ? {1.0 - self.OPEN!r} : 0"
+        late, shared = (self.solve(deck, ranks=ranks) for ranks in (1, 2))
+        self.assertGreater(late.history()["Dissolved"][-1], 1.2 * film.history()["Dissolved"][-1])
+        np.testing.assert_allclose(shared.field("Damage"), late.field("Damage"), atol=1e-6)
+
+    def test_fewer_atoms_are_as_good_as_more_current(self):
+        # Both fronts are as fast: one front, whatever the phases.
+        fewer = 0.6
+        current, atoms = float(STEEL["Current Density"]), STEEL["Solid Concentration"]
+        deck = self.deck(self.particles, (current, current))
+        deck["Compute Class Parameters"]["Dissolved"]["Node Set"] = "All Node Set"
+        one = self.solve(deck)
+        deck = self.deck(self.particles, (current, fewer * current), fewer * atoms)
+        metal = self.x[:, 0] > 0
+        deck["Compute Class Parameters"]["Dissolved"]["Node Set"] = "All Node Set"
+        deck["Boundary Conditions"] |= {
+            "Metal Node Set": " ".join(map(str, np.flatnonzero(metal & ~self.particles) + 1)),
+            "Particle Node Set": " ".join(map(str, np.flatnonzero(self.particles) + 1)),
+            "Particles": {"Type": "Initial Concentration", "Node Set": "Particle Node Set", "Value": fewer * atoms}}
+        two = self.solve(deck)
+        self.assertAlmostEqual(two.history()["Dissolved"][-1] / one.history()["Dissolved"][-1], 1.0, delta=0.01)
+
+
 class PolycrystalTest(PhasesTest):
     """Grains of a hundredth of the current; boundaries 3 um thick, grain and sample `size` large (m)."""
 
