@@ -52,7 +52,8 @@ GrowthLattice::GrowthLattice(const Teuchos::ParameterList& params, const std::st
   modulus_ = hasTangential_ ? (c.c11 * c.c11 - c.c12 * c.c12) / c.c11 : ofLattice;
 }
 
-/// Bonds of one projection onto the plane across the front and one length are one.
+/// Bonds of one projection onto the plane across the front and one length are one. Those that the influence function
+/// leaves without stiffness are neighbours that tire and count in damage all the same.
 std::vector<LatticeBond> GrowthLattice::latticeBonds() const {
   const auto influence = PeridigmNS::InfluenceFunction::self().getInfluenceFunction();
   const int reach = static_cast<int>(std::ceil(trial_.horizon)) + 1, depth = family_.dimension() == 3 ? reach : 0;
@@ -63,12 +64,12 @@ std::vector<LatticeBond> GrowthLattice::latticeBonds() const {
         if (x == 0 && y == 0) continue;
         const double length = std::sqrt(x * x + y * y + z * z);
         const double share = kernels::volumeShare(family_.volumeCorrection, length, trial_.horizon, 1.0);
+        if (share == 0.0) continue;
         const double weight = share * influence(length * spacing_, family_.horizon);
         if (weight < 0.0)
           throw std::invalid_argument(owner_ + ": the influence function is negative at " +
                                       std::to_string(length / trial_.horizon) +
                                       " horizons, where this Volume Correction has bonds; write \"max(..., 0)\"");
-        if (weight == 0.0) continue;
         const double count = z == 0 ? 1.0 : 2.0;
         bonds.push_back({x, y, length, weight * length * count, count});
       }
