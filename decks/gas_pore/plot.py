@@ -48,26 +48,40 @@ def far_strain(spacing):
     return np.polyfit(y[near] * 1e-3, results.field("Displacement", results.steps[-1])[near, 1], 1)[0]
 
 
-def strain_of_cells(name, spacing=SPACING):
-    """Largest strain of bonds, up to a horizon long, between the mean displacements of the material in square cells."""
+def means_of_cells(name):
+    """[columns, rows, 2] mean displacement of the material in square cells of the map's spacing, m."""
     results = Results(folder / f"{name}.h5")
     inside = np.max(np.abs(results.x[:, :2]), axis=1) < HORIZON * 1e-3
-    cell = np.floor(results.x[inside, :2] / (spacing * 1e-3) + 1e-6).astype(int)
+    cell = np.floor(results.x[inside, :2] / (SPACING * 1e-3) + 1e-6).astype(int)
     cell -= cell.min(axis=0)
     shape = cell.max(axis=0) + 1
     index, weight = cell[:, 0] * shape[1] + cell[:, 1], results.volume[inside]
     u = results.field("Displacement", results.steps[-1])[inside, :2]
     sums = np.stack([np.bincount(index, weight * u[:, d]) for d in (0, 1)], 1)
-    mean = (sums / np.bincount(index, weight)[:, None]).reshape(*shape, 2)
+    return (sums / np.bincount(index, weight)[:, None]).reshape(*shape, 2)
+
+
+def strain_of_cells(name):
+    """Largest strain of bonds, up to a horizon long, between cells."""
+    mean = means_of_cells(name)
+    shape = mean.shape
     largest = 0.0
     for i in range(-3, 4):
         for j in range(4):
-            bond = np.array([i, j]) * spacing * 1e-3
+            bond = np.array([i, j]) * SPACING * 1e-3
             if 0 < i * i + j * j <= 9:
                 first = mean[max(-i, 0):shape[0] - max(i, 0), :shape[1] - j]
                 second = mean[max(i, 0):shape[0] - max(-i, 0), j:]
                 largest = max(largest, np.max((second - first) @ bond) / (bond @ bond))
     return largest
+
+
+def opening_of_pore(name, far):
+    """What the two columns beside the pore stretch by, more than far away, across the rows that it lies between: in
+    parts of the far strain over a spacing."""
+    y = means_of_cells(name)[..., 1]
+    column, row = y.shape[0] // 2, y.shape[1] // 2
+    return np.sum(y[column - 1:column + 1, row] - y[column - 1:column + 1, row - 1]) / (far * SPACING * 1e-3) - 2.0
 
 
 def draw_lives(axis, radius, names, size):
@@ -168,10 +182,11 @@ def draw_spacing():
 def print_controls():
     far = STRESS * 1e6 / YOUNG
     for place in ("0.26_0.0", "0.02_0.0", "0.26_0.31"):
-        for per_cell in (1, 4, 6, 8) if place == "0.02_0.0" else (1, 4, 6):
+        for per_cell in (1, 2, 4, 6, 8) if place == "0.02_0.0" else (1, 2, 4, 6):
             strain = strain_of_cells(f"whole_{place}_{per_cell}")
             print(f"horizon {HORIZON} mm, pore at {place}, {per_cell} points an edge: strain between cells "
-                  f"{strain / far:.4f} of the far one, life {life_of_range(2 * strain):.0f}")
+                  f"{strain / far:.4f} of the far one, life {life_of_range(2 * strain):.0f}; the pore opens by "
+                  f"{opening_of_pore(f'whole_{place}_{per_cell}', far):.3f}")
         for per_cell in (1, 6, 8) if place == "0.26_0.0" else (1, 6):
             print(f"  {per_cell} points an edge: first bond of all {life(f'same_{place}_{per_cell}'):.1f}")
     known = strength("map_100_0.26")

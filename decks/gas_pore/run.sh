@@ -63,7 +63,7 @@ for place in "0.26 0.0" "0.02 0.0" "0.26 0.31"; do
   read -r x y <<< "$place"
   same 1 "$x" "$y" Adaptive
   same 6 "$x" "$y" Intersection
-  for points in 1 4 6; do whole "$points" "$x" "$y"; done
+  for points in 1 2 4 6; do whole "$points" "$x" "$y"; done
 done
 same 8 0.26 0.0 Intersection
 whole 8 0.02 0.0

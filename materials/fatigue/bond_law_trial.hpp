@@ -24,9 +24,9 @@ struct BondLaw {
 double growthRatio(const GrowthTrialCase& trial, const GrowthLaw& wanted, const BondLaw& law, double range,
                    TrialBody body);
 
-/// Corrects each factor for part of the deviation at its range, as if the others were right, and so that bonds lose
-/// more at larger ranges. Bonds break in another order with each law: to be repeated. Returns the largest deviation
-/// before, a logarithm.
+/// Corrects each factor for part of the deviation about its range, as if the others were right: at the range itself and
+/// half-way to the next ones, which holds together what the order in which bonds break sets apart. That order changes
+/// with the law: to be repeated. Returns the largest deviation before, a logarithm.
 double improve(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw& law, TrialBody body,
                double correctedPart);
 

@@ -16,9 +16,8 @@ namespace {
 
 // Of the ranges at which growth is compared: their ratio, how far above the threshold and above yield they reach.
 constexpr double rangeStep = 1.3, aboveThreshold = 1.1, aboveYield = 20.0;
-// Part of a deviation that is made up for at a time, since neighbouring ranges see it, too; when there is enough of it.
-constexpr double correctedPart = 0.5, closeEnough = 0.03;
-constexpr int mostPassesInAStrip = 8, passesInALargeBody = 6;
+constexpr double closeEnough = 0.05;  ///< of growth at all ranges
+constexpr int mostPassesInAStrip = 8, mostPasses = 20;
 constexpr double firstFactor = 2.5;  ///< what B and its fall with M come to for 3 spacings a horizon
 
 /// g.
@@ -27,17 +26,18 @@ double wantedLoss(const ElementTrialCase& wanted, double range) {
   return std::pow(std::max(elementStrain - wanted.limit, 0.0), wanted.trial.exponent);
 }
 
-/// The best of some laws.
+/// The best of some laws. Neighbouring ranges see what is corrected, too: part of it at a time, less in time.
 BondLaw improved(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw law) {
-  for (int pass = 0; pass < mostPassesInAStrip; ++pass)
-    if (improve(trial, wanted, law, TrialBody::Strip, correctedPart) < closeEnough) break;
+  constexpr double firstPart = 0.8, lessEachTime = 0.95;
+  if (trial.specimenWidth == 0.0)
+    for (int pass = 0; pass < mostPassesInAStrip; ++pass) improve(trial, wanted, law, TrialBody::Strip, firstPart);
   BondLaw best = law;
-  double least = std::numeric_limits<double>::infinity();
-  for (int pass = 0; pass < passesInALargeBody; ++pass) {
-    LongWork::tell("trials for Element Length, pass " + std::to_string(pass + 1) + " of " +
-                   std::to_string(passesInALargeBody));
+  double least = std::numeric_limits<double>::infinity(), part = firstPart;
+  for (int pass = 0; pass < mostPasses && least > closeEnough; ++pass, part *= lessEachTime) {
+    LongWork::tell("trials for Element Length, pass " + std::to_string(pass + 1) + " of at most " +
+                   std::to_string(mostPasses));
     const BondLaw before = law;
-    const double deviation = improve(trial, wanted, law, TrialBody::Large, correctedPart);
+    const double deviation = improve(trial, wanted, law, TrialBody::Large, part);
     if (deviation < least) best = before;
     least = std::min(least, deviation);
   }

@@ -16,6 +16,7 @@ void FatigueElement::declareParameters(ParameterDeclarations& declare) {
   GrowthLattice::declareParameters(declare);
   declare.needs("Element Length", {"Yield Stress"});
   declare.needs("Element Length", GrowthLattice::neededKeys());
+  declare.needs("Specimen Width", {"Element Length"});
   declare.needs("Yield Stress", {"Element Length"});
 }
 

@@ -23,6 +23,7 @@ void GrowthCoefficient::declareParameters(ParameterDeclarations& declare) {
   GrowthLattice::declareParameters(declare);
   declare.needs("Paris Coefficient", {"Paris Exponent"});
   declare.needs("Paris Coefficient", GrowthLattice::neededKeys());
+  declare.needs("Specimen Width", {"Paris Coefficient"});
   for (const char* key : {"Paris Exponent", "Paris Threshold"}) declare.needs(key, {"Paris Coefficient"});
 }
 

@@ -12,6 +12,8 @@ namespace pd {
 namespace {
 
 constexpr double mostPointsPerHorizon = 6.5;  // the trial of more takes minutes
+// Of a specimen's width: the crack of a shorter one is not half as long; the trial of more spacings takes minutes.
+constexpr double leastHorizons = 12.0, mostSpacings = 240.0;
 
 }  // namespace
 
@@ -19,6 +21,12 @@ void GrowthLattice::declareParameters(ParameterDeclarations& declare) {
   declare.real("Spacing", "m", "Distance between points, for the trial.").positive();
   declare.real("Young's Modulus", "Pa", "As in the material, for the trial.").positive();
   declare.real("Poisson's Ratio", "1", "As in the material, for the trial.").strictlyBetween(-1.0, 0.5);
+  declare
+      .real("Specimen Width", "m",
+            "W of the compact tension specimen (ASTM E647) in which growth is to be what the constants say, at half of "
+            "W, with the bonds of this horizon, which see more there than K. Where it is not given: in a body large "
+            "beside the horizon.")
+      .positive();
   BondFamily::declareParameters(declare);
 }
 
@@ -39,6 +47,7 @@ GrowthLattice::GrowthLattice(const Teuchos::ParameterList& params, const std::st
   if (family_.volumeCorrection == kernels::VolumeCorrection::EveryNeighbor)
     throw std::invalid_argument(
         owner_ + ": neighbourhoods have no end for the trial; choose another Volume Correction, or " + otherwise_);
+  if (params.isParameter("Specimen Width")) setSpecimenWidth(params.get<double>("Specimen Width"));
   const double young = params.get<double>("Young's Modulus"), poisson = params.get<double>("Poisson's Ratio");
   const kernels::ElasticConstants constants = family_.rescalesToLattice
                                                   ? family_.latticeElasticConstants(young, poisson, spacing_)
@@ -52,7 +61,19 @@ GrowthLattice::GrowthLattice(const Teuchos::ParameterList& params, const std::st
   modulus_ = hasTangential_ ? (c.c11 * c.c11 - c.c12 * c.c12) / c.c11 : ofLattice;
 }
 
-/// Bonds of one projection onto the plane across the front and one length are one.
+void GrowthLattice::setSpecimenWidth(double width) {
+  trial_.specimenWidth = width / family_.horizon;
+  if (trial_.specimenWidth < leastHorizons)
+    throw std::invalid_argument(owner_ + ": Specimen Width is " + std::to_string(trial_.specimenWidth) +
+                                " horizons; a crack of half of it takes 12. Choose a smaller horizon, or leave it out");
+  if (width > mostSpacings * spacing_)
+    throw std::invalid_argument(owner_ + ": Specimen Width is " + std::to_string(width / spacing_) +
+                                " spacings; the trial takes up to 240. Leave it out: such a body is large beside the "
+                                "horizon");
+}
+
+/// Bonds of one projection onto the plane across the front and one length are one. Those that the influence function
+/// leaves without stiffness are neighbours that tire and count in damage all the same.
 std::vector<LatticeBond> GrowthLattice::latticeBonds() const {
   const auto influence = PeridigmNS::InfluenceFunction::self().getInfluenceFunction();
   const int reach = static_cast<int>(std::ceil(trial_.horizon)) + 1, depth = family_.dimension() == 3 ? reach : 0;
@@ -63,12 +84,12 @@ std::vector<LatticeBond> GrowthLattice::latticeBonds() const {
         if (x == 0 && y == 0) continue;
         const double length = std::sqrt(x * x + y * y + z * z);
         const double share = kernels::volumeShare(family_.volumeCorrection, length, trial_.horizon, 1.0);
+        if (share == 0.0) continue;
         const double weight = share * influence(length * spacing_, family_.horizon);
         if (weight < 0.0)
           throw std::invalid_argument(owner_ + ": the influence function is negative at " +
                                       std::to_string(length / trial_.horizon) +
                                       " horizons, where this Volume Correction has bonds; write \"max(..., 0)\"");
-        if (weight == 0.0) continue;
         const double count = z == 0 ? 1.0 : 2.0;
         bonds.push_back({x, y, length, weight * length * count, count});
       }
@@ -96,8 +117,9 @@ void GrowthLattice::requireSpacing(const Call& call, const double* modelCoordina
 std::string GrowthLattice::text() const {
   std::ostringstream text;
   text.precision(4);
-  text << trial_.horizon << " spacings a horizon, E' = " << modulus_ << " Pa of the lattice"
-       << (hasTangential_ ? ", bonds without k_t" : "");
+  text << trial_.horizon << " spacings a horizon, E' = " << modulus_ << " Pa of the lattice";
+  if (trial_.specimenWidth > 0.0) text << ", in a compact tension specimen of " << trial_.specimenWidth << " horizons";
+  text << (hasTangential_ ? ", bonds without k_t" : "");
   return text.str();
 }
 

@@ -33,6 +33,7 @@ class GrowthLattice {
 
  private:
   std::vector<LatticeBond> latticeBonds() const;
+  void setSpecimenWidth(double width);  ///< m
 
   std::string owner_, otherwise_;
   BondFamily family_;

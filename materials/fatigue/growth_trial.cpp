@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "growth_specimen.hpp"
 #include "growth_strip.hpp"
 #include "life_law.hpp"
 
@@ -31,21 +31,21 @@ struct Growth {
   int nBroken = 0;
 };
 
-/// Where bonds lose what the law says of their strains over dK / (E' sqrt(delta)): life of all bonds of the strip that
-/// may break, event by event.
-Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate& law) {
-  const double unit = strip.strainUnit();
-  const std::size_t n = strip.nBonds();
+/// Where bonds lose what the law says of their strains over dK / (E' sqrt(delta)), dK the same at any length of the
+/// crack: life of all bonds of the body that may break, event by event.
+Growth growthIn(GrowthBody body, const GrowthTrialCase& trial, const LossRate& law) {
+  const std::size_t n = body.nBonds();
   std::vector<double> lost(n, 0.0), rate(n);
   const int first = static_cast<int>(std::lround(firstGrowth * trial.horizon));
   const int last = static_cast<int>(std::lround(lastGrowth * trial.horizon));
   double cycles = 0.0, atFirst = 0.0;
   Growth growth;
   while (true) {
-    const std::vector<char>& nearTip = strip.pointsNear(trial.growthDamage);
+    const double unit = body.strainUnit();
+    const std::vector<char>& nearTip = body.pointsNear(trial.growthDamage);
     double next = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < n; ++b) {
-      const double stretch = strip.isBroken(b) || !strip.hasEndIn(nearTip, b) ? 0.0 : strip.stretch(b);
+      const double stretch = body.isBroken(b) || !body.hasEndIn(nearTip, b) ? 0.0 : body.stretch(b);
       rate[b] = stretch > 0.0 ? law(stretch / unit) : 0.0;
       if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
     }
@@ -54,10 +54,10 @@ Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate&
     for (std::size_t b = 0; b < n; ++b) {
       lost[b] += next * rate[b];
       if (rate[b] == 0.0 || lost[b] < enoughLost) continue;
-      strip.breakBond(b);
+      body.breakBond(b);
       ++growth.nBroken;
     }
-    const int tip = strip.nColumnsOpen();
+    const int tip = body.nColumnsOpen();
     if (atFirst == 0.0 && tip >= first) atFirst = cycles;
     if (tip < last) continue;
     growth.rate = (last - first) / (cycles - atFirst) / trial.horizon;
@@ -65,44 +65,47 @@ Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate&
   }
 }
 
-/// Of one and of two heights.
-struct Strips {
-  GrowthStrip low, high;
-  explicit Strips(const GrowthTrialCase& trial)
-      : low(trial.bonds, trial.horizon, height, lastGrowth),
-        high(trial.bonds, trial.horizon, 2.0 * height, lastGrowth) {}
-};
+/// Those that cracks grow through: strips of one and of two heights, or a specimen alone.
+using Bodies = std::vector<GrowthBody>;
+
+Bodies makeBodies(const GrowthTrialCase& trial) {
+  if (trial.specimenWidth > 0.0) return {GrowthSpecimen(trial.bonds, trial.horizon, trial.specimenWidth, lastGrowth)};
+  return {GrowthStrip(trial.bonds, trial.horizon, height, lastGrowth),
+          GrowthStrip(trial.bonds, trial.horizon, 2.0 * height, lastGrowth)};
+}
 
 std::vector<double> keyOfLattice(const GrowthTrialCase& trial) {
-  std::vector<double> key{trial.horizon};
+  std::vector<double> key{trial.horizon, trial.specimenWidth};
   for (const LatticeBond& bond : trial.bonds)
     key.insert(key.end(), {double(bond.x), double(bond.y), bond.length, bond.stiffness, bond.count});
   return key;
 }
 
 /// Those of a lattice take longer to make than a crack to grow through them; the last are kept.
-const Strips& stripsOf(const GrowthTrialCase& trial) {
+const Bodies& bodiesOf(const GrowthTrialCase& trial) {
   static std::vector<double> lastKey;
-  static std::unique_ptr<Strips> last;
+  static Bodies last;
   std::vector<double> key = keyOfLattice(trial);
   if (key != lastKey) {
-    last = std::make_unique<Strips>(trial);
+    last = makeBodies(trial);
     lastKey = std::move(key);
   }
-  return *last;
+  return last;
 }
 
-/// In a body large beside the horizon.
+/// In the specimen, or in a body large beside the horizon.
 Growth growthInBody(const GrowthTrialCase& trial, const LossRate& law) {
-  const Strips& strips = stripsOf(trial);
-  const Growth low = growthIn(strips.low, trial, law), high = growthIn(strips.high, trial, law);
-  if (low.rate == 0.0 || high.rate == 0.0) return {};
-  return {2.0 * high.rate - low.rate, high.nBroken};
+  const Bodies& bodies = bodiesOf(trial);
+  const Growth first = growthIn(bodies.front(), trial, law);
+  if (bodies.size() == 1) return first;
+  const Growth high = growthIn(bodies.back(), trial, law);
+  if (first.rate == 0.0 || high.rate == 0.0) return {};
+  return {2.0 * high.rate - first.rate, high.nBroken};
 }
 
-double standingStrainIn(const GrowthStrip& strip, const GrowthTrialCase& trial) {
+double standingStrainIn(const GrowthBody& body, const GrowthTrialCase& trial) {
   const auto grows = [&](double limit) {
-    return growthIn(strip, trial, lossRateOf(LifeLaw::power(1.0, trial.exponent, limit))).rate > 0.0;
+    return growthIn(body, trial, lossRateOf(LifeLaw::power(1.0, trial.exponent, limit))).rate > 0.0;
   };
   double growing = 0.0, standing = 2.0;
   while (grows(standing)) standing *= 2.0;
@@ -148,13 +151,14 @@ const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial) {
 
 double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, TrialBody body) {
   const bool isLarge = body == TrialBody::Large;
-  return (isLarge ? growthInBody(trial, lossRate) : growthIn(stripsOf(trial).low, trial, lossRate)).rate;
+  return (isLarge ? growthInBody(trial, lossRate) : growthIn(bodiesOf(trial).front(), trial, lossRate)).rate;
 }
 
 double standingStrain(const GrowthTrialCase& trial, TrialBody body) {
-  const Strips& strips = stripsOf(trial);
-  const double low = standingStrainIn(strips.low, trial);
-  return body == TrialBody::Strip ? low : 2.0 * standingStrainIn(strips.high, trial) - low;
+  const Bodies& bodies = bodiesOf(trial);
+  const double first = standingStrainIn(bodies.front(), trial);
+  if (body == TrialBody::Strip || bodies.size() == 1) return first;
+  return 2.0 * standingStrainIn(bodies.back(), trial) - first;
 }
 
 }  // namespace pd

@@ -6,7 +6,7 @@
 // with a pure number B of M, the lattice, the influence function and the rule by which bonds are near the tip (Silling
 // & Askari, SAND2014-18590, find A by a trial of the whole body instead), E' that of G = K^2/E' in the lattice, and K
 // the factor of stresses ahead of the tip. Here B comes from a long strip between grips, in which the energy release
-// rate is the same wherever the tip is, without T-stress.
+// rate is the same wherever the tip is, without T-stress; or from a compact tension specimen, under loads that hold K.
 #ifndef PD_GROWTH_TRIAL_HPP
 #define PD_GROWTH_TRIAL_HPP
 
@@ -30,14 +30,15 @@ struct GrowthTrialCase {
   double horizon = 3.0;            ///< in spacings
   double exponent = 3.0;           ///< M
   double growthDamage = 0.35;  ///< a bond wears where an end, or one of its neighbours, has lost this part of its bonds
+  double specimenWidth = 0.0;  ///< W of a compact tension specimen, in horizons; 0: a body large beside the horizon
 };
 
 /// Numbers that tell a case from all others.
 std::vector<double> keyOf(const GrowthTrialCase& trial);
 
 struct GrowthTrialResult {
-  double factor = 0.0;  ///< B, for a body large beside the horizon
-  int nBroken = 0;      ///< bonds on the way, in the larger strip
+  double factor = 0.0;  ///< B, for a body large beside the horizon, or for the specimen
+  int nBroken = 0;      ///< bonds on the way, in the last body
 };
 
 /// Of the lattice in the plane, of the stiffnesses of bonds over the volume of a cell. C66 = C12, as of all bonds
@@ -53,15 +54,16 @@ struct PlaneStiffness {
 PlaneStiffness planeStiffness(const std::vector<LatticeBond>& bonds);
 
 /// Runs the trial in two strips, of 12 and 24 horizons, whose factors differ by the share of the horizon in the height,
-/// and takes that out: strips of 24 and 48 horizons give the same within 1 %. Once in a process for each case. Throws
-/// std::runtime_error where no crack grows.
+/// and takes that out: strips of 24 and 48 horizons give the same within 1 %. Or in the specimen, about a = W/2: there
+/// bonds see more than K, as in tests that find Paris' constants, and B is smaller. Once in a process for each case.
+/// Throws std::runtime_error where no crack grows.
 const GrowthTrialResult& growthTrial(const GrowthTrialCase& trial);
 
 /// Part of a life in a cycle, over the strain range in parts of dK / (E' sqrt(delta)).
 using LossRate = std::function<double(double)>;
 enum class TrialBody {
-  Strip,  ///< the smaller one
-  Large   ///< what both have in common
+  Strip,  ///< the smaller one, or the specimen
+  Large   ///< what both have in common, or the specimen
 };
 /// Horizons a cycle where bonds near the tip lose by this law in place of a power; 0 where the crack stands.
 double trialGrowth(const GrowthTrialCase& trial, const LossRate& lossRate, TrialBody body);

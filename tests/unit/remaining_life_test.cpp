@@ -10,6 +10,7 @@
 #include "../support/small_body.hpp"
 #include "banded_cholesky.hpp"
 #include "cycle_fields.hpp"
+#include "growth_specimen.hpp"
 #include "growth_strip.hpp"
 #include "life_law.hpp"
 #include "plugins.hpp"
@@ -113,6 +114,41 @@ TEST(GrowthTrial, FactorsOfThePrototype) {
     EXPECT_NEAR(growthTrial({square(3.0), 3.0, exponent, 0.35}).factor / factor, 1.0, 0.06) << exponent;
 }
 
+/// K of ASTM E647 under a force of 1, in units of the spacing; W, and the length of the crack in it.
+double standardIntensity(double width, double a) {
+  return (2.0 + a) / std::pow(1.0 - a, 1.5) *
+         (0.886 + 4.64 * a - 13.32 * a * a + 14.72 * a * a * a - 5.6 * std::pow(a, 4)) / std::sqrt(width);
+}
+
+TEST(GrowthSpecimen, HasTheIntensityOfTheStandard) {
+  // Bonds are missing at free surfaces, so that the body is soft, and K 2 % large with this horizon.
+  const double horizon = 3.0, width = 18.0, growth = 4.0;
+  const auto bonds = square(horizon);
+  GrowthSpecimen specimen(bonds, horizon, width, growth);
+  const double modulus = planeStiffness(bonds).fractureModulus();
+  const auto ratio = [&](double columns) {
+    const double a = 0.5 + ((columns - 0.75 * growth * horizon) / horizon) / width;
+    return specimen.strainUnit() * modulus * std::sqrt(horizon) / standardIntensity(width * horizon, a);
+  };
+  EXPECT_NEAR(ratio(0.0), 1.0, 0.04);
+  // K of a crack that has set energy free is that of a longer one.
+  const double before = specimen.strainUnit();
+  for (std::size_t b = 0; b < specimen.nBonds(); ++b)
+    if (!specimen.isBroken(b) && specimen.stretch(b) > 0.8 * before) specimen.breakBond(b);
+  EXPECT_GT(specimen.strainUnit(), before);
+}
+
+TEST(GrowthTrial, InASpecimenACrackGrowsAsInTheWholeOne) {
+  // pdrun, with both halves of the specimen, pins, a surface correction and K by J, found growth by the factors of a
+  // large body 0.915, 0.937, 0.937 of Paris' law.
+  for (const auto& [exponent, part] : {std::pair{2.0, 0.915}, {3.0, 0.937}, {4.0, 0.937}}) {
+    const GrowthTrialCase large{square(3.0), 3.0, exponent, 0.35};
+    GrowthTrialCase inSpecimen = large;
+    inSpecimen.specimenWidth = 40.0 / 2.25;
+    EXPECT_NEAR(growthTrial(inSpecimen).factor / growthTrial(large).factor / part, 1.0, 0.03) << exponent;
+  }
+}
+
 /// Growth in the strips where bonds lose what the law of the threshold says, over C (dK - dK_th)^M; dK in parts of
 /// dK_th.
 double thresholdGrowth(const GrowthTrialCase& trial, double range, TrialBody body) {
@@ -128,7 +164,7 @@ TEST(ThresholdTrial, ACrackGrowsByWhatTheRangeOfKExceedsTheThresholdBy) {
   for (const double exponent : {2.05, 3.0, 4.0}) {
     const GrowthTrialCase trial{square(3.0), 3.0, exponent, 0.35};
     EXPECT_NEAR(thresholdTrial(trial).law.reading, 1.0, 0.15) << exponent;  // core bond of a grown crack: 1.1 to 1.25
-    EXPECT_LT(thresholdTrial(trial).deviation, 0.12) << exponent;  // where bonds change the order in which they break
+    EXPECT_LT(thresholdTrial(trial).deviation, 0.09) << exponent;  // where bonds change the order in which they break
     for (const double range : {1.1, 1.16, 1.55, 1.7, 2.0, 2.6, 5.0, 10.0, 20.0, 50.0})  // not those of the fit
       EXPECT_NEAR(thresholdGrowth(trial, range, TrialBody::Large), 1.0, 0.04) << exponent << ", " << range;
     EXPECT_EQ(thresholdGrowth(trial, 0.98, TrialBody::Strip), 0.0);

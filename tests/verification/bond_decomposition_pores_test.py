@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """Pores that points do not resolve: what must not depend on them, on ranks or on a restart; pores as triangles."""
+import os
+import subprocess
 import sys
 import unittest
 
@@ -7,7 +9,9 @@ import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
 from porous_plate import SMALL_STRAIN, THICKNESS, YOUNG, PorousPlate, assert_goes_on, prescribed  # noqa: E402
-from scene import SceneTest, lattice, plate_deck  # noqa: E402
+from scene import Result, SceneTest, lattice, pdrun_path, plate_deck  # noqa: E402
+
+DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
 
 
 class Pores(PorousPlate):
@@ -199,6 +203,40 @@ class Surfaces(SceneTest):
         whole = self.solve(deck(steps, "20.0*t", **often))
         self.assertGreater(np.max(whole.field("Damage")), 0.1)
         assert_goes_on(self, deck({**steps, "Final Time": 2e-6}, "20.0*t", **often), 4e-6, whole)
+
+
+class PoreBetweenCells(SceneTest):
+    """decks/gas_pore/control.yaml with half the map's distance between points: six of them a horizon."""
+
+    CELL, HALF, STRAIN = 0.64e-3, 5.76e-3, 400.0e6 / 110.0e9  # m; of the plate; far away
+
+    def stretches_across(self, place):
+        """Of the map's cells in the two columns beside the pore, over the far strain."""
+        spacing = 0.5 * self.CELL
+        points = lattice([2 * self.HALF] * 2, spacing, origin=[-self.HALF] * 2)
+        self.write_mesh(points, spacing**2 * 3.2e-3)
+        settings = {"Discretization/Input Mesh File": self.path("mesh.txt"), "Damage Models/Fatigue/Strain Limit": 1,
+                    "Discretization/Voids": f"{{Pore: {{Type: Circle, Center: [{place} mm, 0.0], Radius: 100 um}}}}"}
+        command = [pdrun_path(), os.path.join(DECKS, "gas_pore/control.yaml"), "--quiet"]
+        for key, value in settings.items():
+            command += ["--set", f"{key}={value}"]
+        result = Result(self.folder, "control", subprocess.run(command, cwd=self.folder, capture_output=True, text=True))
+        self.assertEqual(result.code, 0, result.text)
+        x, y = points[:, 0], points[:, 1]
+        u, volume = result.field("Displacement")[:, 1], result.field("Volume").ravel()
+        found = []
+        for left in (-self.CELL, 0.0):
+            column = (x > left) & (x < left + self.CELL) & (np.abs(y) < self.CELL)
+            means = [np.average(u[column & side], weights=volume[column & side]) for side in (y > 0, y < 0)]
+            found.append((means[0] - means[1]) / (self.CELL * self.STRAIN))
+        return np.array(found)
+
+    def test_it_opens_the_body_alike_wherever_it_lies_and_as_the_resolved_pore_does(self):
+        # Resolved by points 0.107 mm apart the largest stretches are 1.500 and 1.301; 0.08 mm apart 1.303.
+        middle, corner = self.stretches_across(0.26), self.stretches_across(0.02)
+        self.assertAlmostEqual(middle.max() / 1.500, 1.0, delta=0.04)
+        self.assertAlmostEqual(corner.max() / 1.302, 1.0, delta=0.04)
+        self.assertAlmostEqual((middle.sum() - 2.0) / (corner.sum() - 2.0), 1.0, delta=0.03)
 
 
 if __name__ == "__main__":
