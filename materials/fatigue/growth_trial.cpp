@@ -35,25 +35,26 @@ struct Growth {
 /// may break, event by event.
 Growth growthIn(GrowthStrip strip, const GrowthTrialCase& trial, const LossRate& law) {
   const double unit = strip.strainUnit();
-  const std::size_t n = strip.nBonds();
-  std::vector<double> lost(n, 0.0), rate(n);
+  std::vector<double> lost(strip.nBonds(), 0.0), rate;
   const int first = static_cast<int>(std::lround(firstGrowth * trial.horizon));
   const int last = static_cast<int>(std::lround(lastGrowth * trial.horizon));
   double cycles = 0.0, atFirst = 0.0;
   Growth growth;
   while (true) {
-    const std::vector<char>& nearTip = strip.pointsNear(trial.growthDamage);
+    const std::vector<std::size_t>& bonds = strip.bondsNear(trial.growthDamage);
     double next = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < n; ++b) {
-      const double stretch = strip.isBroken(b) || !strip.hasEndIn(nearTip, b) ? 0.0 : strip.stretch(b);
-      rate[b] = stretch > 0.0 ? law(stretch / unit) : 0.0;
-      if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
+    rate.clear();
+    for (const std::size_t b : bonds) {
+      const double stretch = strip.stretch(b);
+      rate.push_back(stretch > 0.0 ? law(stretch / unit) : 0.0);
+      if (rate.back() > 0.0) next = std::min(next, (1.0 - lost[b]) / rate.back());
     }
     if (!std::isfinite(next)) return {};
     cycles += next;
-    for (std::size_t b = 0; b < n; ++b) {
-      lost[b] += next * rate[b];
-      if (rate[b] == 0.0 || lost[b] < enoughLost) continue;
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+      const std::size_t b = bonds[k];
+      lost[b] += next * rate[k];
+      if (rate[k] == 0.0 || lost[b] < enoughLost) continue;
       strip.breakBond(b);
       ++growth.nBroken;
     }
