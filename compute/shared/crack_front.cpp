@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "connected_points.hpp"
 #include "crack_path.hpp"
@@ -120,8 +121,9 @@ CrackFront::Candidate CrackFront::candidate(const Surroundings& around, int copy
   return result;
 }
 
+template <class IsWanted>
 std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, const Epetra_Comm& comm,
-                                                          const Vector3& direction) const {
+                                                          const Vector3& direction, const IsWanted& isWanted) const {
   int nOwned = 0;
   for (PeridigmNS::Block& block : *blocks) nOwned += block.getNeighborhoodData()->NumOwnedPoints();
   const int nGlobal = static_cast<int>(sumOverRanks(comm, static_cast<double>(nOwned)));
@@ -137,11 +139,16 @@ std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, 
       if (!(damage[families.id(p)] >= threshold_) || !points_.includes(b, static_cast<int>(p))) continue;
       const Family family = families[p];
       for (int copy = 0; copy < whole_->nCopies(); ++copy)
-        result.push_back(
-            candidate({globalId, x, damage, family.id, family.neighbors, family.n, nGlobal}, copy, direction));
+        if (isWanted(WholeBody::idInCopy(copy, globalId(family.id), nGlobal)))
+          result.push_back(
+              candidate({globalId, x, damage, family.id, family.neighbors, family.n, nGlobal}, copy, direction));
     }
   }
   return result;
+}
+
+std::vector<CrackFront::Candidate> CrackFront::candidates(const Blocks& blocks, const Epetra_Comm& comm) const {
+  return candidates(blocks, comm, direction_, [](int) { return true; });
 }
 
 bool CrackFront::isOnItsLine(const Candidate& candidate) const {
@@ -155,7 +162,7 @@ bool CrackFront::isOnItsLine(const Candidate& candidate) const {
 }
 
 std::vector<CrackFront::Candidate> CrackFront::crack(const Blocks& blocks, const Epetra_Comm& comm) const {
-  std::vector<Candidate> damaged = candidates(blocks, comm, direction_);
+  std::vector<Candidate> damaged = candidates(blocks, comm);
   std::vector<ConnectedPoint> points;
   std::vector<char> isOfCrack;
   for (const Candidate& candidate : damaged) {
@@ -208,10 +215,10 @@ double CrackFront::fromStart(const Candidate& candidate) const {
 CrackFront::Tip CrackFront::locateAlongPath(const Blocks& blocks, const Epetra_Comm& comm) const {
   std::vector<CrackPath::Point> points;
   double reach = 0.0;
-  for (const Candidate& candidate : candidates(blocks, comm, direction_)) {
+  for (Candidate& candidate : candidates(blocks, comm)) {
     // The other way from the start the crack may be longer: a cut from a face, whose length counts from elsewhere.
     if (candidate.ahead < dot(direction_, start_.data()) - 1e-10 * candidate.longestBond) continue;
-    points.push_back({candidate.point, candidate.place, candidate.damage, fromStart(candidate)});
+    points.push_back({std::move(candidate.point), candidate.place, candidate.damage, fromStart(candidate)});
     reach = std::max(reach, candidate.longestBond);
   }
   const CrackPath path(points, maxOverRanks(comm, reach), comm);
@@ -219,9 +226,9 @@ CrackFront::Tip CrackFront::locateAlongPath(const Blocks& blocks, const Epetra_C
 
   const Vector3 direction = path.directionAtEnd(direction_);
   std::vector<double> furthest(2, std::numeric_limits<double>::lowest());  // along the direction, along the path
-  for (const Candidate& candidate : candidates(blocks, comm, direction)) {
+  const auto isOfEnd = [&](int globalId) { return path.distance(globalId) >= path.length() - path.endLength(); };
+  for (const Candidate& candidate : candidates(blocks, comm, direction, isOfEnd)) {
     const double distance = path.distance(candidate.point.globalId);
-    if (distance < path.length() - path.endLength()) continue;
     furthest[0] = std::max(furthest[0], candidate.front);
     furthest[1] = std::max(furthest[1], distance + candidate.front - candidate.ahead);
   }

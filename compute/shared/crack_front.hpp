@@ -48,7 +48,11 @@ class CrackFront {
  private:
   struct Candidate;
   struct Surroundings;
-  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm, const Vector3& direction) const;
+  /// Those of which isWanted(global id).
+  template <class IsWanted>
+  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm, const Vector3& direction,
+                                    const IsWanted& isWanted) const;
+  std::vector<Candidate> candidates(const Blocks& blocks, const Epetra_Comm& comm) const;
   Candidate candidate(const Surroundings& around, int copy, const Vector3& directionOfCopy) const;
   double fromStart(const Candidate& candidate) const;
   bool isOnItsLine(const Candidate& candidate) const;

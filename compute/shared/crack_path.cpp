@@ -22,19 +22,37 @@ CrackPath::CrackPath(const std::vector<Point>& mine, double reach, const Epetra_
     const auto n = static_cast<std::ptrdiff_t>(at[6]);
     at += 7;
     for (const auto last = at + n; at != last; ++at) point.point.neighbors.push_back(static_cast<int>(*at));
-    positions_.emplace(point.point.globalId, points_.size());
     points_.push_back(std::move(point));
   }
+  findPositions();
   findDistances();
 }
 
-/// Dijkstra, Numer. Math. 1 (1959) 269.
+void CrackPath::findPositions() {
+  if (points_.empty()) return;
+  const auto isLower = [](const Point& a, const Point& b) { return a.point.globalId < b.point.globalId; };
+  const auto [lowest, highest] = std::minmax_element(points_.begin(), points_.end(), isLower);
+  lowestId_ = lowest->point.globalId;
+  positions_.assign(static_cast<std::size_t>(highest->point.globalId - lowestId_) + 1, -1);
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    positions_[static_cast<std::size_t>(points_[k].point.globalId - lowestId_)] = static_cast<int>(k);
+}
+
+/// Dijkstra, Numer. Math. 1 (1959) 269. Most ways to a point are longer than one that is known: lengths are found to
+/// the last digit where they may not be.
 void CrackPath::findDistances() {
+  constexpr double rounding = 1e-12;
   distances_.assign(points_.size(), -1.0);
+  std::vector<double> shortest(points_.size(), HUGE_VAL);
   using Step = std::pair<double, std::size_t>;
   std::priority_queue<Step, std::vector<Step>, std::greater<>> next;
+  const auto add = [&](double distance, std::size_t k) {
+    if (!(distance < shortest[k])) return;
+    shortest[k] = distance;
+    next.emplace(distance, k);
+  };
   for (std::size_t k = 0; k < points_.size(); ++k)
-    if (points_[k].fromStart >= 0.0) next.emplace(points_[k].fromStart, k);
+    if (points_[k].fromStart >= 0.0) add(points_[k].fromStart, k);
   while (!next.empty()) {
     const auto [distance, k] = next.top();
     next.pop();
@@ -43,17 +61,20 @@ void CrackPath::findDistances() {
     length_ = std::max(length_, distance);
     const Vector3& x = points_[k].place;
     for (const int id : points_[k].point.neighbors) {
-      const auto found = positions_.find(id);
-      if (found == positions_.end() || distances_[found->second] >= 0.0) continue;
-      const Vector3& y = points_[found->second].place;
-      next.emplace(distance + std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]), found->second);
+      const int found = positionOf(id);
+      if (found < 0) continue;
+      const auto other = static_cast<std::size_t>(found);
+      const Vector3& y = points_[other].place;
+      const Vector3 way{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
+      if (distance + std::sqrt(dot(way, way.data())) * (1.0 - rounding) >= shortest[other]) continue;
+      add(distance + std::hypot(way[0], way[1], way[2]), other);
     }
   }
 }
 
 double CrackPath::distance(int globalId) const {
-  const auto found = positions_.find(globalId);
-  return found == positions_.end() ? -1.0 : distances_[found->second];
+  const int found = positionOf(globalId);
+  return found < 0 ? -1.0 : distances_[static_cast<std::size_t>(found)];
 }
 
 Vector3 CrackPath::meanBetween(double nearest, double furthest) const {

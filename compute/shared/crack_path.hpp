@@ -3,7 +3,6 @@
 #define PD_CRACK_PATH_HPP
 
 #include <algorithm>
-#include <unordered_map>
 #include <vector>
 
 #include "connected_points.hpp"
@@ -39,12 +38,19 @@ class CrackPath {
  private:
   /// Of what lies so many end lengths behind the tip.
   Vector3 meanBetween(double nearest, double furthest) const;
+  void findPositions();
   void findDistances();
+  /// In points_; negative for ids that are none of them.
+  int positionOf(int globalId) const {
+    const int at = globalId - lowestId_;
+    return at < 0 || at >= static_cast<int>(positions_.size()) ? -1 : positions_[static_cast<std::size_t>(at)];
+  }
 
   double reach_, length_ = 0.0;
   std::vector<Point> points_;  ///< of all ranks
   std::vector<double> distances_;
-  std::unordered_map<int, std::size_t> positions_;
+  int lowestId_ = 0;
+  std::vector<int> positions_;  ///< by global ids from the lowest on
 };
 
 }  // namespace pd

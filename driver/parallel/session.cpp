@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "blas.hpp"
 #include "heap.hpp"
 #include "launch.hpp"
 
@@ -42,6 +43,7 @@ void leaveOutFileLocks() { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0); }
 
 ParallelSession::ParallelSession(int& argc, char**& argv) {
   prepareHeap();
+  prepareBlas();
   leaveOutSharedFilePointers();
   keepToItself();
   leaveOutGraphicsCards();

@@ -57,4 +57,43 @@ void BandedCholesky::solve(std::vector<double>& x) const {
   }
 }
 
+/// As many right-hand sides as a vector has lanes, [unknowns][lanes], zero before `first`; solutions from `lowest` on.
+void BandedCholesky::solveSides(std::vector<double>& x, int first, int lowest) const {
+  const auto at = [&](int j) { return x.data() + static_cast<std::ptrdiff_t>(j) * kernels::lanes; };
+  for (int j = first; j < n_; ++j) {
+    const double* own = column(j);
+    const kernels::Vector found = kernels::load(at(j)) / own[0];
+    kernels::store(found, at(j));
+    for (int k = std::min(width_, n_ - 1 - j); k > 0; --k)
+      kernels::store(kernels::load(at(j + k)) - own[k] * found, at(j + k));
+  }
+  for (int j = n_ - 1; j >= lowest; --j) {
+    const double* own = column(j);
+    kernels::Vector sum = kernels::load(at(j));
+    for (int k = std::min(width_, n_ - 1 - j); k > 0; --k) sum -= own[k] * kernels::load(at(j + k));
+    kernels::store(sum / own[0], at(j));
+  }
+}
+
+std::vector<double> BandedCholesky::inverseAt(const std::vector<std::size_t>& unknowns) const {
+  constexpr auto lanes = static_cast<std::size_t>(kernels::lanes);
+  const std::size_t n = unknowns.size();
+  std::vector<double> inverse(n * n), x;
+  if (n == 0) return inverse;
+  const auto lowest = static_cast<int>(*std::min_element(unknowns.begin(), unknowns.end()));
+  for (std::size_t begin = 0; begin < n; begin += lanes) {
+    const std::size_t count = std::min(lanes, n - begin);
+    x.assign(static_cast<std::size_t>(n_) * lanes, 0.0);
+    std::size_t first = unknowns[begin];
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      x[unknowns[begin + lane] * lanes + lane] = 1.0;
+      first = std::min(first, unknowns[begin + lane]);
+    }
+    solveSides(x, static_cast<int>(first), lowest);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      for (std::size_t k = 0; k < n; ++k) inverse[(begin + lane) * n + k] = x[unknowns[k] * lanes + lane];
+  }
+  return inverse;
+}
+
 }  // namespace pd

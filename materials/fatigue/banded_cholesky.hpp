@@ -17,10 +17,14 @@ class BandedCholesky {
   void factor();
   /// The solution replaces the right-hand side.
   void solve(std::vector<double>& x) const;
+  /// [unknowns][unknowns] of the inverse.
+  std::vector<double> inverseAt(const std::vector<std::size_t>& unknowns) const;
 
  private:
   double* column(int j) { return values_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(width_ + 1); }
   const double* column(int j) const { return const_cast<BandedCholesky*>(this)->column(j); }
+
+  void solveSides(std::vector<double>& x, int first, int lowest) const;
 
   int n_, width_;
   std::vector<double> values_;  ///< by columns, from the diagonal down

@@ -85,6 +85,14 @@ CyclicDamage::Cycles CyclicDamage::cyclesOf(DataManager& data) const {
   return {*fields_.cycles.of(data), *fields_.range.of(data), *fields_.peak.of(data)};
 }
 
+double CyclicDamage::restingStretch(const Cycles& cycles) const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  if (!seesOpeningAlone_ || cycles.peak < 0.0) return -none;
+  const double range = std::abs(cycles.range);
+  const double ofLaws = range > 0.0 ? std::min(restingRange_, restingNearTips_) / range : none;
+  return cycles.peak > 0.0 ? std::min(ofLaws, criticalStretch_ / cycles.peak) : ofLaws;
+}
+
 void CyclicDamage::precompute(const double, const int numOwnedPoints, const int* ownedIDs, const int* neighborhoodList,
                               DataManager& data) const {
   prepared_.insert(&data);

@@ -61,12 +61,14 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
   CyclicDamage(const Teuchos::ParameterList& params, const Fields& fields, const std::string& name);
   std::string owner() const { return "damage model " + name_; }
 
-  /// Which of the two laws there are; without one for tips that of other bonds holds there, too. `restingRange`: strain
-  /// range that takes no life of a bond away from cracks.
-  void haveLaws(bool awayFromCracks, bool nearTips, double restingRange) {
+  /// Which of the two laws there are; without one for tips that of other bonds holds there, too. Strain ranges that
+  /// take no life of a bond: `restingRange` away from cracks, `restingNearTips`.
+  void haveLaws(bool awayFromCracks, bool nearTips, double restingRange, double restingNearTips = 0.0) {
+    constexpr double all = std::numeric_limits<double>::infinity();
     hasInitiation_ = awayFromCracks;
     hasGrowth_ = nearTips;
-    restingRange_ = awayFromCracks ? restingRange : std::numeric_limits<double>::infinity();
+    restingRange_ = awayFromCracks ? restingRange : all;
+    restingNearTips_ = nearTips ? restingNearTips : all;
   }
   /// What worsen() does: takes lossRate(isNearTip, strainRange, i, j) of the life of the bond i-j a cycle, the same of
   /// j-i, and breaks bonds. Throws std::runtime_error where neighbours are ghosts and precompute() has not been called.
@@ -80,13 +82,15 @@ class CyclicDamage : public BondDamageModel, public RunNotes, public StepListene
   Cycles cyclesOf(PeridigmNS::DataManager& data) const;
   void requirePrecompute(double dt, const Call& call, PeridigmNS::DataManager& data) const;
   TiringPoints& pointsOf(const Call& call, PeridigmNS::DataManager& data) const;
+  /// Up to which nothing happens to a bond, of any law.
+  double restingStretch(const Cycles& cycles) const;
 
   std::string name_;
   Fields fields_;
   bool hasOwnCycles_ = false;
   Cycles own_{0.0, 1.0, 1.0};
   bool seesOpeningAlone_ = true, hasInitiation_ = false, hasGrowth_ = false;
-  double growthDamage_, lifeTolerance_, criticalStretch_, restingRange_ = 0.0;
+  double growthDamage_, lifeTolerance_, criticalStretch_, restingRange_ = 0.0, restingNearTips_ = 0.0;
   mutable std::set<const PeridigmNS::DataManager*> prepared_;              ///< blocks whose Growth_Phase is there
   mutable std::map<const PeridigmNS::DataManager*, TiringPoints> points_;  ///< of blocks
 };
@@ -102,9 +106,8 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   double *worstRate = fields_.lossRate.of(data), *overdrawn = fields_.overdrawn.of(data);
   double *lifeLeft = fields_.lifeLeft.of(data), *rateOfFailed = fields_.rateOfFailed.of(data);
   double* overdrawRate = fields_.overdrawRate.of(data);
-  for (double* sums : {worstRate, overdrawn, lifeLeft, rateOfFailed, overdrawRate})
-    for (int p = 0; p < call.nOwned; ++p) sums[call.ownedIds[p]] = 0.0;
   TiringPoints& points = pointsOf(call, data);
+  for (double* sums : {worstRate, overdrawn, lifeLeft, rateOfFailed, overdrawRate}) points.clear(sums);
   points.startFrom(lostBefore, lost);
   const TiringPoints::Limits limits{std::abs(cycles.range), restingRange_, cycles.peak, criticalStretch_};
   const auto& tiring = points.find(hasGrowth_ ? nearTip : nullptr, x, y, fields_.damage.length(data), limits);
@@ -112,7 +115,8 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
   const bool isIdleElsewhere = !hasInitiation_ && std::isinf(criticalStretch_);
   // Which bonds have broken in an earlier call of the step cannot be seen: those without life at N are broken. Returns
   // whether this one breaks.
-  TiringPoints::Known* known = points.known(y, fields_.damage.length(data), cycles.range, cycles.peak);
+  TiringPoints::Known* known = points.known(x, y, fields_.damage.length(data), cycles.range, cycles.peak);
+  const double resting = restingStretch(cycles);
   std::size_t at = 0;  // in what is known
   // Bonds are looked at several times at the same places: their strains and rates are found once.
   const auto once = [&](std::vector<double>* values, const auto& find) {
@@ -148,6 +152,10 @@ void CyclicDamage::loseLife(double dt, const Call& call, PeridigmNS::DataManager
     return true;
   };
   for (const std::size_t p : tiring) {
+    if (known != nullptr && !points.mayStretch(p, y, resting)) {
+      points.leaveOut(p);
+      continue;
+    }
     const std::size_t first = points.firstBond(p);
     const int i = call.ownedIds[p], count = points.nBonds(p);
     bool hasBroken = false;

@@ -155,15 +155,20 @@ void GrowthBody::condense(const BandedCholesky& solver, const std::vector<double
       }
       measure.unknown[k] = now;
     }
-  std::vector<double> x;
-  for (const std::size_t unknown : kept) {
-    u_.push_back(u[unknown]);
-    x.assign(u.size(), 0.0);
-    x[unknown] = 1.0;
-    solver.solve(x);
-    std::vector<double>& row = compliance_.emplace_back();
-    for (const std::size_t other : kept) row.push_back(x[other]);
+  for (const std::size_t unknown : kept) u_.push_back(u[unknown]);
+  compliance_ = solver.inverseAt(kept);
+}
+
+std::vector<double> GrowthBody::movedBy(const Measure& pairOfForces) const {
+  const std::size_t n = u_.size();
+  std::vector<double> moved(n, 0.0);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(pairOfForces.n); ++k) {
+    const auto unknown = static_cast<std::size_t>(pairOfForces.unknown[k]);
+    const double force = pairOfForces.value[k], *row = &compliance_[unknown * n];
+    for (std::size_t i = 0; i < unknown; ++i) moved[i] += force * compliance_[i * n + unknown];
+    for (std::size_t i = unknown; i < n; ++i) moved[i] += force * row[i];
   }
+  return moved;
 }
 
 void GrowthBody::breakBond(std::size_t bond) {
@@ -174,37 +179,52 @@ void GrowthBody::breakBond(std::size_t bond) {
   worn_.insert(worn_.end(), {broken.from, broken.to});
   if (broken.stiffness == 0.0) return;
   const Measure& measure = measures_[bond];
-  std::vector<double> moved;  // by a pair of forces along the bond
-  for (const std::vector<double>& row : compliance_) moved.push_back(measure.of(row));
+  const std::vector<double> moved = movedBy(measure);
   const double left = 1.0 - broken.stiffness * measure.of(moved);
   if (left < 1e-9) return;  // nothing else holds what it held
   const double factor = broken.stiffness / left, stretch = measure.of(u_);
   released_ += factor * stretch * stretch;  // 1/2 of the half, 2 halves
-  for (std::size_t i = 0; i < moved.size(); ++i) {
+  const std::size_t n = u_.size();
+  for (std::size_t i = 0; i < n; ++i) {
     const double times = factor * moved[i];
     u_[i] += times * stretch;
-    double* row = compliance_[i].data();
-    for (std::size_t j = 0; j < moved.size(); ++j) row[j] += times * moved[j];
+    double* row = &compliance_[i * n];
+    for (std::size_t j = i; j < n; ++j) row[j] += times * moved[j];
   }
 }
 
-const std::vector<char>& GrowthBody::pointsNear(double damage) {
+/// Points that have lost that part of their bonds, and their neighbours; returns whether there are more of them.
+bool GrowthBody::findPointsNear(double damage) {
   if (isNear_.empty()) {
     isNear_.assign(nBroken_.size(), 0);
     worn_.resize(nBroken_.size());
     std::iota(worn_.begin(), worn_.end(), std::size_t(0));
   }
+  bool areMore = false;
+  const auto mark = [&](std::size_t p) { areMore = std::exchange(isNear_[p], 1) == 0 || areMore; };
   for (const std::size_t p : worn_) {
     if (nBroken_[p] < damage * bondsOfAPoint_) continue;
-    isNear_[p] = 1;
+    mark(p);
     const int column = static_cast<int>(p) / half_.nRows, row = static_cast<int>(p) % half_.nRows;
     for (const LatticeBond& bond : lattice_) {
       const int toColumn = column + bond.x, toRow = row + bond.y < 0 ? -1 - row - bond.y : row + bond.y;
-      if (half_.isWithin(toColumn, toRow)) isNear_[half_.point(toColumn, toRow)] = 1;
+      if (half_.isWithin(toColumn, toRow)) mark(half_.point(toColumn, toRow));
     }
   }
   worn_.clear();
-  return isNear_;
+  return areMore;
+}
+
+const std::vector<std::size_t>& GrowthBody::bondsNear(double damage) {
+  if (findPointsNear(damage)) {
+    bondsNear_.resize(bonds_.size());
+    std::iota(bondsNear_.begin(), bondsNear_.end(), std::size_t(0));
+  }
+  const auto isOut = [&](std::size_t b) {
+    return isBroken(b) || (isNear_[bonds_[b].from] == 0 && isNear_[bonds_[b].to] == 0);
+  };
+  bondsNear_.erase(std::remove_if(bondsNear_.begin(), bondsNear_.end(), isOut), bondsNear_.end());
+  return bondsNear_;
 }
 
 int GrowthBody::nColumnsOpen() const {

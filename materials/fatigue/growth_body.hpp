@@ -46,11 +46,9 @@ class GrowthBody {
   double stretch(std::size_t bond) const { return measures_[bond].of(u_); }
   bool isBroken(std::size_t bond) const { return isBroken_[bond] != 0; }
   void breakBond(std::size_t bond);
-  /// [points] 1 where a point or one of its neighbours has lost that part of its bonds: the same part in all calls.
-  const std::vector<char>& pointsNear(double damage);
-  bool hasEndIn(const std::vector<char>& points, std::size_t bond) const {
-    return points[bonds_[bond].from] != 0 || points[bonds_[bond].to] != 0;
-  }
+  /// Unbroken ones, rising, with an end that has lost that part of its bonds, or one of whose neighbours has: the same
+  /// part in all calls.
+  const std::vector<std::size_t>& bondsNear(double damage);
   /// By how many columns the crack has grown: those whose two rows beside it have come apart.
   int nColumnsOpen() const;
 
@@ -80,6 +78,8 @@ class GrowthBody {
   void add(const Bond& bond);
   std::vector<double> solve(const std::vector<Bond>& all, BandedCholesky& solver) const;
   void condense(const BandedCholesky& solver, const std::vector<double>& u);
+  bool findPointsNear(double damage);
+  std::vector<double> movedBy(const Measure& pairOfForces) const;
   void cutStraight(int growth);
 
   std::vector<LatticeBond> lattice_;
@@ -88,14 +88,15 @@ class GrowthBody {
   double modulus_, horizon_;  ///< E'; in spacings
   double bondsOfAPoint_ = 0.0;
   std::vector<double> nBroken_;    ///< [points]
-  std::vector<char> isNear_;       ///< [points] as pointsNear() last found it; empty: never
+  std::vector<char> isNear_;       ///< [points] as findPointsNear() last found it; empty: never
   std::vector<std::size_t> worn_;  ///< points that have lost bonds since
   // Of bonds that may break. Their unknowns are counted among those of all such bonds.
   std::vector<Bond> bonds_;
   std::vector<Measure> measures_;
   std::vector<char> isBroken_;
   std::vector<double> u_;
-  std::vector<std::vector<double>> compliance_;    ///< symmetric
+  std::vector<double> compliance_;                 ///< [unknowns][unknowns], of which the upper triangle counts
+  std::vector<std::size_t> bondsNear_;             ///< as bondsNear() last found them
   std::vector<std::size_t> tipBond_;               ///< [columns from the first that may open] across the crack
   double released_ = 0.0;                          ///< energy, of the whole body
   std::vector<double> releasedByCut_, rateOfCut_;  ///< [columns that a straight cut has gone on by]; a column

@@ -34,26 +34,27 @@ struct Growth {
 /// Where bonds lose what the law says of their strains over dK / (E' sqrt(delta)), dK the same at any length of the
 /// crack: life of all bonds of the body that may break, event by event.
 Growth growthIn(GrowthBody body, const GrowthTrialCase& trial, const LossRate& law) {
-  const std::size_t n = body.nBonds();
-  std::vector<double> lost(n, 0.0), rate(n);
+  std::vector<double> lost(body.nBonds(), 0.0), rate;
   const int first = static_cast<int>(std::lround(firstGrowth * trial.horizon));
   const int last = static_cast<int>(std::lround(lastGrowth * trial.horizon));
   double cycles = 0.0, atFirst = 0.0;
   Growth growth;
   while (true) {
     const double unit = body.strainUnit();
-    const std::vector<char>& nearTip = body.pointsNear(trial.growthDamage);
+    const std::vector<std::size_t>& bonds = body.bondsNear(trial.growthDamage);
     double next = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < n; ++b) {
-      const double stretch = body.isBroken(b) || !body.hasEndIn(nearTip, b) ? 0.0 : body.stretch(b);
-      rate[b] = stretch > 0.0 ? law(stretch / unit) : 0.0;
-      if (rate[b] > 0.0) next = std::min(next, (1.0 - lost[b]) / rate[b]);
+    rate.clear();
+    for (const std::size_t b : bonds) {
+      const double stretch = body.stretch(b);
+      rate.push_back(stretch > 0.0 ? law(stretch / unit) : 0.0);
+      if (rate.back() > 0.0) next = std::min(next, (1.0 - lost[b]) / rate.back());
     }
     if (!std::isfinite(next)) return {};
     cycles += next;
-    for (std::size_t b = 0; b < n; ++b) {
-      lost[b] += next * rate[b];
-      if (rate[b] == 0.0 || lost[b] < enoughLost) continue;
+    for (std::size_t k = 0; k < bonds.size(); ++k) {
+      const std::size_t b = bonds[k];
+      lost[b] += next * rate[k];
+      if (rate[k] == 0.0 || lost[b] < enoughLost) continue;
       body.breakBond(b);
       ++growth.nBroken;
     }

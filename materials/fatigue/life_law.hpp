@@ -24,6 +24,7 @@ class LifeLaw {
 
   /// Part of a life in a cycle.
   double rate(double strainRange) const;
+  double limit() const { return limit_; }
 
  private:
   struct Segment {

@@ -106,7 +106,7 @@ RemainingLife::RemainingLife(const Teuchos::ParameterList& given)
     growth_ = kernels::LifeLaw::power(params.get<double>("Growth Coefficient"), params.get<double>("Growth Exponent"),
                                       growthLimit);
   haveLaws(params.isParameter("Initiation Coefficient") || params.isParameter("Lives"),
-           paris_ != nullptr || params.isParameter("Growth Coefficient"), limit);
+           paris_ != nullptr || params.isParameter("Growth Coefficient"), limit, growth_.limit());
 }
 
 std::vector<std::string> RemainingLife::runNotes() const {

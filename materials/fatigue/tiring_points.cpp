@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -18,6 +19,13 @@ constexpr int callsBetweenVainLooks = 20;
 // Of a stretch: what rounding of coordinates may make of it.
 constexpr double roundingOfStretch = 1e-12;
 
+// Of the square of a length: what rounding may make of it.
+constexpr double roundingOfSquare = 1e-12;
+
+bool isSame(const std::vector<double>& before, const double* now) {
+  return std::memcmp(before.data(), now, before.size() * sizeof(double)) == 0;
+}
+
 double squaredDistance(const double* a, const double* b) {
   double sum = 0.0;
   for (int d = 0; d < 3; ++d) sum += (b[d] - a[d]) * (b[d] - a[d]);
@@ -31,6 +39,15 @@ TiringPoints::TiringPoints(const Call& call)
   const int* entry = call.neighborhoodList;
   for (int p = 0; p < call.nOwned; ++p, entry += *entry + 1)
     firstBond_.push_back(firstBond_.back() + static_cast<std::size_t>(*entry));
+  for (int p = 1; p < nOwned_; ++p) areConsecutive_ = areConsecutive_ && ownedIds_[p] == ownedIds_[p - 1] + 1;
+}
+
+void TiringPoints::clear(double* values) const {
+  if (areConsecutive_ && nOwned_ > 0) {
+    std::fill_n(values + ownedIds_[0], nOwned_, 0.0);
+  } else {
+    for (int p = 0; p < nOwned_; ++p) values[ownedIds_[p]] = 0.0;
+  }
 }
 
 bool TiringPoints::isFor(const Call& call) const {
@@ -38,11 +55,15 @@ bool TiringPoints::isFor(const Call& call) const {
 }
 
 void TiringPoints::markTips(const double* damage, int nPoints, double cracked, double* nearTip) {
-  std::vector<char> isCracked(static_cast<std::size_t>(nPoints));
-  for (std::size_t i = 0; i < isCracked.size(); ++i) isCracked[i] = damage[i] >= cracked ? 1 : 0;
+  bool hasChanged = isCracked_.size() != static_cast<std::size_t>(nPoints);
+  isCracked_.resize(static_cast<std::size_t>(nPoints));
+  for (std::size_t i = 0; i < isCracked_.size(); ++i) {
+    const char isCracked = damage[i] >= cracked ? 1 : 0;
+    hasChanged |= isCracked != isCracked_[i];
+    isCracked_[i] = isCracked;
+  }
   const auto nPointsOfBlock = static_cast<std::size_t>(nOwned_);
-  if (isCracked != isCracked_) {
-    isCracked_ = std::move(isCracked);
+  if (hasChanged) {
     marks_.assign(nPointsOfBlock, 0.0);
     for (std::size_t p = 0; p < nPointsOfBlock; ++p) {
       bool isNear = isCracked_[static_cast<std::size_t>(ownedIds_[p])] != 0;
@@ -51,7 +72,11 @@ void TiringPoints::markTips(const double* damage, int nPoints, double cracked, d
       marks_[p] = isNear ? 1.0 : 0.0;
     }
   }
-  for (std::size_t p = 0; p < nPointsOfBlock; ++p) nearTip[ownedIds_[p]] = marks_[p];
+  if (areConsecutive_ && nOwned_ > 0) {
+    std::copy(marks_.begin(), marks_.end(), nearTip + ownedIds_[0]);
+  } else {
+    for (std::size_t p = 0; p < nPointsOfBlock; ++p) nearTip[ownedIds_[p]] = marks_[p];
+  }
 }
 
 void TiringPoints::startFrom(const double* before, double* lost) {
@@ -67,50 +92,92 @@ void TiringPoints::startFrom(const double* before, double* lost) {
 }
 
 void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
-  if (nearTip_.size() == static_cast<std::size_t>(nPoints) && std::equal(nearTip_.begin(), nearTip_.end(), nearTip))
-    return;
+  if (nearTip_.size() == static_cast<std::size_t>(nPoints) && isSame(nearTip_, nearTip)) return;
   nearTip_.assign(nearTip, nearTip + nPoints);
   tipsHaveChanged_ = true;
   isBesideTip_.assign(static_cast<std::size_t>(nOwned_), 0);
+  besideTips_.clear();
   for (std::size_t p = 0; p < isBesideTip_.size(); ++p) {
     bool isBeside = nearTip[ownedIds_[p]] != 0.0;
     for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isBeside; ++bond)
       isBeside = nearTip[neighbor(bond, p)] != 0.0;
     isBesideTip_[p] = isBeside ? 1 : 0;
+    if (isBeside) besideTips_.push_back(p);
   }
 }
 
-TiringPoints::Known* TiringPoints::known(const double* y, int nPoints, double strainRange, double peak) {
+TiringPoints::Known* TiringPoints::known(const double* x, const double* y, int nPoints, double strainRange,
+                                         double peak) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   if (tiring_.size() > static_cast<std::size_t>(nOwned_) / mostReaching) return nullptr;
   const auto nPlaces = 3 * static_cast<std::size_t>(nPoints);
-  const bool isSame = !tipsHaveChanged_ && knownPoints_ == tiring_ && knownPlaces_.size() == nPlaces &&
-                      std::equal(knownPlaces_.begin(), knownPlaces_.end(), y);
-  if (isSame && strainRange == knownRange_ && peak == knownPeak_) {
+  const bool areSame = !tipsHaveChanged_ && knownPoints_ == tiring_;
+  const bool isHere = areSame && knownPlaces_.size() == nPlaces && isSame(knownPlaces_, y);
+  if (isHere && strainRange == knownRange_ && peak == knownPeak_) {
     tiring_.erase(std::remove_if(tiring_.begin(), tiring_.end(), [&](std::size_t p) { return isLeftOut_[p] != 0; }),
                   tiring_.end());
     return &known_;
   }
   isLeftOut_.assign(static_cast<std::size_t>(nOwned_), 0);
   knownPeak_ = peak;
-  if (isSame && strainRange == knownRange_) return &known_;
+  if (isHere && strainRange == knownRange_) return &known_;
   knownRange_ = strainRange;
-  if (isSame) {
-    std::fill(known_.rates.begin(), known_.rates.end(), nothing);
+  if (isHere) {
+    for (const std::size_t p : seen_)
+      std::fill_n(known_.rates.begin() + static_cast<std::ptrdiff_t>(firstKnown_[p]), nBonds(p), nothing);
     return &known_;
   }
-  knownPoints_ = tiring_;
-  knownPlaces_.assign(y, y + nPlaces);
-  tipsHaveChanged_ = false;
-  firstKnown_.resize(static_cast<std::size_t>(nOwned_));
-  std::size_t count = 0;
-  for (const std::size_t p : tiring_) {
-    firstKnown_[p] = count;
-    count += firstBond_[p + 1] - firstBond_[p];
+  if (!areSame) {
+    knownPoints_ = tiring_;
+    tipsHaveChanged_ = false;
+    findWeights(x);
   }
-  known_.stretches.assign(count, nothing);
-  known_.rates.assign(count, nothing);
+  knownPlaces_.assign(y, y + nPlaces);
+  for (const std::size_t p : knownPoints_) squares_[p] = nothing;
+  seen_.clear();
   return &known_;
+}
+
+void TiringPoints::findWeights(const double* x) {
+  firstKnown_.resize(static_cast<std::size_t>(nOwned_));
+  squares_.resize(static_cast<std::size_t>(nOwned_));
+  weights_.clear();
+  for (const std::size_t p : knownPoints_) {
+    firstKnown_[p] = weights_.size();
+    const double* own = x + 3LL * ownedIds_[p];
+    for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1]; ++bond)
+      weights_.push_back(before_[bond] >= 1.0 ? 0.0 : 1.0 / squaredDistance(own, x + 3LL * neighbor(bond, p)));
+  }
+  known_.stretches.resize(weights_.size());
+  known_.rates.resize(weights_.size());
+}
+
+double TiringPoints::largestSquare(std::size_t point, const double* y) const {
+  const double *own = y + 3LL * ownedIds_[point], *weight = &weights_[firstKnown_[point]];
+  const int *neighbors = list_ + firstBond_[point] + point + 1, n = nBonds(point);
+  double largest[2] = {0.0, 0.0};
+  for (int k = 0; k < n; ++k) {
+    double& most = largest[k % 2];
+    most = std::max(most, squaredDistance(own, y + 3LL * neighbors[k]) * weight[k]);
+  }
+  return std::max(largest[0], largest[1]);
+}
+
+bool TiringPoints::mayStretch(std::size_t point, const double* y, double least) {
+  double& square = squares_[point];
+  if (std::isnan(square)) {
+    // What has come to its end by now shows no more.
+    double* weight = &weights_[firstKnown_[point]];
+    for (std::size_t bond = firstBond_[point]; bond < firstBond_[point + 1]; ++bond, ++weight)
+      if (before_[bond] >= 1.0) *weight = 0.0;
+    square = largestSquare(point, y);
+    seen_.push_back(point);
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const auto first = static_cast<std::ptrdiff_t>(firstKnown_[point]);
+    std::fill_n(known_.stretches.begin() + first, nBonds(point), nothing);
+    std::fill_n(known_.rates.begin() + first, nBonds(point), nothing);
+  }
+  return least < -1.0 || square > (1.0 + least) * (1.0 + least) * (1.0 - roundingOfSquare);
 }
 
 /// Since all were looked at no bond has stretched by more than twice the largest displacement over its length. Returns
@@ -151,9 +218,7 @@ const std::vector<std::size_t>& TiringPoints::find(const double* nearTip, const 
     return tiring_;
   };
   if (!limits.areReachedBy(std::numeric_limits<double>::max())) {
-    tiring_.clear();
-    for (std::size_t p = 0; p < isBesideTip_.size(); ++p)
-      if (isBesideTip(p)) tiring_.push_back(p);
+    tiring_ = besideTips_;
     return tiring_;
   }
   if (limits.areReachedBy(roundingOfStretch)) return all();

@@ -105,6 +105,16 @@ class TipWindow(SceneTest):
     def test_of_a_corridor_that_is_a_part_of_the_body_the_same_bonds_fail(self):
         self.compare(self.deck(width=LONG, columns=2.2))
 
+    def test_what_a_corridor_leaves_may_be_held_in_place(self):
+        deck = self.deck(width=0.29, columns=1.2)
+        deck["Boundary Conditions"] |= {
+            "End Node Set": {"Expression": "x > 0.25"},
+            **{f"End {axis}": {"Type": "Prescribed Displacement", "Node Set": "End Node Set", "Coordinate": axis,
+                               "Value": 0.0} for axis in "xy"},
+            "Top Node Set": {"Expression": "y > 6e-3 && x < 0.25"}, "Bottom Node Set": {"Expression": "y < -6e-3 && x < 0.25"},
+            "Grips Node Set": {"Expression": "abs(y) > 6e-3 && x < 0.25"}}
+        self.compare(deck)
+
     def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
         deck = self.deck(width=LONG)
         deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 9,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dissection.hpp"
+#include "frontal_factor.hpp"
 
 namespace pd {
 
@@ -30,27 +31,35 @@ void Corridor::condense(std::vector<int> rest) {
         isRim_[static_cast<std::size_t>(j)] = 1;
   std::copy_if(points_.begin(), points_.end(), std::back_inserter(rim_), [&](int i) { return isRim(i); });
   if (rim_.empty()) return;
-  std::vector<int> all = rest;
-  all.insert(all.end(), rim_.begin(), rim_.end());
-  PartStiffness part(stiffness_, all);
+  Dissection order = dissect(network, std::move(rest));
+  order.points.insert(order.points.end(), rim_.begin(), rim_.end());
+  PartStiffness part(stiffness_, std::move(order.points));
   part.addSprings([&](int i, int j) { return !contains(i) || !contains(j); });
   part.addAdditions([&](int i) { return !contains(i); });
-  SchurComplement complement = part.condenseOnto(rim_, dissectionOrder(network, std::move(rest)));
-  trouble_ = std::move(complement.trouble);
-  ofRest_ = std::move(complement.values);
+  FrontalFactor factor(part, order.ends);
+  trouble_ = factor.eliminate(false);
+  if (trouble_.empty()) ofRest_ = factor.takeLeft();
 }
 
-/// The rim, which the rest has filled, goes after what is sparse.
-InverseColumns Corridor::response(const std::vector<int>& rows, const std::vector<int>& columns) const {
-  PartStiffness part(stiffness_, points_);
+/// The rim, which the rest has filled, goes after what is sparse, and what may change last.
+CorridorResponse Corridor::response(const std::vector<int>& rows, const std::vector<int>& columns) const {
+  std::vector<char> isKept(isIn_.size(), 0);
+  for (const int i : columns) isKept[static_cast<std::size_t>(i)] = 1;
+  std::vector<int> sparse, rim;
+  for (const int i : points_)
+    if (isKept[static_cast<std::size_t>(i)] == 0) (isRim(i) ? rim : sparse).push_back(i);
+  Dissection order = dissect(stiffness_.network(), std::move(sparse));
+  order.addGroup(rim);
+  order.points.insert(order.points.end(), columns.begin(), columns.end());
+  PartStiffness part(stiffness_, std::move(order.points));
   part.addSprings([](int, int) { return true; });
   part.addAdditions([](int) { return true; });
   part.add(rim_, ofRest_);
-  std::vector<int> order;
-  std::copy_if(points_.begin(), points_.end(), std::back_inserter(order), [&](int i) { return !isRim(i); });
-  order = dissectionOrder(stiffness_.network(), std::move(order));
-  order.insert(order.end(), rim_.begin(), rim_.end());
-  return part.inverse(rows, columns, order);
+  FrontalFactor factor(part, order.ends);
+  CorridorResponse response;
+  response.trouble = factor.eliminate(true);
+  if (response.trouble.empty()) response.values = factor.columnsOfInverse(part.unknownsOf(rows));
+  return response;
 }
 
 std::vector<double> Corridor::supportsOfRest() const {

@@ -5,9 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "part_stiffness.hpp"
+#include "spring_operator.hpp"
 
 namespace pd {
+
+struct CorridorResponse {
+  std::vector<double> values;  ///< [columns][rows]
+  std::string trouble;         ///< why there is none; empty where there is
+};
 
 /// The rest is eliminated once, at the cost of a factor of the whole, which holds for as long as nothing changes there;
 /// the body's response to forces in the corridor then takes a factor of the corridor. For springs along their bonds
@@ -25,7 +30,7 @@ class Corridor {
   bool fitsAfter(const std::vector<int>& changed) const;
   /// How the whole body's points `rows` move under forces at `columns`, all of them of the corridor, with its springs
   /// as they are now: over their degrees of freedom that are not held, point after point, in units of the network.
-  InverseColumns response(const std::vector<int>& rows, const std::vector<int>& columns) const;
+  CorridorResponse response(const std::vector<int>& rows, const std::vector<int>& columns) const;
 
  private:
   bool isRim(int point) const { return isRim_[static_cast<std::size_t>(point)] != 0; }

@@ -1,78 +1,48 @@
 #include "part_stiffness.hpp"
 
+#include <utility>
+
 namespace pd {
 
-PartStiffness::PartStiffness(const SpringOperator& stiffness, const std::vector<int>& points)
+PartStiffness::PartStiffness(const SpringOperator& stiffness, std::vector<int> points)
     : stiffness_(stiffness),
-      dimension_(stiffness.network().dimension()),
-      points_(points),
-      placeOf_(static_cast<std::size_t>(stiffness.network().points().nOwned), -1) {
-  for (std::size_t p = 0; p < points_.size(); ++p) placeOf_[static_cast<std::size_t>(points_[p])] = static_cast<int>(p);
-  for (const int i : points_)
-    for (int c = 0; c < dimension_; ++c) unknown_.push_back(stiffness.isHeld(i, c) ? 0 : ++entries_.size);
-  diagonal_.assign(unknown_.size() * static_cast<std::size_t>(dimension_), 0.0);
+      width_(static_cast<std::size_t>(stiffness.network().dimension())),
+      points_(std::move(points)),
+      placeOf_(static_cast<std::size_t>(stiffness.network().points().nOwned), -1),
+      firstUnknown_{0},
+      diagonal_(points_.size() * width_ * width_, 0.0) {
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    placeOf_[static_cast<std::size_t>(points_[p])] = static_cast<int>(p);
+    int count = 0;
+    for (std::size_t c = 0; c < width_; ++c) count += isHeld(static_cast<int>(p), static_cast<int>(c)) ? 0 : 1;
+    firstUnknown_.push_back(firstUnknown_.back() + count);
+  }
 }
 
-int PartStiffness::unknown(int point, int component) const {
-  return unknown_[static_cast<std::size_t>(placeOf_[static_cast<std::size_t>(point)]) *
-                      static_cast<std::size_t>(dimension_) +
-                  static_cast<std::size_t>(component)];
+void PartStiffness::addSpring(int i, int j, const double* xi, double radial) {
+  const int from = placeOf(i), to = placeOf(j), width = static_cast<int>(width_);
+  springs_.push_back(from < to ? Spring{from, to, radial} : Spring{to, from, radial});
+  for (int c = 0; c < width; ++c)
+    for (int d = 0; d < width; ++d) {
+      const double value = radial * xi[c] * xi[d];
+      ofPoint(from, c, d) += value;
+      ofPoint(to, c, d) += value;
+    }
 }
 
 std::vector<int> PartStiffness::unknownsOf(const std::vector<int>& points) const {
   std::vector<int> unknowns;
-  for (const int i : points)
-    for (int c = 0; c < dimension_; ++c)
-      if (unknown(i, c) > 0) unknowns.push_back(unknown(i, c));
+  for (const int i : points) {
+    const auto place = static_cast<std::size_t>(placeOf(i));
+    for (int unknown = firstUnknown(place); unknown < firstUnknown(place + 1); ++unknown) unknowns.push_back(unknown);
+  }
   return unknowns;
 }
 
-double& PartStiffness::ofPoint(int point, int c, int d) {
-  const auto n = static_cast<std::size_t>(dimension_);
-  return diagonal_[(static_cast<std::size_t>(placeOf_[static_cast<std::size_t>(point)]) * n +
-                    static_cast<std::size_t>(c)) *
-                       n +
-                   static_cast<std::size_t>(d)];
-}
-
-void PartStiffness::addEntry(int i, int c, int j, int d, double value) {
-  const int row = unknown(i, c), column = unknown(j, d);
-  if (row > 0 && column > 0) entries_.add(row, column, value);
-}
-
-void PartStiffness::addSpring(int i, int j, const double* xi, double radial) {
-  for (int c = 0; c < dimension_; ++c)
-    for (int d = 0; d < dimension_; ++d) {
-      const double value = radial * xi[c] * xi[d];
-      addEntry(i, c, j, d, -value);
-      ofPoint(i, c, d) += value;
-      ofPoint(j, c, d) += value;
-    }
-}
-
 void PartStiffness::add(const std::vector<int>& points, const std::vector<double>& values) {
-  const std::vector<int> unknowns = unknownsOf(points);
-  for (std::size_t r = 0; r < unknowns.size(); ++r)
-    for (std::size_t c = 0; c <= r; ++c) entries_.add(unknowns[r], unknowns[c], values[r * unknowns.size() + c]);
-}
-
-void PartStiffness::addDiagonal() {
-  for (const int i : points_)
-    for (int c = 0; c < dimension_; ++c)
-      for (int d = 0; d <= c; ++d) addEntry(i, c, i, d, ofPoint(i, c, d));
-}
-
-SchurComplement PartStiffness::condenseOnto(const std::vector<int>& kept, const std::vector<int>& eliminated) {
-  addDiagonal();
-  std::vector<int> keptUnknowns = unknownsOf(kept), order = unknownsOf(eliminated);
-  order.insert(order.end(), keptUnknowns.begin(), keptUnknowns.end());
-  return schurComplement(entries_, keptUnknowns, order);
-}
-
-InverseColumns PartStiffness::inverse(const std::vector<int>& rows, const std::vector<int>& columns,
-                                      const std::vector<int>& order) {
-  addDiagonal();
-  return columnsOfInverse(entries_, unknownsOf(rows), unknownsOf(columns), unknownsOf(order));
+  for (const int i : points) densePlaces_.push_back(placeOf(i));
+  denseUnknowns_ = unknownsOf(points);
+  denseValues_ = &values;
 }
 
 }  // namespace pd

@@ -67,7 +67,7 @@ TipWindow::TipWindow(const SpringOperator& stiffness, const Corridor& corridor, 
     }
   now_ = base_;
   remember();
-  InverseColumns columns = corridor.response(points_, changing);
+  CorridorResponse columns = corridor.response(points_, changing);
   trouble_ = std::move(columns.trouble);
   inverse_ = std::move(columns.values);
 }
