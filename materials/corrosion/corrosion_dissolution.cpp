@@ -293,8 +293,8 @@ void CorrosionDissolution::takeUpFilms(Cache& cache, const Views& views) const {
   addSum(cache.current[0], cache.currentSum[0]);
   forSolid(cache, [&](int i) {
     PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
-    if (!surface.passed.empty() && cache.weightSum[0][i] != 0.0)
-      surface.plane = bonds.planeUnder(cache.currentSum[0][i] / cache.weightSum[0][i], i, surface);
+    if (!surface.phases.empty() && cache.weightSum[0][i] != 0.0)
+      bonds.takeUpFilm(cache.currentSum[0][i] / cache.weightSum[0][i], i, surface);
   });
 }
 

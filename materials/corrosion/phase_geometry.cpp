@@ -136,35 +136,50 @@ PhaseGeometry::Surface PhaseGeometry::surface(int point, const int* neighbors, i
   };
   const std::array<double, 3> n = normal(point, neighbors, solidOf).direction;
   const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
-  std::vector<std::array<double, 2>> passed(blockId_ == nullptr ? 1 : phases_->count());
+  std::vector<Surface::OfPhase> phases(blockId_ == nullptr ? 1 : phases_->count());
   for (int k = 0; k < count; ++k) {
     const int j = neighbors[k];
+    const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
+    Surface::OfPhase& phase = phases[mayDiffer ? phases_->ofBlock(blockId_[j]) : own];
+    phase.isAround = phase.isAround || mayDiffer;
     const Bond& bond = bonds_[static_cast<std::size_t>(k)];
     const double weight = dissolutionWeight(bond, point, j);
     if (weight == 0.0) continue;
     const double across = bond.along[0] * n[0] + bond.along[1] * n[1] + bond.along[2] * n[2];
-    const bool mayDiffer = blockId_ != nullptr && damage_[j] < 1.0;
-    passed[mayDiffer ? phases_->ofBlock(blockId_[j]) : own][across > 0.0] += weight * volume_[j] * std::abs(across);
+    phase.passed[across > 0.0] += weight * volume_[j] * std::abs(across);
   }
-  const Bend bend = bendOf(point, neighbors, n);
-  Surface surface{1.0, {}, bend.spread, bend.gap, weights_.dimension() - 1};
+  const auto mayBeAlike = [&](const Surface::OfPhase& phase) {
+    const auto p = static_cast<std::size_t>(&phase - phases.data());
+    return !phase.isAround || phases_->filmsDiffer() || phases_->areAlike(own, p, 0.0);
+  };
+  const Bend bend = std::all_of(phases.begin(), phases.end(), mayBeAlike) ? bendOf(point, neighbors, n) : Bend();
+  Surface surface;
+  surface.spread = surface.spreadOfOne = bend.spread;
+  surface.gap = bend.gap;
+  surface.nCurvatures = weights_.dimension() - 1;
   if (blockId_ == nullptr) {
-    surface.plane = planeOf(passed[0]);
+    surface.plane = planeOf(phases[0].passed);
   } else {
-    surface.passed = std::move(passed);
-    surface.plane = planeUnder(0.0, point, surface);
+    surface.phases = std::move(phases);
+    takeUpFilm(0.0, point, surface);
   }
   return surface;
 }
 
-double PhaseGeometry::planeUnder(double filmCoverage, int point, const Surface& surface) const {
+/// A front is bent by what is the same everywhere around, not beside phases that another front passes through.
+void PhaseGeometry::takeUpFilm(double filmCoverage, int point, Surface& surface) const {
   const std::size_t own = phases_->ofBlock(blockId_[point]);
   std::array<double, 2> passed{};
-  for (std::size_t p = 0; p < surface.passed.size(); ++p) {
+  bool areAlike = true;
+  for (std::size_t p = 0; p < surface.phases.size(); ++p) {
+    const Surface::OfPhase& phase = surface.phases[p];
+    if (p != own && !phase.isAround) continue;
     const double share = phases_->keepsUp(own, p, filmCoverage);
-    for (std::size_t side = 0; side < 2; ++side) passed[side] += share * surface.passed[p][side];
+    for (std::size_t side = 0; side < 2; ++side) passed[side] += share * phase.passed[side];
+    areAlike = areAlike && phases_->areAlike(own, p, filmCoverage);
   }
-  return planeOf(passed);
+  surface.plane = planeOf(passed);
+  surface.spread = areAlike ? surface.spreadOfOne : 0.0;
 }
 
 /// Exact where curvatures are alike, as of a circle and a ball.
@@ -175,18 +190,16 @@ double PhaseGeometry::Surface::correctionAfter(double way) const {
   return plane * (nCurvatures == 1 ? 1.0 + growth : (1.0 + 0.5 * growth) * (1.0 + 0.5 * growth));
 }
 
-/// None beside phases that another front passes through. With solid f(n - kappa t^2/2) about the point (n along the
-/// normal, t across), sums over a Gaussian of width s give, by parts, N = sum f n = s^2 sum f' and T = sum f (t^2 -
-/// <t^2>) = -kappa s^4 sum f'. What solid points have lost, G, is the gap that the front is ahead by, times sum f'.
+/// With solid f(n - kappa t^2/2) about the point (n along the normal, t across), sums over a Gaussian of width s give,
+/// by parts, N = sum f n = s^2 sum f' and T = sum f (t^2 - <t^2>) = -kappa s^4 sum f'. What solid points have lost, G,
+/// is the gap that the front is ahead by, times sum f'.
 PhaseGeometry::Bend PhaseGeometry::bendOf(int point, const int* neighbors, const std::array<double, 3>& n) const {
   if (!knowsLoss_ || !weights_.isIsotropic()) return {};
-  const std::size_t own = blockId_ == nullptr ? 0 : phases_->ofBlock(blockId_[point]);
   double total = volume_[point], lost = total * damage_[point], solid = total - lost;
   double across = 0.0, solidAcross = 0.0, along2 = 0.0, solidAlong2 = 0.0;
   for (std::size_t k = 0; k < bonds_.size(); ++k) {
     const int j = neighbors[k];
     const bool isLiquid = damage_[j] >= 1.0;
-    if (blockId_ != nullptr && !isLiquid && !phases_->areAlike(own, phases_->ofBlock(blockId_[j]))) return {};
     const Bond& bond = bonds_[k];
     const double weight = volume_[j] * weights_.gaussian(bond);
     const double d = n[0] * bond.along[0] + n[1] * bond.along[1] + n[2] * bond.along[2];

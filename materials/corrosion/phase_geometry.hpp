@@ -40,20 +40,24 @@ class PhaseGeometry {
     /// pass up to 8 % more where a front slants. Sides of the body, where bonds are missing, are made up for: the side
     /// that has more of them counts. So are slower phases beside the point's, which such a front leaves behind.
     double plane = 1.0;
-    /// What bonds before and behind the point pass of such a front, by the phase of the metal that they end in; those
-    /// to electrolyte are with the point's own. Empty where there is one phase.
-    std::vector<std::array<double, 2>> passed;
     double spread = 0.0;  ///< Growth of its area with its way, 1/m: sum of curvatures, above 0 in a hole.
     double gap = 0.0;     ///< From liquid points to where the metal that is left begins, m: half a spacing and more.
     int nCurvatures = 1;
+    struct OfPhase {
+      std::array<double, 2> passed{};  ///< of such a front, by bonds before and behind the point to metal of the phase
+      bool isAround = false;           ///< in the neighbourhood
+    };
+    /// Of metal of several phases; bonds to electrolyte are with the point's own. Empty where there is one.
+    std::vector<OfPhase> phases;
+    double spreadOfOne = 0.0;  ///< `spread` where a front passes all of them alike; else it is 0
     /// What they must be multiplied by once the front has moved so far, in m. The front is where metal begins; a round
     /// one has more area than the liquid points, or less.
     double correctionAfter(double way) const;
   };
-  /// `plane` is that of a surface without a film.
+  /// That of a surface without a film.
   Surface surface(int point, const int* neighbors, int count) const;
-  /// `plane` of a surface in metal of several phases where a film covers so much.
-  double planeUnder(double filmCoverage, int point, const Surface& surface) const;
+  /// `plane` and `spread` of one in metal of several phases where a film covers so much.
+  void takeUpFilm(double filmCoverage, int point, Surface& surface) const;
 
  private:
   using Bond = TransportWeights::Bond;

@@ -75,12 +75,18 @@ SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation
   }
 }
 
-double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
-  const double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
+double SolidPhases::fastestUnder(double filmCoverage) const {
   double fastest = 0.0;
-  for (const Phase& other : phases_) fastest = std::max(fastest, other.open(film) * other.atSaturation);
+  for (const Phase& phase : phases_) fastest = std::max(fastest, currentUnder(filmCoverage, phase));
+  return fastest;
+}
+
+double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
+  double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
+  double fastest = fastestUnder(film);
+  if (fastest == 0.0) fastest = fastestUnder(film = 0.0);
   constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
-  return fastest > 0.0 ? std::max(phases_[phase].open(film) * phases_[phase].atSaturation / fastest, least) : 1.0;
+  return fastest > 0.0 ? std::max(currentUnder(film, phases_[phase]) / fastest, least) : 1.0;
 }
 
 double SolidPhases::keepsUp(std::size_t first, std::size_t second, double filmCoverage) const {
@@ -88,9 +94,9 @@ double SolidPhases::keepsUp(std::size_t first, std::size_t second, double filmCo
   return std::min(1.0, paces * phases_[first].solidConcentration / phases_[second].solidConcentration);
 }
 
-bool SolidPhases::areAlike(std::size_t a, std::size_t b) const {
-  return phases_[a].filmShare == phases_[b].filmShare && phases_[a].atSaturation / phases_[a].solidConcentration ==
-                                                             phases_[b].atSaturation / phases_[b].solidConcentration;
+bool SolidPhases::areAlike(std::size_t a, std::size_t b, double filmCoverage) const {
+  constexpr double nearly = 1.0 - 1e-3;
+  return keepsUp(a, b, filmCoverage) > nearly && keepsUp(b, a, filmCoverage) > nearly;
 }
 
 std::size_t SolidPhases::ofBlock(double blockId) const {

@@ -30,15 +30,21 @@ class SolidPhases {
   /// Phase of the points of a block, by the value of the field Block_Id.
   std::size_t ofBlock(double blockId) const;
   /// Current density at saturation, of what a film leaves open, over that of the fastest phase; at least 1e-6.
+  /// Where a film leaves nothing of any, that of bare metal.
   double pace(std::size_t phase, double filmCoverage) const;
   /// Share of the second phase that a front through the first takes along, 0 to 1.
   double keepsUp(std::size_t first, std::size_t second, double filmCoverage) const;
-  /// Whether a front passes through both alike, whatever the film.
-  bool areAlike(std::size_t a, std::size_t b) const;
+  /// Whether a front passes through both alike, to a thousandth of its speed.
+  bool areAlike(std::size_t a, std::size_t b, double filmCoverage) const;
   /// Whether phases bear different shares of a film.
   bool filmsDiffer() const { return filmsDiffer_; }
 
  private:
+  double currentUnder(double filmCoverage, const Phase& phase) const {
+    return phase.open(filmCoverage) * phase.atSaturation;
+  }
+  double fastestUnder(double filmCoverage) const;
+
   bool filmsDiffer_ = false;
   std::vector<Phase> phases_;  ///< that of all other blocks first
 };

@@ -196,6 +196,46 @@ class PhasesUnderFilms(PhasesTest):
         self.assertAlmostEqual(two.history()["Dissolved"][-1] / one.history()["Dissolved"][-1], 1.0, delta=0.01)
 
 
+    def test_round_fronts_pass_phases_that_are_alike_as_one(self):
+        # Of one current and different shares where no film is; or as fast by a current and atoms of 0.7.
+        self.make_lattice([24e-6, 24e-6])
+        radius = np.hypot(self.x[:, 0], self.x[:, 1])
+        metal, atoms, fewer = radius > 8e-6, STEEL["Solid Concentration"], 0.7
+        x, y = np.round(self.x[:, 0] / SPACING - 0.5), np.round(self.x[:, 1] / SPACING - 0.5)
+        inside, current = (x % 6 < 3) & (y % 6 < 3), float(STEEL["Current Density"])
+        results = []
+        for kind in ("one", "shares", "atoms"):
+            factor = fewer if kind == "atoms" else 1.0
+            deck = self.deck(inside, (current, factor * current), factor * atoms)
+            if kind == "shares":
+                deck["Materials"]["Metal"]["Phase Film Shares"] = [0.5]
+                deck["Boundary Conditions"]["Film"] = {"Type": "Film Coverage", "Node Set": "All Node Set", "Value": 0.0}
+            deck["Compute Class Parameters"]["Dissolved"]["Node Set"] = "All Node Set"
+            deck["Solver"]["Final Time"] = 8e-6 / front_speed(STEEL)
+            deck["Boundary Conditions"] |= {
+                "Sea Node Set": {"Expression": "x*x + y*y < 1.6e-11"},
+                "Metal Node Set": " ".join(map(str, np.flatnonzero(metal & ~inside) + 1)),
+                "Particle Node Set": " ".join(map(str, np.flatnonzero(metal & inside) + 1)),
+                "Particles": {"Type": "Initial Concentration", "Node Set": "Particle Node Set",
+                              "Value": factor * atoms}}
+            results.append(self.solve(deck).history()["Dissolved"][-1])
+        self.assertAlmostEqual(results[1] / results[0], 1.0, delta=1e-6)
+        self.assertAlmostEqual(results[2] / results[0], 1.0, delta=0.01)
+
+    def test_metal_without_current_stays_where_a_film_covers_the_rest(self):
+        # What points that dissolve owe others is for those to give that have a current, if they had no film.
+        inside = (self.x[:, 0] > 0) & (np.round(self.x[:, 0] / SPACING - 0.5) % 3 == 1) & \
+            (np.round(self.x[:, 1] / SPACING) % 3 == 0)
+        deck = self.deck(inside, (float(STEEL["Current Density"]), 0.0))
+        deck["Materials"]["Metal"]["Phase Film Shares"] = [0.0]
+        deck["Boundary Conditions"]["Film"] = {"Type": "Film Coverage", "Node Set": "All Node Set",
+                                               "Value": "x > 5e-6 ? 1 : 0"}
+        deck["Solver"]["Corrosion"] |= {"Load Steps": 4, "Front Limit": 0.5}
+        damage = self.solve(deck).field("Damage")
+        self.assertGreater(np.sum(damage[~inside & (self.x[:, 0] > 0)]), 30)
+        self.assertLess(np.sum(damage[inside]), 1e-3)
+
+
 class PolycrystalTest(PhasesTest):
     """Grains of a hundredth of the current; boundaries 3 um thick, grain and sample `size` large (m)."""
 
