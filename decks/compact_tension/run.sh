@@ -1,5 +1,5 @@
 #!/bin/bash
-# Meshes, all runs and the picture of this scene, into results/compact_tension: five minutes of one core.
+# Meshes, all runs and the picture of this scene, into results/compact_tension: twelve minutes of one core.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source "$here/../scene.sh"
