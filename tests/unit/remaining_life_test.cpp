@@ -131,6 +131,9 @@ TEST(GrowthSpecimen, HasTheIntensityOfTheStandard) {
     return specimen.strainUnit() * modulus * std::sqrt(horizon) / standardIntensity(width * horizon, a);
   };
   EXPECT_NEAR(ratio(0.0), 1.0, 0.04);
+  EXPECT_NEAR(GrowthSpecimen(square(2.0), 2.0, 12.0, growth).strainUnit() *
+                  planeStiffness(square(2.0)).fractureModulus() * std::sqrt(2.0) / standardIntensity(24.0, 0.25),
+              1.0, 0.1);  // the coarsest that there is
   // K of a crack that has set energy free is that of a longer one.
   const double before = specimen.strainUnit();
   for (std::size_t b = 0; b < specimen.nBonds(); ++b)
