@@ -60,8 +60,11 @@ ThresholdTrialResult findThresholdLaw(const GrowthTrialCase& trial) {
   };
   const BondLaw law = bestOf(first, [&](BondLaw& now) { return improve(trial, wanted, now, TrialBody::Large, 1.0); });
   finish(law);
-  if (result.deviation > wellBetween)
+  if (result.deviation > wellBetween) {
+    const ThresholdTrialResult before = result;
     finish(bestOf(law, [&](BondLaw& now) { return improveBetween(trial, wanted, now, TrialBody::Large, 1.0); }));
+    if (before.deviation < result.deviation) return before;
+  }
   return result;
 }
 
