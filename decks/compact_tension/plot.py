@@ -45,17 +45,18 @@ def draw_growth(axis):
     """Growth at a constant range of K."""
     print("constant range of K: da/dN over the law, growth from 13.5 mm on")
     for horizon in HORIZONS:
-        for name, exponent in (("2.0", 2.0), ("3.0", 3.0), ("4.0", 4.0), ("conical", 3.0)):
-            if not (folder / f"range_{name}_{horizon}.csv").exists():
-                continue
-            run = history(f"range_{name}_{horizon}")
-            ok = run["Crack_Length"] > 0.0135
-            a, n = run["Crack_Length"][ok], run["time"][ok]
-            law = PARIS * RANGE**exponent
-            print(f"  {name}, horizon {horizon} mm: {np.polyfit(n, a, 1)[0] / law:.3f}")
-            if horizon == HORIZONS[1]:
-                axis.plot((n - n[0]) * law * 1e3, (a - a[0]) * 1e3, "--" if name == "conical" else "-",
-                          label="M = 3, conical" if name == "conical" else f"M = {exponent:g}")
+        for kind in ("range", "conical"):
+            for exponent in (2.0, 3.0, 4.0):
+                if not (folder / f"{kind}_{exponent}_{horizon}.csv").exists():
+                    continue
+                run = history(f"{kind}_{exponent}_{horizon}")
+                ok = run["Crack_Length"] > 0.0135
+                a, n = run["Crack_Length"][ok], run["time"][ok]
+                law = PARIS * RANGE**exponent
+                print(f"  {kind} M = {exponent}, horizon {horizon} mm: {np.polyfit(n, a, 1)[0] / law:.3f}")
+                if horizon == HORIZONS[1]:
+                    axis.plot((n - n[0]) * law * 1e3, (a - a[0]) * 1e3, "--" if kind == "conical" else "-",
+                              label=f"M = {exponent:g}" + (", conical" if kind == "conical" else ""))
     axis.plot([0, 7], [0, 7], color="0.6", label="law")
     axis.set_xlabel("growth by the law of the deck (mm)")
     axis.set_ylabel("growth (mm)")

@@ -18,6 +18,25 @@ double growthRatio(const GrowthTrialCase& trial, const GrowthLaw& wanted, const 
 
 double improve(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw& law, TrialBody body,
                double correctedPart) {
+  const std::vector<double>& ranges = law.factor.arguments;
+  std::vector<double>& factors = law.factor.factors;
+  std::vector<double> change;
+  double largest = 0.0;
+  for (const double range : ranges) {
+    constexpr double most = 1.0;  // also where the crack stands that should grow
+    const double deviation = std::log(std::max(growthRatio(trial, wanted, law, range, body), std::exp(-most)));
+    largest = std::max(largest, std::abs(deviation));
+    change.push_back(std::exp(-correctedPart * std::min(deviation, most)));
+  }
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    factors[k] *= change[k];
+    if (k > 0) factors[k] = std::max(factors[k], factors[k - 1] * wanted(ranges[k - 1]) / wanted(ranges[k]));
+  }
+  return largest;
+}
+
+double improveBetween(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw& law, TrialBody body,
+                      double correctedPart) {
   constexpr double most = 1.0;  // also where the crack stands that should grow
   const std::vector<double>& ranges = law.factor.arguments;
   std::vector<double> deviations;  // at the ranges and half-way between them, in turn

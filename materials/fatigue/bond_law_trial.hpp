@@ -24,11 +24,17 @@ struct BondLaw {
 double growthRatio(const GrowthTrialCase& trial, const GrowthLaw& wanted, const BondLaw& law, double range,
                    TrialBody body);
 
-/// Corrects each factor for part of the deviation about its range, as if the others were right: at the range itself and
-/// half-way to the next ones, which holds together what the order in which bonds break sets apart. That order changes
-/// with the law: to be repeated. Returns the largest deviation before, a logarithm.
+/// Corrects each factor for part of the deviation at its range, as if the others were right, and so that bonds lose
+/// more at larger ranges. Bonds break in another order with each law: to be repeated. Returns the largest deviation
+/// before, a logarithm.
 double improve(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw& law, TrialBody body,
                double correctedPart);
+
+/// The same of deviations half-way between the ranges, too, which holds together what the order in which bonds break
+/// sets apart: twice the trials. Bonds may lose less than at a smaller range, since growth that bends sharply is no sum
+/// over bonds whose losses all rise.
+double improveBetween(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw& law, TrialBody body,
+                      double correctedPart);
 
 }  // namespace pd
 

@@ -30,14 +30,15 @@ double wantedLoss(const ElementTrialCase& wanted, double range) {
 BondLaw improved(const GrowthTrialCase& trial, const GrowthLaw& wanted, BondLaw law) {
   constexpr double firstPart = 0.8, lessEachTime = 0.95;
   if (trial.specimenWidth == 0.0)
-    for (int pass = 0; pass < mostPassesInAStrip; ++pass) improve(trial, wanted, law, TrialBody::Strip, firstPart);
+    for (int pass = 0; pass < mostPassesInAStrip; ++pass)
+      improveBetween(trial, wanted, law, TrialBody::Strip, firstPart);
   BondLaw best = law;
   double least = std::numeric_limits<double>::infinity(), part = firstPart;
   for (int pass = 0; pass < mostPasses && least > closeEnough; ++pass, part *= lessEachTime) {
     LongWork::tell("trials for Element Length, pass " + std::to_string(pass + 1) + " of at most " +
                    std::to_string(mostPasses));
     const BondLaw before = law;
-    const double deviation = improve(trial, wanted, law, TrialBody::Large, part);
+    const double deviation = improveBetween(trial, wanted, law, TrialBody::Large, part);
     if (deviation < least) best = before;
     least = std::min(least, deviation);
   }

@@ -128,7 +128,9 @@ std::vector<double> GrowthBody::solve(const std::vector<Bond>& all, BandedCholes
       for (std::size_t b = 0; b <= a; ++b) solver.add(measure.unknown[a], measure.unknown[b], force * measure.value[b]);
     }
   }
-  const auto hold = [&](std::size_t unknown) { solver.add(int(unknown), int(unknown), largest); };
+  const auto hold = [&](std::size_t unknown) {
+    solver.add(static_cast<int>(unknown), static_cast<int>(unknown), largest);
+  };
   for (std::size_t p = 0; p < half_.isHole.size(); ++p) {
     if (half_.isHole[p] == 0) continue;
     hold(2 * p);
@@ -183,7 +185,7 @@ void GrowthBody::breakBond(std::size_t bond) {
   const double left = 1.0 - broken.stiffness * measure.of(moved);
   if (left < 1e-9) return;  // nothing else holds what it held
   const double factor = broken.stiffness / left, stretch = measure.of(u_);
-  released_ += factor * stretch * stretch;  // 1/2 of the half, 2 halves
+  released_ += factor * stretch * stretch;  // 1/2 of the half, 2 halves; under loads, too
   const std::size_t n = u_.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double times = factor * moved[i];
@@ -233,8 +235,7 @@ int GrowthBody::nColumnsOpen() const {
   return n;
 }
 
-/// What straight cuts set free, which go on from the crack of the start column by column: under loads that stay, energy
-/// is released twice as fast as the body stores it, and the difference is the same as between grips.
+/// What straight cuts set free that go on from the crack of the start, column by column.
 void GrowthBody::cutStraight(int growth) {
   GrowthBody cut = *this;
   releasedByCut_ = {0.0};

@@ -1,5 +1,6 @@
 #include "growth_specimen.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pd {
@@ -9,9 +10,9 @@ namespace {
 HalfBody halfSpecimen(double horizon, double width, double growth) {
   // Of the standard, in W: length ahead of the line of load and height of a half, place and radius of the hole.
   constexpr double front = 0.25, height = 0.6, pinHeight = 0.275, pinRadius = 0.125;
-  constexpr double rim = 0.15;  // radius up to which the pin presses
   constexpr double middle = 0.5;
   const double w = width * horizon;
+  const double rim = std::max(0.15, pinRadius + 1.2 / w);  // radius up to which the pin presses: a point at least
   HalfBody half;
   half.nRows = static_cast<int>(std::lround(height * w));
   half.nColumns = static_cast<int>(std::lround((1.0 + front) * w));

@@ -131,6 +131,9 @@ TEST(GrowthSpecimen, HasTheIntensityOfTheStandard) {
     return specimen.strainUnit() * modulus * std::sqrt(horizon) / standardIntensity(width * horizon, a);
   };
   EXPECT_NEAR(ratio(0.0), 1.0, 0.04);
+  EXPECT_NEAR(GrowthSpecimen(square(2.0), 2.0, 12.0, growth).strainUnit() *
+                  planeStiffness(square(2.0)).fractureModulus() * std::sqrt(2.0) / standardIntensity(24.0, 0.25),
+              1.0, 0.1);  // the coarsest that there is
   // K of a crack that has set energy free is that of a longer one.
   const double before = specimen.strainUnit();
   for (std::size_t b = 0; b < specimen.nBonds(); ++b)
@@ -161,10 +164,10 @@ double thresholdGrowth(const GrowthTrialCase& trial, double range, TrialBody bod
 }
 
 TEST(ThresholdTrial, ACrackGrowsByWhatTheRangeOfKExceedsTheThresholdBy) {
-  for (const double exponent : {2.05, 3.0, 4.0}) {
+  for (const double exponent : {2.0, 2.05, 3.0, 4.0}) {
     const GrowthTrialCase trial{square(3.0), 3.0, exponent, 0.35};
     EXPECT_NEAR(thresholdTrial(trial).law.reading, 1.0, 0.15) << exponent;  // core bond of a grown crack: 1.1 to 1.25
-    EXPECT_LT(thresholdTrial(trial).deviation, 0.09) << exponent;  // where bonds change the order in which they break
+    EXPECT_LT(thresholdTrial(trial).deviation, 0.1) << exponent;  // where bonds change the order in which they break
     for (const double range : {1.1, 1.16, 1.55, 1.7, 2.0, 2.6, 5.0, 10.0, 20.0, 50.0})  // not those of the fit
       EXPECT_NEAR(thresholdGrowth(trial, range, TrialBody::Large), 1.0, 0.04) << exponent << ", " << range;
     EXPECT_EQ(thresholdGrowth(trial, 0.98, TrialBody::Strip), 0.0);
