@@ -216,6 +216,10 @@ bool TiringPoints::findReaching(const double* y, const Limits& limits) {
   for (std::size_t i = 0; i < seenPlaces_.size(); i += 3)
     moved2 = std::max(moved2, squaredDistance(y + i, seenPlaces_.data() + i));
   const double reach = 2.0 * std::sqrt(moved2) / shortestBond_ * (1.0 + 1e-9) + roundingOfStretch;
+  if (!limits.areReachedBy(largestOfAll_ + reach)) {
+    tiring_ = besideTips_;
+    return tiring_.size() <= largest_.size() / mostReaching;
+  }
   tiring_.clear();
   for (std::size_t p = 0; p < largest_.size(); ++p) {
     if (!isBesideTip(p) && !limits.areReachedBy(largest_[p] + reach)) continue;
@@ -236,6 +240,7 @@ void TiringPoints::lookAtAll(const double* x, const double* y, int nPoints) {
       shortestBond_ = std::min(shortestBond_, length);
       largest_[p] = std::max(largest_[p], std::abs(ReferenceBond(y, i, j).length / length - 1.0));
     }
+  largestOfAll_ = largest_.empty() ? 0.0 : *std::max_element(largest_.begin(), largest_.end());
 }
 
 const std::vector<std::size_t>& TiringPoints::find(const double* nearTip, const double* x, const double* y, int nPoints,

@@ -94,10 +94,10 @@ class TiringPoints {
   std::vector<char> isBesideTip_;  ///< [points]
   std::vector<std::size_t> besideTips_;
 
-  std::vector<double> seenPlaces_;  ///< [3 nPoints] when all bonds were looked at
-  std::vector<double> largest_;     ///< [points] largest |stretch| of a bond then
-  double shortestBond_ = 0.0;       ///< m
-  int nCallsToWait_ = 0;            ///< before the next look
+  std::vector<double> seenPlaces_;                  ///< [3 nPoints] when all bonds were looked at
+  std::vector<double> largest_;                     ///< [points] largest |stretch| of a bond then
+  double largestOfAll_ = 0.0, shortestBond_ = 0.0;  ///< 1; m
+  int nCallsToWait_ = 0;                            ///< before the next look
 
   Known known_;
   std::vector<std::size_t> knownPoints_;  ///< whose bonds those are
