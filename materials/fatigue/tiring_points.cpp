@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "bond_family.hpp"
 
@@ -37,8 +39,12 @@ double squaredDistance(const double* a, const double* b) {
 TiringPoints::TiringPoints(const Call& call)
     : nOwned_(call.nOwned), ownedIds_(call.ownedIds), list_(call.neighborhoodList), firstBond_{0} {
   const int* entry = call.neighborhoodList;
-  for (int p = 0; p < call.nOwned; ++p, entry += *entry + 1)
+  for (int p = 0; p < call.nOwned; ++p, entry += *entry + 1) {
     firstBond_.push_back(firstBond_.back() + static_cast<std::size_t>(*entry));
+    IdRange range{ownedIds_[p], ownedIds_[p] + 1};
+    for (int k = 1; k <= *entry; ++k) range = {std::min(range.first, entry[k]), std::max(range.last, entry[k] + 1)};
+    family_.push_back(range);
+  }
   for (int p = 1; p < nOwned_; ++p) areConsecutive_ = areConsecutive_ && ownedIds_[p] == ownedIds_[p - 1] + 1;
 }
 
@@ -54,23 +60,36 @@ bool TiringPoints::isFor(const Call& call) const {
   return nOwned_ == call.nOwned && ownedIds_ == call.ownedIds && list_ == call.neighborhoodList;
 }
 
-void TiringPoints::markTips(const double* damage, int nPoints, double cracked, double* nearTip) {
-  bool hasChanged = isCracked_.size() != static_cast<std::size_t>(nPoints);
-  isCracked_.resize(static_cast<std::size_t>(nPoints));
-  for (std::size_t i = 0; i < isCracked_.size(); ++i) {
-    const char isCracked = damage[i] >= cracked ? 1 : 0;
-    hasChanged |= isCracked != isCracked_[i];
-    isCracked_[i] = isCracked;
+/// Ids [first, last) of what differs; none where first is last.
+TiringPoints::IdRange TiringPoints::takeUpCracked(const double* damage, int nPoints, double cracked) {
+  const auto n = static_cast<std::size_t>(nPoints);
+  if (isCracked_.size() != n) {
+    isCracked_.clear();
+    for (std::size_t i = 0; i < n; ++i) isCracked_.push_back(damage[i] >= cracked ? 1 : 0);
+    return {0, nPoints};
   }
+  char anyDiffers = 0;
+  for (std::size_t i = 0; i < n; ++i) anyDiffers |= static_cast<char>(isCracked_[i] ^ (damage[i] >= cracked ? 1 : 0));
+  IdRange range{0, 0};
+  for (std::size_t i = 0; anyDiffers != 0 && i < n; ++i) {
+    const char isCracked = damage[i] >= cracked ? 1 : 0;
+    if (std::exchange(isCracked_[i], isCracked) == isCracked) continue;
+    const auto id = static_cast<int>(i);
+    range = {range.last == 0 ? id : range.first, id + 1};
+  }
+  return range;
+}
+
+void TiringPoints::markTips(const double* damage, int nPoints, double cracked, double* nearTip) {
   const auto nPointsOfBlock = static_cast<std::size_t>(nOwned_);
-  if (hasChanged) {
-    marks_.assign(nPointsOfBlock, 0.0);
-    for (std::size_t p = 0; p < nPointsOfBlock; ++p) {
-      bool isNear = isCracked_[static_cast<std::size_t>(ownedIds_[p])] != 0;
-      for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isNear; ++bond)
-        isNear = isCracked_[static_cast<std::size_t>(neighbor(bond, p))] != 0;
-      marks_[p] = isNear ? 1.0 : 0.0;
-    }
+  const IdRange changed = takeUpCracked(damage, nPoints, cracked);
+  marks_.resize(nPointsOfBlock, 0.0);
+  for (std::size_t p = 0; changed.last > 0 && p < nPointsOfBlock; ++p) {
+    if (!reaches(p, changed)) continue;
+    bool isNear = isCracked_[static_cast<std::size_t>(ownedIds_[p])] != 0;
+    for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isNear; ++bond)
+      isNear = isCracked_[static_cast<std::size_t>(neighbor(bond, p))] != 0;
+    marks_[p] = isNear ? 1.0 : 0.0;
   }
   if (areConsecutive_ && nOwned_ > 0) {
     std::copy(marks_.begin(), marks_.end(), nearTip + ownedIds_[0]);
@@ -92,17 +111,27 @@ void TiringPoints::startFrom(const double* before, double* lost) {
 }
 
 void TiringPoints::findBesideTips(const double* nearTip, int nPoints) {
-  if (nearTip_.size() == static_cast<std::size_t>(nPoints) && isSame(nearTip_, nearTip)) return;
-  nearTip_.assign(nearTip, nearTip + nPoints);
+  const auto n = static_cast<std::size_t>(nPoints);
+  if (nearTip_.size() == n && isSame(nearTip_, nearTip)) return;
+  IdRange changed{0, nPoints};
+  if (nearTip_.size() == n) {
+    const auto first = std::mismatch(nearTip_.begin(), nearTip_.end(), nearTip).first;
+    const auto fromEnd =
+        std::mismatch(nearTip_.rbegin(), nearTip_.rend(), std::make_reverse_iterator(nearTip + n)).first;
+    changed = {static_cast<int>(first - nearTip_.begin()), static_cast<int>(nearTip_.rend() - fromEnd)};
+  }
+  nearTip_.assign(nearTip, nearTip + n);
   tipsHaveChanged_ = true;
-  isBesideTip_.assign(static_cast<std::size_t>(nOwned_), 0);
+  isBesideTip_.resize(static_cast<std::size_t>(nOwned_), 0);
   besideTips_.clear();
   for (std::size_t p = 0; p < isBesideTip_.size(); ++p) {
-    bool isBeside = nearTip[ownedIds_[p]] != 0.0;
-    for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isBeside; ++bond)
-      isBeside = nearTip[neighbor(bond, p)] != 0.0;
-    isBesideTip_[p] = isBeside ? 1 : 0;
-    if (isBeside) besideTips_.push_back(p);
+    if (reaches(p, changed)) {
+      bool isBeside = nearTip[ownedIds_[p]] != 0.0;
+      for (std::size_t bond = firstBond_[p]; bond < firstBond_[p + 1] && !isBeside; ++bond)
+        isBeside = nearTip[neighbor(bond, p)] != 0.0;
+      isBesideTip_[p] = isBeside ? 1 : 0;
+    }
+    if (isBesideTip_[p] != 0) besideTips_.push_back(p);
   }
 }
 
@@ -187,6 +216,10 @@ bool TiringPoints::findReaching(const double* y, const Limits& limits) {
   for (std::size_t i = 0; i < seenPlaces_.size(); i += 3)
     moved2 = std::max(moved2, squaredDistance(y + i, seenPlaces_.data() + i));
   const double reach = 2.0 * std::sqrt(moved2) / shortestBond_ * (1.0 + 1e-9) + roundingOfStretch;
+  if (!limits.areReachedBy(largestOfAll_ + reach)) {
+    tiring_ = besideTips_;
+    return tiring_.size() <= largest_.size() / mostReaching;
+  }
   tiring_.clear();
   for (std::size_t p = 0; p < largest_.size(); ++p) {
     if (!isBesideTip(p) && !limits.areReachedBy(largest_[p] + reach)) continue;
@@ -207,6 +240,7 @@ void TiringPoints::lookAtAll(const double* x, const double* y, int nPoints) {
       shortestBond_ = std::min(shortestBond_, length);
       largest_[p] = std::max(largest_[p], std::abs(ReferenceBond(y, i, j).length / length - 1.0));
     }
+  largestOfAll_ = largest_.empty() ? 0.0 : *std::max_element(largest_.begin(), largest_.end());
 }
 
 const std::vector<std::size_t>& TiringPoints::find(const double* nearTip, const double* x, const double* y, int nPoints,

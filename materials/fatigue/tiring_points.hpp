@@ -67,6 +67,14 @@ class TiringPoints {
                                        const Limits& limits);
 
  private:
+  struct IdRange {
+    int first, last;  ///< last: one more
+  };
+  /// Whether the point or a neighbour may have an id of these.
+  bool reaches(std::size_t point, const IdRange& ids) const {
+    return family_[point].first < ids.last && ids.first < family_[point].last;
+  }
+  IdRange takeUpCracked(const double* damage, int nPoints, double cracked);
   bool isBesideTip(std::size_t point) const { return !isBesideTip_.empty() && isBesideTip_[point] != 0; }
   void findBesideTips(const double* nearTip, int nPoints);
   bool findReaching(const double* y, const Limits& limits);
@@ -78,6 +86,7 @@ class TiringPoints {
   const int *ownedIds_, *list_;
   bool areConsecutive_ = true;          ///< the local ids of the points
   std::vector<std::size_t> firstBond_;  ///< [points + 1]
+  std::vector<IdRange> family_;         ///< [points] of itself and its neighbours
 
   std::vector<char> isCracked_;    ///< [nPoints] as markTips() last found it
   std::vector<double> marks_;      ///< [points] what it made of it
@@ -85,10 +94,10 @@ class TiringPoints {
   std::vector<char> isBesideTip_;  ///< [points]
   std::vector<std::size_t> besideTips_;
 
-  std::vector<double> seenPlaces_;  ///< [3 nPoints] when all bonds were looked at
-  std::vector<double> largest_;     ///< [points] largest |stretch| of a bond then
-  double shortestBond_ = 0.0;       ///< m
-  int nCallsToWait_ = 0;            ///< before the next look
+  std::vector<double> seenPlaces_;                  ///< [3 nPoints] when all bonds were looked at
+  std::vector<double> largest_;                     ///< [points] largest |stretch| of a bond then
+  double largestOfAll_ = 0.0, shortestBond_ = 0.0;  ///< 1; m
+  int nCallsToWait_ = 0;                            ///< before the next look
 
   Known known_;
   std::vector<std::size_t> knownPoints_;  ///< whose bonds those are

@@ -60,6 +60,27 @@ class TipWindow(SceneTest):
             with self.subTest(name):
                 self.compare(self.deck(points=points))
 
+    def test_a_body_that_is_turned_is_the_same(self):
+        # Its crack grows along no axis: windows and corridors are boxes along it.
+        points = lattice([WIDTH, HEIGHT], SPACING, origin=[0.0, -HEIGHT / 2])
+        times = [self.compare(self.deck(points=points)).history()["time"]]
+        c, s = np.cos(np.radians(30.0)), np.sin(np.radians(30.0))
+        turned = points.copy()
+        turned[:, :2] = points[:, :2] @ [[c, s], [-s, c]]
+        deck = self.deck(points=turned)
+        grip, above = HEIGHT / 2 - 3 * SPACING, f"{c!r}*y - {s!r}*x"
+        hold = {"Type": "Prescribed Displacement"}
+        deck["Boundary Conditions"] = {
+            "Top Node Set": {"Expression": f"{above} > {grip}"}, "Bottom Node Set": {"Expression": f"{above} < -{grip}"},
+            **{f"{side} {axis}": {**hold, "Node Set": side + " Node Set", "Coordinate": axis, "Value": sign * value}
+               for side, sign in (("Top", 1e-5), ("Bottom", -1e-5)) for axis, value in (("x", -s), ("y", c))}}
+        deck["Discretization"]["Bond Filters"]["Crack"].update({
+            "Normal_X": -s, "Normal_Y": c, "Lower_Left_Corner_X": -c, "Lower_Left_Corner_Y": -s,
+            "Bottom_Unit_Vector_X": c, "Bottom_Unit_Vector_Y": s})
+        deck["Compute Class Parameters"]["Length"].update({"Direction X": c, "Direction Y": s})
+        times.append(self.compare(deck).history()["time"])
+        np.testing.assert_allclose(*times, rtol=3e-6)
+
     def test_loads_follow_the_crack(self):
         deck = self.deck({"Load Ratio": 0.1, "Stress Intensity": {
             "Energy Release Rate": "J", "Effective Modulus": 200e9, "Range": 10e6}})

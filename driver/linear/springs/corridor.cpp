@@ -20,6 +20,8 @@ Corridor::Corridor(const SpringOperator& stiffness, const std::vector<int>& poin
     if (isIn_[i] == 0) rest.push_back(static_cast<int>(i));
   condense(std::move(rest));
   supports_ = supportsOfRest();
+  held_ = stiffness_.held();
+  additions_ = stiffness_.additions();
 }
 
 /// Springs between points of the corridor are none of the rest.
@@ -79,8 +81,12 @@ std::vector<double> Corridor::supportsOfRest() const {
 }
 
 bool Corridor::fitsAfter(const std::vector<int>& changed) const {
-  return std::all_of(changed.begin(), changed.end(), [&](int i) { return contains(i); }) &&
-         supportsOfRest() == supports_;
+  if (!std::all_of(changed.begin(), changed.end(), [&](int i) { return contains(i); })) return false;
+  if (held_ == stiffness_.held() && additions_ == stiffness_.additions()) return true;
+  if (supportsOfRest() != supports_) return false;
+  held_ = stiffness_.held();
+  additions_ = stiffness_.additions();
+  return true;
 }
 
 }  // namespace pd

@@ -42,7 +42,9 @@ class Corridor {
   std::vector<int> points_, rim_;   ///< rim_: those with springs to the rest
   std::vector<char> isIn_, isRim_;  ///< [nOwned]
   std::vector<double> supports_;    ///< supportsOfRest() when it was condensed
-  std::vector<double> ofRest_;      ///< [unknowns of rim_][unknowns of rim_]
+  mutable std::vector<char> held_;  ///< of the stiffness, when they were last seen to fit
+  mutable std::vector<SpringOperator::Addition> additions_;
+  std::vector<double> ofRest_;  ///< [unknowns of rim_][unknowns of rim_]
   std::string trouble_;
 };
 

@@ -14,6 +14,8 @@ using Lapack = Teuchos::LAPACK<int, double>;
 
 // Of its entry of the matrix: a pivot that is no more is rounding.
 constexpr double negligible = 1e-13;
+// Columns of a front that are eliminated at a time.
+constexpr int blockWidth = 96;
 // Columns of the inverse that are found at a time.
 constexpr int mostColumns = 256;
 
@@ -142,21 +144,28 @@ void FrontalFactor::addChildren(Front& front, bool toOwn) {
   }
 }
 
+/// Block after block of columns, by products of matrices: in place of its diagonal block each has that one's inverse.
 /// False where the own points are not held in place.
 bool FrontalFactor::factorOwn(Front& front) {
   const int n = static_cast<int>(front.unknowns.size()), width = front.width;
-  if (width == 0) return true;
   std::vector<double> before;
   for (int c = 0; c < width; ++c) before.push_back(front.columns[size(c) * size(n + 1)]);
-  int info = 0;
-  Lapack().POTRF('L', width, front.columns.get(), n, &info);
-  if (info != 0) return false;
-  if (front.nBorder() > 0)
-    Blas().TRSM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::TRANS, Teuchos::NON_UNIT_DIAG, front.nBorder(), width,
-                1.0, front.columns.get(), n, &front.columns[size(width)], n);
-  for (int c = 0; c < width; ++c) {
-    const double pivot = front.columns[size(c) * size(n + 1)];
-    if (!(pivot * pivot > negligible * before[size(c)])) return false;
+  for (int first = 0; first < width; first += blockWidth) {
+    const int w = std::min(blockWidth, width - first), below = n - first - w;
+    double *rows = &front.columns[size(first)], *block = &rows[size(first) * size(n)];
+    if (first > 0)
+      Blas().GEMM(Teuchos::NO_TRANS, Teuchos::TRANS, n - first, w, first, -1.0, rows, n, rows, n, 1.0, block, n);
+    int info = 0;
+    Lapack().POTRF('L', w, block, n, &info);
+    if (info != 0) return false;
+    for (int c = 0; c < w; ++c) {
+      const double pivot = block[size(c) * size(n + 1)];
+      if (!(pivot * pivot > negligible * before[size(first + c)])) return false;
+    }
+    Lapack().TRTRI('L', 'N', w, block, n, &info);
+    if (below > 0)
+      Blas().TRMM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::TRANS, Teuchos::NON_UNIT_DIAG, below, w, 1.0, block,
+                  n, block + w, n);
   }
   return true;
 }
@@ -174,12 +183,18 @@ std::vector<double> FrontalFactor::takeLeft() {
 /// Of the last front; both triangles.
 bool FrontalFactor::invertLeft() {
   Front& last = fronts_.back();
-  if (!factorOwn(last)) return false;
   const std::size_t n = size(last.width);
+  double* values = last.columns.get();
+  std::vector<double> before;
+  for (std::size_t c = 0; c < n; ++c) before.push_back(values[c * (n + 1)]);
   int info = 0;
-  Lapack().POTRI('L', last.width, last.columns.get(), last.width, &info);
+  Lapack().POTRF('L', last.width, values, last.width, &info);
+  if (info != 0) return false;
   for (std::size_t c = 0; c < n; ++c)
-    for (std::size_t r = c + 1; r < n; ++r) last.columns[r * n + c] = last.columns[c * n + r];
+    if (!(values[c * (n + 1)] * values[c * (n + 1)] > negligible * before[c])) return false;
+  Lapack().POTRI('L', last.width, values, last.width, &info);
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t r = c + 1; r < n; ++r) values[r * n + c] = values[c * n + r];
   return info == 0;
 }
 
@@ -206,10 +221,19 @@ void FrontalFactor::substitute(const Front& front, int count) {
     border.insert(border.end(), from, from + count);
   }
   double* own = &moved_[size(front.unknowns.front()) * size(count)];
-  Blas().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, count, width, nBorder, -1.0, border.data(), count,
-              &front.columns[size(width)], n, 0.0, own, count);
-  Blas().TRSM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::NO_TRANS, Teuchos::NON_UNIT_DIAG, count, width, 1.0,
-              front.columns.get(), n, own, count);
+  const double* columns = front.columns.get();
+  const auto subtract = [&](const double* moved, int row, int nRows, int first, int w) {
+    if (nRows > 0)
+      Blas().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS, count, w, nRows, -1.0, moved, count,
+                  &columns[size(first) * size(n) + size(row)], n, 1.0, &own[size(first) * size(count)], count);
+  };
+  for (int first = (width - 1) / blockWidth * blockWidth; first >= 0; first -= blockWidth) {
+    const int w = std::min(blockWidth, width - first), end = first + w;
+    subtract(border.data(), width, nBorder, first, w);
+    subtract(&own[size(end) * size(count)], end, width - end, first, w);
+    Blas().TRMM(Teuchos::RIGHT_SIDE, Teuchos::LOWER_TRI, Teuchos::NO_TRANS, Teuchos::NON_UNIT_DIAG, count, w, 1.0,
+                &columns[size(first) * size(n + 1)], n, &own[size(first) * size(count)], count);
+  }
 }
 
 std::vector<double> FrontalFactor::columnsOfInverse(const std::vector<int>& rows) {

@@ -26,6 +26,9 @@ class SpringOperator {
   struct Addition {
     int point, component;
     double value;
+    bool operator==(const Addition& other) const {
+      return point == other.point && component == other.component && value == other.value;
+    }
   };
   void setAdditions(std::vector<Addition> additions) { additions_ = std::move(additions); }
 
