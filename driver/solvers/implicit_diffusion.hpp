@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../linear/linear_system.hpp"
+#include "damage_watch.hpp"
 #include "diffusion/scalar_fields.hpp"
 #include "linear_solver_settings.hpp"
 #include "load_steps.hpp"
@@ -59,6 +60,7 @@ class ImplicitDiffusion : public Solver {
 
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isPrescribed_, isHeld_;  ///< [points] isHeld_: prescribed, or out of reach
+  BondDamageSum bondDamageSum_;
   double bondDamage_ = -1.0;                 ///< sum over all bonds when isHeld_ was found
   bool hasMatrix_ = false;
   double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
