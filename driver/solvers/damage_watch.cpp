@@ -49,7 +49,8 @@ double BondDamageSum::of(Model& model) {
     block.getData(id, PeridigmField::STEP_NP1)->ExtractView(&damage);
     const auto list = block.getNeighborhoodData();
     // A bond of which cracks and voids have left nothing breaks, and Damage does not tell.
-    const bool tellsAll = ofPoint != nullptr && !block.hasData(fields::interactionShare().id(), PeridigmField::STEP_NONE);
+    const bool tellsAll =
+        ofPoint != nullptr && !block.hasData(fields::interactionShare().id(), PeridigmField::STEP_NONE);
     std::size_t bond = 0;
     for (int p = 0; p < list->NumOwnedPoints(); ++p) {
       const auto point = static_cast<std::size_t>(list->OwnedIDs()[p]);
