@@ -151,6 +151,7 @@ def _convert(options):
     mesh = _read(options)
     result = convert(mesh, options.at == "nodes", options.thickness, options.scale)
     points = result.points
+    largest_motion = lattice.onto_lattice(points)
     unknown = set(depths) - {None} - {group.name for group in mesh.groups}
     if unknown:
         raise MeshError(f"--layer-depth: {options.mesh} has no group {', '.join(sorted(unknown))} (there are: "
@@ -159,6 +160,8 @@ def _convert(options):
         points.node_sets[group.name] = group_points(result, group, depths.get(group.name, depths.get(None)))
     facts = [f"mesh volume {result.mesh_volume:.12g} m3, points' volume differs by "
              f"{abs(points.volume.sum() / result.mesh_volume - 1):.1e} of it"] + mesh.notes
+    if largest_motion:
+        facts.append(f"points are on a lattice to {largest_motion:.1e} of its spacing: put onto it")
     warnings = []
     if result.slivers:
         warnings.append(f"{result.slivers} elements are slivers (volume below a twentieth of that of an element with "
