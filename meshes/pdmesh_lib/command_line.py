@@ -86,7 +86,8 @@ def _add_convert(commands):
         description="Points at element centroids, with exact volumes (curved second order elements too), or at nodes, "
                     "with their exact share of the adjacent elements (corner nodes of second order elements). Blocks "
                     "are physical groups, element blocks, or the element sets that have a *SECTION (without sections: "
-                    "all sets that do not overlap); other groups become node sets.")
+                    "all sets that do not overlap); other groups become node sets. Points of a mesh that is a lattice "
+                    "but for rounding (1e-8 of its spacing) are put onto it: pdrun is quicker there.")
     command.add_argument("mesh", help="anything meshio reads: .msh (2.2, 4.1), .vtu, .inp (Abaqus), .e (Exodus) ...")
     command.add_argument("output", help="text discretization to write")
     command.add_argument("--at", choices=["centroids", "nodes"], default="centroids", help="where the points are")
