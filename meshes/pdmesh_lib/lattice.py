@@ -37,10 +37,12 @@ def onto_lattice(points):
     the points are on no lattice, and stay."""
     d = points.dimension
     spacing = float(np.median(points.volume) / points.measure) ** (1 / d)
-    axes = [_onto_rows(points.x[:, k], spacing) for k in range(d)]
-    if any(axis is None for axis in axes):
-        return None
-    moved = np.stack(axes, axis=1)
+    moved = np.empty((len(points), d))
+    for k in range(d):
+        axis = _onto_rows(points.x[:, k], spacing)
+        if axis is None:
+            return None
+        moved[:, k] = axis
     largest = float(np.abs(moved - points.x[:, :d]).max() / spacing)
     points.x[:, :d] = moved
     points.volume = _evened(points.volume, _ROUNDING * float(np.median(points.volume)))[0]
