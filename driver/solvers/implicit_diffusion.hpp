@@ -61,7 +61,7 @@ class ImplicitDiffusion : public Solver {
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isPrescribed_, isHeld_;  ///< [points] isHeld_: prescribed, or out of reach
   BondDamageSum bondDamageSum_;
-  double bondDamage_ = -1.0;                 ///< sum over all bonds when isHeld_ was found
+  double bondDamage_ = -1.0;  ///< sum over all bonds when isHeld_ was found
   bool hasMatrix_ = false;
   double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
   std::vector<double> residual_, step_;  ///< [nOwned]

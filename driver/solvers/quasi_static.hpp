@@ -74,7 +74,7 @@ class QuasiStatic : public Solver {
   double largestScale_ = 0.0;  ///< N
   double lastLength_ = 0.0;    ///< of the increment that the next one is predicted from, s; 0: none
   BondDamageSum bondDamageSum_;
-  double bondDamage_ = 0.0;    ///< sum over all bonds after the last load step
+  double bondDamage_ = 0.0;  ///< sum over all bonds after the last load step
   bool mustRestoreTangent_ = false, looksForBreakage_ = false;
   long long nPasses_ = 0, nHalvings_ = 0, mostPasses_ = 0;
 };
