@@ -20,8 +20,15 @@ class DamageMonitor {
   std::vector<double> damage_;
 };
 
-/// Sum of Bond_Damage over the directed bonds of all ranks: it grows whenever a bond breaks. Collective.
-double totalBondDamage(Model& model);
+/// Sum of Bond_Damage over the directed bonds of all ranks: it grows whenever a bond breaks.
+class BondDamageSum {
+ public:
+  /// Reads the bonds of points whose Damage is another than when it was last asked for. Collective.
+  double of(Model& model);
+
+ private:
+  std::vector<double> seen_, sums_;  ///< [nOwned] Damage, and the sum over the point's bonds
+};
 
 }  // namespace pd
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "damage_watch.hpp"
 #include "diffusion/scalar_unknown.hpp"
 #include "field_names.hpp"
 
@@ -56,7 +55,7 @@ void ImplicitDiffusion::findHeldPoints(Simulation& simulation) {
   const std::vector<char>& isPrescribed = simulation.conditions.valueIsPrescribed(field_);
   bool hasChanged = model.comm().any(isPrescribed != isPrescribed_);
   if (model.hasDamage()) {
-    const double bondDamage = totalBondDamage(model);
+    const double bondDamage = bondDamageSum_.of(model);
     hasChanged = hasChanged || bondDamage != bondDamage_;
     bondDamage_ = bondDamage;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../linear/linear_system.hpp"
+#include "damage_watch.hpp"
 #include "diffusion/scalar_fields.hpp"
 #include "linear_solver_settings.hpp"
 #include "load_steps.hpp"
@@ -59,7 +60,8 @@ class ImplicitDiffusion : public Solver {
 
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isPrescribed_, isHeld_;  ///< [points] isHeld_: prescribed, or out of reach
-  double bondDamage_ = -1.0;                 ///< sum over all bonds when isHeld_ was found
+  BondDamageSum bondDamageSum_;
+  double bondDamage_ = -1.0;  ///< sum over all bonds when isHeld_ was found
   bool hasMatrix_ = false;
   double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
   std::vector<double> residual_, step_;  ///< [nOwned]

@@ -255,7 +255,7 @@ std::vector<std::string> Newton::warnings() const {
 void Newton::prepareTangent(Simulation& simulation, double dt) {
   chooseTangent(simulation.model);
   if (hasTangent_) return;
-  simulation.model.updateCoordinates();
+  if (!settings_.hasSmallStrain) simulation.model.updateCoordinates();
   if (tangent_ == Tangent::Assembled)
     simulation.model.evaluateForce(dt);  // materials may prepare their tangent in precompute()
   makeTangent(simulation, dt);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "damage_watch.hpp"
 #include "linear_solver_settings.hpp"
 #include "mechanics.hpp"
 
@@ -117,7 +116,7 @@ void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
-  const double bondDamage = simulation.model.hasDamage() ? totalBondDamage(simulation.model) : 0.0;
+  const double bondDamage = simulation.model.hasDamage() ? bondDamageSum_.of(simulation.model) : 0.0;
   const bool hasBroken = looksForBreakage_ && bondDamage > bondDamage_ * (1.0 + 1e-12);
   bondDamage_ = bondDamage;
   if (hasBroken) {
@@ -148,7 +147,7 @@ void QuasiStatic::breakBonds(Simulation& simulation, double t, double dt) {
   double before = bondDamage_;
   for (int pass = 0;; ++pass) {
     model.evaluateDamage(dt);
-    const double after = totalBondDamage(model);
+    const double after = bondDamageSum_.of(model);
     if (!(after > before * (1.0 + 1e-12))) {
       bondDamage_ = after;
       mostPasses_ = std::max<long long>(mostPasses_, pass);

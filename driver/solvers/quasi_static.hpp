@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "damage_watch.hpp"
 #include "load_steps.hpp"
 #include "loose_parts.hpp"
 #include "newton.hpp"
@@ -72,7 +73,8 @@ class QuasiStatic : public Solver {
   int loadStep_ = 0;
   double largestScale_ = 0.0;  ///< N
   double lastLength_ = 0.0;    ///< of the increment that the next one is predicted from, s; 0: none
-  double bondDamage_ = 0.0;    ///< sum over all bonds after the last load step
+  BondDamageSum bondDamageSum_;
+  double bondDamage_ = 0.0;  ///< sum over all bonds after the last load step
   bool mustRestoreTangent_ = false, looksForBreakage_ = false;
   long long nPasses_ = 0, nHalvings_ = 0, mostPasses_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -296,14 +297,16 @@ void SpringTangent::force(const double* displacement, double* forceDensity, doub
   if (!bondsAreKnown_) takeUpDamage();
   bondsAreKnown_ = true;
   const auto n = static_cast<std::size_t>(model_.nOwned());
-  std::fill(forceDensity, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
+  std::fill(forceDensity + 3 * n, forceDensity + 3 * static_cast<std::size_t>(model_.nPoints()), 0.0);
   for (int c = 0; c < network_.dimension(); ++c)
     for (std::size_t i = 0; i < n; ++i) full_[c][i] = displacement[3 * i + static_cast<std::size_t>(c)];
   applyToDisplacement(mostError);
-  const double* volume = model_.field("Volume");
-  for (int c = 0; c < network_.dimension(); ++c)
-    for (std::size_t i = 0; i < n; ++i)
-      forceDensity[3 * i + static_cast<std::size_t>(c)] = -network_.stiffnessUnit() * knownImage_[c][i] / volume[i];
+  const double *volume = model_.field("Volume"), unit = network_.stiffnessUnit();
+  std::array<const double*, 3> image{};
+  for (int c = 0; c < network_.dimension(); ++c) image[static_cast<std::size_t>(c)] = knownImage_[c];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      forceDensity[3 * i + c] = image[c] == nullptr ? 0.0 : -unit * image[c][i] / volume[i];
 }
 
 void SpringTangent::applyToDisplacement(double mostError) {
@@ -393,7 +396,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     return conjugateGradients(
         model_.comm(), model_.nOwned(), stiffness,
         [&](PointVector<double>& r, PointVector<double>& z) { levels_.apply(r, z); }, right_, solution_, tolerance,
-        maximumIterations);
+        maximumIterations, searchVectors_);
   };
   ConjugateGradientsResult result = search();
   // Where something hardly hangs together, rounding may be more than what resists.

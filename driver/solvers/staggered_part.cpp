@@ -34,9 +34,8 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
-std::vector<double> ownedValues(Model& model, const std::string& label) {
-  const double* first = model.field(label);
-  return {first, first + static_cast<std::ptrdiff_t>(model.fieldWidth(label)) * model.nOwned()};
+std::size_t nOwnedValues(const Model& model, const std::string& label) {
+  return static_cast<std::size_t>(model.fieldWidth(label)) * static_cast<std::size_t>(model.nOwned());
 }
 
 }  // namespace
@@ -160,21 +159,21 @@ void StaggeredPart::rehearse(Simulation& simulation, double t, double dt) {
 
 void StaggeredPart::remember(Model& model) {
   if (watchedField_.empty()) return;
-  const std::vector<double> values = ownedValues(model, watchedField_);
-  std::copy(values.begin(), values.end(), model.field(memoryField()));
+  std::copy_n(model.field(watchedField_), nOwnedValues(model, watchedField_), model.field(memoryField()));
 }
 
 double StaggeredPart::changeOf(Model& model) const {
-  const std::vector<double> now = ownedValues(model, watchedField_), before = ownedValues(model, memoryField());
+  const double *now = model.field(watchedField_), *before = model.field(memoryField());
+  const std::size_t n = nOwnedValues(model, watchedField_);
   if (isOfVolume_) {
     const auto width = static_cast<std::size_t>(model.fieldWidth(watchedField_));
     const double* volume = model.field("Volume");
     double sum = 0.0;
-    for (std::size_t i = 0; i < now.size(); ++i) sum += std::abs(now[i] - before[i]) * volume[i / width];
+    for (std::size_t i = 0; i < n; ++i) sum += std::abs(now[i] - before[i]) * volume[i / width];
     return model.comm().sum(sum);
   }
   double largest = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i) largest = std::max(largest, std::abs(now[i] - before[i]));
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(now[i] - before[i]));
   return model.comm().max(largest);
 }
 

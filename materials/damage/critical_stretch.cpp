@@ -65,21 +65,18 @@ struct CriticalStretch::Views {
 };
 
 void CriticalStretch::findApproach(Cache& cache, const Views& views) const {
-  cache.approach.resize(static_cast<std::size_t>(views.nPoints));
-  for (int i = 0; i < views.nPoints; ++i) {
-    double distance2 = 0.0;
-    for (int d = 0; d < views.stretch.dimension; ++d) {
-      const double step = views.stretch.current[d][i] - cache.testedPositions[d][i];
-      distance2 += step * step;
-    }
-    cache.approach[static_cast<std::size_t>(i)] = std::sqrt(distance2);
+  cache.approach.assign(static_cast<std::size_t>(views.nPoints), 0.0);
+  double* approach = cache.approach.data();
+  for (int d = 0; d < views.stretch.dimension; ++d) {
+    const double *now = views.stretch.current[d], *tested = cache.testedPositions[d];
+    for (int i = 0; i < views.nPoints; ++i) approach[i] += (now[i] - tested[i]) * (now[i] - tested[i]);
   }
+  for (int i = 0; i < views.nPoints; ++i) approach[i] = std::sqrt(approach[i]);
   if (views.stretch.coverage == nullptr) return;
   // A bond goes by the mean coverage of its ends.
   const double perCoverage = 0.5 * law_.steepest() * cache.longestBond;
-  for (int i = 0; i < views.nPoints; ++i)
-    cache.approach[static_cast<std::size_t>(i)] +=
-        perCoverage * std::abs(cache.coverage[0][i] - cache.testedCoverage[0][i]);
+  const double *now = cache.coverage[0], *tested = cache.testedCoverage[0];
+  for (int i = 0; i < views.nPoints; ++i) approach[i] += perCoverage * std::abs(now[i] - tested[i]);
 }
 
 /// A few points, at a tip or on a new face, come far nearer than all others: `near` becomes 1 for chunks that bonds of

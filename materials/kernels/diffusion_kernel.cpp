@@ -1,8 +1,31 @@
 #include "diffusion_kernel.hpp"
 
+#include <array>
+
 namespace pd::kernels {
 
 namespace {
+
+// A sum waits for each of its terms: so many chunks whose offsets and weights are the same are summed side by side.
+constexpr std::size_t nAlike = 4;
+
+/// Of nAlike contiguous chunks, full and uniform.
+void addFluxesOfAlike(const ChunkedNeighborhood& neighborhood, const std::array<const Chunk*, nAlike>& chunks,
+                      const double* weights, const double* concentration, double* rate) {
+  const int* offsets = neighborhood.offsets(*chunks[0]);
+  std::array<const double*, nAlike> at;
+  std::array<Vector, nAlike> own, sum;
+  for (std::size_t c = 0; c < nAlike; ++c) {
+    at[c] = concentration + chunks[c]->firstPoint;
+    own[c] = load(at[c]);
+    sum[c] = 0.0;
+  }
+  for (int k = 0; k < chunks[0]->nNeighbors; ++k) {
+    const Vector weight(weights[k]);
+    for (std::size_t c = 0; c < nAlike; ++c) sum[c] += weight * (load(at[c] + offsets[k]) - own[c]);
+  }
+  for (std::size_t c = 0; c < nAlike; ++c) addToPoints(neighborhood, *chunks[c], sum[c], rate);
+}
 
 template <bool isContiguous, bool isUniform, bool isMasked>
 Vector fluxOf(const Chunk& chunk, const int* indices, const double* weights, const unsigned char* bits,
@@ -50,8 +73,27 @@ void addFluxDivergence(const ChunkedNeighborhood& neighborhood, const BondConsta
                        const double* concentration, double* rate, const std::vector<std::size_t>* only) {
   const auto& chunks = neighborhood.chunks();
   const std::size_t count = only == nullptr ? chunks.size() : only->size();
+  const auto chunkAt = [&](std::size_t i) { return only == nullptr ? i : (*only)[i]; };
+  /// Those of nAlike chunks from i on, if they are; else null.
+  const auto findAlike = [&](std::size_t i) {
+    std::array<const Chunk*, nAlike> alike{};
+    if (alive != nullptr || i + nAlike > count) return alike;
+    for (std::size_t k = 0; k < nAlike; ++k) {
+      const std::size_t c = chunkAt(i + k), first = chunkAt(i);
+      const bool isLikeFirst = chunks[c].isContiguous && chunks[c].isFull && weights.isUniform(c) &&
+                               chunks[c].indices == chunks[first].indices && weights.of(c) == weights.of(first);
+      if (!isLikeFirst) return std::array<const Chunk*, nAlike>{};
+      alike[k] = &chunks[c];
+    }
+    return alike;
+  };
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t c = only == nullptr ? i : (*only)[i];
+    const std::size_t c = chunkAt(i);
+    if (const auto alike = findAlike(i); alike[0] != nullptr) {
+      addFluxesOfAlike(neighborhood, alike, weights.of(c), concentration, rate);
+      i += nAlike - 1;
+      continue;
+    }
     const Chunk& chunk = chunks[c];
     const bool isUniform = weights.isUniform(c);
     // Where constants are kept a lane, they are zero in lanes that have no such neighbour.

@@ -86,7 +86,8 @@ def _add_convert(commands):
         description="Points at element centroids, with exact volumes (curved second order elements too), or at nodes, "
                     "with their exact share of the adjacent elements (corner nodes of second order elements). Blocks "
                     "are physical groups, element blocks, or the element sets that have a *SECTION (without sections: "
-                    "all sets that do not overlap); other groups become node sets.")
+                    "all sets that do not overlap); other groups become node sets. Points of a mesh that is a lattice "
+                    "but for rounding (1e-8 of its spacing) are put onto it: pdrun is quicker there.")
     command.add_argument("mesh", help="anything meshio reads: .msh (2.2, 4.1), .vtu, .inp (Abaqus), .e (Exodus) ...")
     command.add_argument("output", help="text discretization to write")
     command.add_argument("--at", choices=["centroids", "nodes"], default="centroids", help="where the points are")
@@ -151,6 +152,7 @@ def _convert(options):
     mesh = _read(options)
     result = convert(mesh, options.at == "nodes", options.thickness, options.scale)
     points = result.points
+    largest_motion = lattice.onto_lattice(points)
     unknown = set(depths) - {None} - {group.name for group in mesh.groups}
     if unknown:
         raise MeshError(f"--layer-depth: {options.mesh} has no group {', '.join(sorted(unknown))} (there are: "
@@ -159,6 +161,8 @@ def _convert(options):
         points.node_sets[group.name] = group_points(result, group, depths.get(group.name, depths.get(None)))
     facts = [f"mesh volume {result.mesh_volume:.12g} m3, points' volume differs by "
              f"{abs(points.volume.sum() / result.mesh_volume - 1):.1e} of it"] + mesh.notes
+    if largest_motion:
+        facts.append(f"points are on a lattice to {largest_motion:.1e} of its spacing: put onto it")
     warnings = []
     if result.slivers:
         warnings.append(f"{result.slivers} elements are slivers (volume below a twentieth of that of an element with "

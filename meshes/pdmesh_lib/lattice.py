@@ -4,6 +4,9 @@ import numpy as np
 from .errors import MeshError
 from .points import Points
 
+# Of a spacing: what mesh generators leave of a lattice, far below what anybody moves a point by on purpose.
+_ROUNDING = 1e-8
+
 
 def lattice(size, spacing, origin, measure=1.0):
     """Cell centres of a box; `spacing` is adjusted so that a whole number of cells fits each edge."""
@@ -26,6 +29,46 @@ def lattice(size, spacing, origin, measure=1.0):
     points = Points(x, np.ones(len(x), int), volume, len(size), measure)
     points.steps = steps
     return points, steps
+
+
+def onto_lattice(points):
+    """Moves points that are on a lattice but for rounding, as those of Gmsh's transfinite meshes are, onto it: only
+    bonds that are equal to some 1e-12 take the quick loops of pdrun. Returns the largest motion in spacings; None where
+    the points are on no lattice, and stay."""
+    d = points.dimension
+    spacing = float(np.median(points.volume) / points.measure) ** (1 / d)
+    moved = np.empty((len(points), d))
+    for k in range(d):
+        axis = _onto_rows(points.x[:, k], spacing)
+        if axis is None:
+            return None
+        moved[:, k] = axis
+    largest = float(np.abs(moved - points.x[:, :d]).max() / spacing)
+    points.x[:, :d] = moved
+    points.volume = _evened(points.volume, _ROUNDING * float(np.median(points.volume)))[0]
+    return largest
+
+
+def _onto_rows(values, spacing):
+    """Coordinates that form equidistant rows but for rounding, on the rows; else None."""
+    on_rows, rows = _evened(values, 1e-3 * spacing)
+    if np.abs(on_rows - values).max() > _ROUNDING * spacing:
+        return None
+    middle, step = (rows[0] + rows[-1]) / 2, (rows[-1] - rows[0]) / max(1, len(rows) - 1)
+    even = middle + (np.arange(len(rows)) - (len(rows) - 1) / 2) * step
+    if np.abs(even - rows).max() > _ROUNDING * spacing:
+        return None
+    return even[np.searchsorted((even[1:] + even[:-1]) / 2, values)]
+
+
+def _evened(values, gap):
+    """Values less than `gap` from the next are replaced by their mean; and these means, rising."""
+    order = np.argsort(values, kind="stable")
+    number = np.concatenate([[0], np.cumsum(np.diff(values[order]) > gap)])
+    means = np.bincount(number, values[order]) / np.bincount(number)
+    evened = np.empty_like(values)
+    evened[order] = means[number]
+    return evened, means
 
 
 def keep(points, mask):

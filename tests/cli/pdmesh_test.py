@@ -2,10 +2,14 @@
 """Tests of meshes/pdmesh on what Gmsh really writes: volumes and first moments against independent computations; and of
 its lattices."""
 import unittest
+from pathlib import Path
 
 import meshio
 import numpy as np
 from pdmesh_case import BALL, BENT, BOX, RING, SQUARE, TOLERANCE, PdmeshCase, Result
+
+from pdmesh_lib.lattice import onto_lattice
+from pdmesh_lib.points import Points
 
 
 def ring_boundary(mesh, centre, middle_radius):
@@ -73,6 +77,9 @@ def quad8(u, v):
                                   (1 - s * s) * (1 - r) / 2])
     h = 1e-30
     return values(u, v), values(u + 1j * h, v).imag / h, values(u, v + 1j * h).imag / h
+
+
+DECKS = Path(__file__).resolve().parents[2] / "decks"
 
 
 class Volumes(PdmeshCase):
@@ -262,6 +269,26 @@ class Lattices(PdmeshCase):
                            "right: block == 2")
         self.assertTrue(np.all((result.x[:, 0] > 0.5) == (result.block == 2)))
         np.testing.assert_array_equal(self.node_set("right"), np.flatnonzero(result.block == 2))
+
+    def test_structured_meshes_are_put_onto_their_lattice_and_no_others(self):
+        # Nodes of a transfinite mesh are some 1e-10 spacings beside their places.
+        mesh = self.gmsh((DECKS / "hydrogen_plate" / "plate.geo").read_text(), 2)
+        result = self.convert(mesh, "--thickness", 0.004)
+        rows = (result.x[:, :2] - [0.0, -0.05]) / (0.2 / 148) - 0.5
+        self.assertLess(np.abs(rows - np.rint(rows)).max(), 1e-8)
+        self.assertEqual([len(np.unique(result.x[:, d])) for d in (0, 1)], [148, 74])
+        self.assertEqual(len(np.unique(result.volume)), 1)
+        self.check(result, 8e-5, [8e-6, 0.0])
+
+    def test_a_lattice_is_one_to_a_hundred_millionth_of_its_spacing(self):
+        exact = np.array([[i + 0.5, j + 0.5, 0.0] for j in range(5) for i in range(8)])
+        for jitter, is_one in ((3e-9, True), (3e-8, False), (1e-2, False)):
+            x = exact.copy()
+            x[:, :2] += jitter * (np.random.default_rng(1).random((len(x), 2)) - 0.5)
+            points = Points(x.copy(), np.ones(len(x), int), np.ones(len(x)), 2, 1.0)
+            found = onto_lattice(points)
+            self.assertEqual(found is not None, is_one, jitter)
+            self.assertLess(np.abs(points.x - (exact if is_one else x)).max(), jitter if is_one else 1e-300)
 
     def test_info_and_export(self):
         self.grid("box", "--size", 1, 2, 1, "--spacing", 0.25, "--node-set", "top: y > 1.75")

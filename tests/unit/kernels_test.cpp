@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "alive_bonds.hpp"
+#include "bond_constants.hpp"
+#include "diffusion_kernel.hpp"
 #include "principal_direction.hpp"
 #include "simd.hpp"
 
@@ -117,6 +119,41 @@ TEST(AliveBonds, AreReadFromBondDamageWhereDamageHasChanged) {
     }
     bondDamage[7] = 0.5;
     EXPECT_FALSE(alive.refresh(neighborhood, bondDamage.data(), nullptr)) << "a bond that is damaged in part";
+  }
+}
+
+/// Chunks in the middle are alike, and summed side by side; those at the ends, and one of other weights, are not.
+TEST(FluxDivergence, OfChunksThatAreAlikeIsThatOfAPlainLoop) {
+  constexpr int nPoints = 150, reach = 3;
+  std::vector<int> owned, list;
+  for (int i = 0; i < nPoints; ++i) {
+    owned.push_back(i);
+    const std::size_t head = list.size();
+    list.push_back(0);
+    for (int j = std::max(0, i - reach); j <= std::min(nPoints - 1, i + reach); ++j)
+      if (j != i) list.push_back(j);
+    list[head] = static_cast<int>(list.size() - head) - 1;
+  }
+  const auto weightOf = [](int i, int j) { return (i / 8 == 7 ? 2.0 : 1.0) / (1.0 + std::abs(i - j)); };
+  const ChunkedNeighborhood neighborhood(nPoints, owned.data(), list.data());
+  const BondConstants weights(neighborhood, 1,
+                              [&](int i, int j, std::size_t, double* value) { *value = weightOf(i, j); });
+  std::vector<double> concentration(nPoints + 2 * lanes), rate(concentration.size(), 0.5);
+  std::mt19937 random(3);
+  for (double& value : concentration) value = std::uniform_real_distribution<double>(0.0, 1.0)(random);
+  // `lanes` values before the first and past the last point may be read.
+  const double* c = concentration.data() + lanes;
+  double* found = rate.data() + lanes;
+  addFluxDivergence(neighborhood, weights, nullptr, c, found);
+  std::vector<std::size_t> all, none;
+  for (std::size_t chunk = 0; chunk < neighborhood.chunks().size(); ++chunk) all.push_back(chunk);
+  addFluxDivergence(neighborhood, weights, nullptr, c, found, &all);
+  addFluxDivergence(neighborhood, weights, nullptr, c, found, &none);
+  for (int i = 0; i < nPoints; ++i) {
+    double sum = 0.0;
+    for (int j = std::max(0, i - reach); j <= std::min(nPoints - 1, i + reach); ++j)
+      sum += i == j ? 0.0 : weightOf(i, j) * (c[j] - c[i]);
+    EXPECT_NEAR(found[i], 0.5 + 2.0 * sum, 1e-14) << i;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "driver/linear/linear_system.hpp"
 #include "driver/linear/springs/tip_window.hpp"
 #include "driver/model/model.hpp"
+#include "driver/solvers/damage_watch.hpp"
 #include "driver/solvers/spring_tangent.hpp"
 
 namespace pd::test {
@@ -336,6 +337,24 @@ TEST_P(HealedSprings, AreSolvedWithACoarseLevelOfTheBondsThatThereAre) {
     EXPECT_EQ(report.iterations, fresh.iterations);
     breakBonds();
   }
+}
+
+TEST_P(Springs, SumOfBondDamageIsThatOfAllBondsAfterBreakageAndWhenItIsTakenBack) {
+  BondDamageSum sum;
+  const auto ofAll = [&] {
+    const int id = PeridigmNS::FieldManager::self().getFieldId("Bond_Damage");
+    const auto damage = model_.blocks()->front().getData(id, PeridigmNS::PeridigmField::STEP_NP1);
+    double all = 0.0;
+    for (int bond = 0; bond < damage->MyLength(); ++bond) all += (*damage)[bond];
+    return world().sum(all);
+  };
+  EXPECT_EQ(sum.of(model_), ofAll());
+  breakBondsOf(4);
+  EXPECT_EQ(sum.of(model_), ofAll());
+  breakBondsOfACrack();
+  EXPECT_EQ(sum.of(model_), ofAll());
+  healBonds();
+  EXPECT_EQ(sum.of(model_), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, HealedSprings,

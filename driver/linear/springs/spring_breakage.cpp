@@ -129,25 +129,35 @@ float SpringNetwork::aliveTo(int point, int neighbor) const {
   return alive(point, static_cast<int>(std::lower_bound(neighbors(point), end, neighbor) - neighbors(point)));
 }
 
-/// A crack breaks the same bonds of one point and the next: what a loop can take away by vectors is kept so.
+/// A crack breaks the same bonds of one point and the next: what a loop can take away by vectors is kept so. Most bonds
+/// of damaged points are whole: which are not is found once, and lies side by side for each neighbour.
 void SpringNetwork::correctRun(const SpringRun& run, int first, int last) {
   const SpringPattern& pattern = patterns_[static_cast<std::size_t>(run.pattern)];
-  for (std::size_t k = 0; k < pattern.offsets.size(); ++k) {
+  const std::size_t n = static_cast<std::size_t>(last - first), nNeighbors = pattern.offsets.size();
+  std::vector<char> isDamagedBond(n * nNeighbors);
+  for (std::size_t p = 0; p < n; ++p) {
+    const std::vector<float>& own = aliveOfPoint_[static_cast<std::size_t>(first) + p];
+    for (std::size_t k = 0; k < nNeighbors; ++k) isDamagedBond[k * n + p] = own[k] != 1.0F ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < nNeighbors; ++k) {
     if (!pattern.constants[k].acts()) continue;
     const int offset = pattern.offsets[k];
     const auto isBroken = [&](int i) {
       return offset > 0 && alive(i, static_cast<int>(k)) == 0.0F && isComplete(i + offset);
     };
-    for (int i = first; i < last;) {
+    const auto bonds = isDamagedBond.begin() + static_cast<std::ptrdiff_t>(k * n), none = bonds + (last - first);
+    for (auto bond = std::find(bonds, none, 1); bond != none; bond = std::find(bond, none, 1)) {
+      const int i = first + static_cast<int>(bond - bonds);
       int end = i;
       while (end < last && isBroken(end)) ++end;
       if (end - i >= shortestStretch) {
         brokenStretches_.push_back({i, end - i, run.pattern, static_cast<int>(k)});
-        i = end;
-        continue;
+      } else {
+        end = std::max(end, i + 1);
+        for (int point = i; point < end; ++point)
+          addCorrection(point, point + offset, alive(point, static_cast<int>(k)), pattern.constants[k]);
       }
-      for (end = std::max(end, i + 1); i < end; ++i)
-        addCorrection(i, i + offset, alive(i, static_cast<int>(k)), pattern.constants[k]);
+      bond += end - i;
     }
   }
 }

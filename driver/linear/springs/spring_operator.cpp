@@ -238,16 +238,17 @@ void SpringOperator::updateResponses(const std::vector<int>& changed, const Poin
 /// `otherHasChanged` [nPoints] of ghosts and images; empty: none.
 std::vector<int> SpringOperator::pointsThatFeel(const std::vector<int>& changed,
                                                 const std::vector<char>& otherHasChanged) const {
-  const std::vector<char> isAround = network_.around(changed);
-  std::vector<int> felt;
-  for (int i = 0; i < network_.points().nOwned; ++i) {
+  std::vector<char> feels = network_.around(changed);
+  const int nOwned = network_.points().nOwned;
+  for (int i = 0; i < nOwned && !otherHasChanged.empty(); ++i) {
     const int *first = network_.neighbors(i), *last = first + network_.nNeighbors(i);
-    bool feels = isAround[static_cast<std::size_t>(i)] != 0;
-    if (!otherHasChanged.empty() && first != last && last[-1] >= network_.points().nOwned)
-      feels =
-          feels || std::any_of(first, last, [&](int j) { return otherHasChanged[static_cast<std::size_t>(j)] != 0; });
-    if (feels) felt.push_back(i);
+    if (first == last || last[-1] < nOwned || feels[static_cast<std::size_t>(i)] != 0) continue;
+    feels[static_cast<std::size_t>(i)] =
+        std::any_of(first, last, [&](int j) { return otherHasChanged[static_cast<std::size_t>(j)] != 0; }) ? 1 : 0;
   }
+  std::vector<int> felt;
+  for (int i = 0; i < nOwned; ++i)
+    if (feels[static_cast<std::size_t>(i)] != 0) felt.push_back(i);
   return felt;
 }
 

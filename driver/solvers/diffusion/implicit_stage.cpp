@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "../damage_watch.hpp"
 #include "scalar_unknown.hpp"
 
 namespace pd {
@@ -45,7 +44,7 @@ void ImplicitStage::begin(Simulation& simulation, const std::string& field) {
   bool hasChanged = simulation.model.comm().any(isHeld != isHeld_);
   isHeld_ = isHeld;
   if (simulation.model.hasDamage()) {
-    const double bondDamage = totalBondDamage(simulation.model);
+    const double bondDamage = bondDamageSum_.of(simulation.model);
     hasChanged = hasChanged || bondDamage != bondDamage_;
     bondDamage_ = bondDamage;
   }

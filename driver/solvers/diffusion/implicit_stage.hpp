@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../linear/linear_system.hpp"
+#include "../damage_watch.hpp"
 #include "rate_integrator.hpp"
 #include "scalar_rate.hpp"
 
@@ -46,7 +47,8 @@ class ImplicitStage {
   std::unique_ptr<LinearSystem> system_;
   std::vector<char> isHeld_;  ///< [nPoints]
   bool hasMatrix_ = false;
-  double matrixStep_ = 0.0;   ///< s; 0: none yet
+  double matrixStep_ = 0.0;  ///< s; 0: none yet
+  BondDamageSum bondDamageSum_;
   double bondDamage_ = -1.0;  ///< sum over all bonds when the matrix was made; negative: not known
   double stiffness_ = 0.0;    ///< norm of the diagonal of the matrix
   std::vector<double> residual_, step_;

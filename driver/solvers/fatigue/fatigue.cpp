@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "../damage_watch.hpp"
 #include "../mechanics.hpp"
 
 namespace pd {
@@ -110,7 +109,7 @@ bool Fatigue::passCycles(Simulation& simulation, double cycles) {
   Model& model = simulation.model;
   *model.field(fields_.cycles) = cycles;
   model.evaluateDamage(cycles);
-  return totalBondDamage(model) > bondDamage_ * (1.0 + 1e-12);
+  return bondDamageSum_.of(model) > bondDamage_ * (1.0 + 1e-12);
 }
 
 /// Whether the load breaks bonds in its first cycle.
@@ -140,7 +139,7 @@ void Fatigue::noteBreakage(Simulation& simulation, double t) {
   Model& model = simulation.model;
   const double *damage = model.field("Damage"), *before = model.fieldAtN("Damage");
   double* first = model.field(fields_.firstBreak);
-  const double after = totalBondDamage(model);
+  const double after = bondDamageSum_.of(model);
   nBroken_ += std::llround(0.5 * (after - bondDamage_));
   bondDamage_ = after;
   ++nEvents_;
@@ -192,7 +191,7 @@ void Fatigue::settle(Simulation& simulation, double t, bool fromRest) {
 }
 
 void Fatigue::start(Simulation& simulation, double t) {
-  bondDamage_ = totalBondDamage(simulation.model);
+  bondDamage_ = bondDamageSum_.of(simulation.model);
   nLoadedParts_ = equilibrium_.countLoadedParts(simulation, t);
   *simulation.model.field(fields_.peak) = control_.setsLoad() ? 0.0 : loads_.at(t).peak;
   settle(simulation, t, true);

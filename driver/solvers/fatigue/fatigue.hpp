@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../damage_watch.hpp"
 #include "../event_solver.hpp"
 #include "crack_control.hpp"
 #include "cycle_fields.hpp"
@@ -86,6 +87,7 @@ class Fatigue : public EventSolver {
   bool ratesAreKnown_ = false;     ///< Life_Loss_Rate is that of the present strains and loads
   bool hasBrokenOutside_ = false;  ///< at once, at strains that were estimates
   int nLoadedParts_ = 0;
+  BondDamageSum bondDamageSum_;
   double bondDamage_ = 0.0;  ///< sum over all bonds
   double firstBreak_ = 0.0;  ///< cycles
   std::array<double, 3> firstPlace_{};
