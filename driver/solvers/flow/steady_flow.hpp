@@ -60,6 +60,7 @@ class SteadyFlow : public Solver {
                                const std::vector<double>& rightSide, std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
+  bool isStokesFlowFound(const Communicator& comm, double normBefore) const;
   double scaleOfSpeed() const;
   void takeUpSpeed();
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
