@@ -113,7 +113,8 @@ void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
   const std::string trouble =
       loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
   if (!trouble.empty())
-    throw RunError(fmt::format("QuasiStatic: load step {} (t = {:.6g} s): {}", loadStep_, t, trouble));
+    throw RunError(fmt::format("QuasiStatic: load step {} (t = {:.6g} s): {}; {}", loadStep_, t, trouble,
+                               remedyOfLoadsNothingHolds));
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
