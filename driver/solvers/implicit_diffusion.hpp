@@ -37,6 +37,10 @@ class ImplicitDiffusion : public Solver {
   }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
+  RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
+  void setRestartState(const RestartState& state) override {
+    nLoadSteps_ = static_cast<long long>(state["load steps"]);
+  }
 
  private:
   struct Balance {

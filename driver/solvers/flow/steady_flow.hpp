@@ -46,6 +46,10 @@ class SteadyFlow : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   void checkpointWritten() override { mustRenew_ = true; }
+  RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
+  void setRestartState(const RestartState& state) override {
+    nLoadSteps_ = static_cast<long long>(state["load steps"]);
+  }
 
  private:
   void takeUpPhases(Simulation& simulation);
