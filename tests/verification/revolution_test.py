@@ -9,7 +9,8 @@ from scipy.sparse.linalg import splu
 from scipy.special import jn_zeros
 
 sys.path[:0] = [sys.path[0] + "/../support", sys.path[0]]
-from corrosion_scene import HORIZON, SPACING, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
+from corrosion_scene import (HALF_A_FILM, HORIZON, SPACING, STEEL, CorrosionTest, corrosion_deck,  # noqa: E402
+                             front_speed)
 from corrosion_test import SALTED_STEEL  # noqa: E402
 from flow_scene import RATIO  # noqa: E402
 from scene import SceneTest  # noqa: E402
@@ -303,6 +304,17 @@ class Wire(CorrosionTest):
             self.check_speed(result)
             self.assertAlmostEqual(np.sum(result.field("Volume")), np.pi * (18 * SPACING)**2 * 6 * SPACING,
                                    delta=1e-9 * SPACING**3)
+
+    def test_twice_the_current_under_half_a_film_is_the_same(self):
+        for inside in (False, True):
+            bare = self.solve(self.deck(inside=inside))
+            deck = self.deck(inside=inside)
+            deck["Materials"]["Metal"]["Current Density"] = repr(2 * float(self.metal["Current Density"]))
+            deck["Boundary Conditions"] |= HALF_A_FILM
+            result = self.solve(deck)
+            self.check(result, self.metal)
+            for label in ("Damage", "Concentration"):
+                np.testing.assert_allclose(result.field(label), bare.field(label), rtol=1e-9, atol=1e-6)
 
     def test_a_bore_grows_at_it(self):
         result = self.solve(self.deck(inside=True))
