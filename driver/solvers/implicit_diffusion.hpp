@@ -8,6 +8,7 @@
 
 #include "../linear/linear_system.hpp"
 #include "diffusion/scalar_fields.hpp"
+#include "flow_fields.hpp"
 #include "linear_solver_settings.hpp"
 #include "load_steps.hpp"
 #include "solver.hpp"
@@ -25,7 +26,12 @@ class ImplicitDiffusion : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit ImplicitDiffusion(const Teuchos::ParameterList& given);
 
-  using Fields = ScalarFields;
+  struct Fields : ScalarFields {
+    FieldHandle limitedAt;
+    explicit Fields(const Teuchos::ParameterList& parameters) : ScalarFields(parameters) {
+      limitedAt = writes(pd::fields::limitedAt(parameters.get<std::string>("Field")));
+    }
+  };
   const Fields& fields() const override { return fields_; }
   /// Throws RunError where no material of the run gives a flux divergence of the field.
   double leastSteps(double t0, double t1) const override { return loadSteps_.count(t0, t1); }
@@ -48,7 +54,11 @@ class ImplicitDiffusion : public Solver {
   };
   void findHeldPoints(Simulation& simulation);
   void requireNoFluxOutOfReach(Simulation& simulation, double t) const;
+  void evaluateFlux(Model& model, double dt);
   Balance evaluate(Simulation& simulation, double dt);
+  bool keepsToLimits(Simulation& simulation, double dt, double target);
+  [[noreturn]] void giveUp(Simulation& simulation, double t, int iterations, const Balance& balance,
+                           double target) const;
   void assemble(Simulation& simulation, double dt);
   void solveLinear(Simulation& simulation, double tolerance);
   double largestValue(Simulation& simulation) const;
@@ -65,10 +75,14 @@ class ImplicitDiffusion : public Solver {
   std::vector<char> isPrescribed_, isHeld_;  ///< [points] isHeld_: prescribed, or out of reach
   double bondDamage_ = -1.0;                 ///< sum over all bonds when isHeld_ was found
   bool hasMatrix_ = false;
+  /// Slopes of what a flow carries are limited at other values than the present ones, and how often these have been
+  /// moved in a load step.
+  bool holdsLimits_ = false;
+  int nHolds_ = 0;
   double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
   std::vector<double> residual_, step_;  ///< [nOwned]
   long long nLoadSteps_ = 0, nSolves_ = 0, nLinearIterations_ = 0, nMatrices_ = 0, nOutOfReach_ = 0;
-  double largestResidual_ = 0.0;
+  double largestResidual_ = 0.0, largestByLimits_ = 0.0;  ///< relative
 };
 
 }  // namespace pd

@@ -250,6 +250,25 @@ class Scalars(OfRevolution):
             self.assertAlmostEqual(sherwood / np.interp(place, x, exact), 1.0, delta=0.03)
         self.assertAlmostEqual(sherwood / 3.657, 1.0, delta=0.03)
 
+    def test_a_thin_layer_on_few_points_has_a_steady_state(self):
+        # At Peclet number 1000 on 5 points kinks of the limits lead Newton's method to and fro.
+        spacing, length, pe = 0.2, 8.0, 1000.0
+        points = half_section(length, 1.0, spacing)
+        self.write_mesh(points, spacing**2)
+        result = self.solve(self.pipe(spacing, length, 2 / pe))
+        self.assertIn("limits of slopes were held", " ".join(result.report["solver"]))
+        c, v, volume = result.field("Concentration"), result.field("Velocity")[:, 0], result.field("Volume")
+        rate, fluid = result.field("Concentration_Flux_Divergence"), result.field("Fluid") == 1
+        self.assertLess(abs(np.sum(rate * volume)) / np.sum(np.abs(rate * volume)), 1e-12)
+        self.assertLess(np.sum((np.abs(rate) * volume)[fluid]) / np.sum((np.abs(rate) * volume)[~fluid]), 1e-8)
+        self.assertGreater(np.min(c[fluid]), -1e-5)
+        self.assertLess(np.max(c[fluid]), 1 + 1e-5)
+        x, _, exact = self.graetz(pe, length)
+        here = np.abs(points[:, 0] - 6.1) < 0.51 * spacing / 2
+        mean = np.sum((c * v * volume)[here & fluid]) / np.sum((v * volume)[here & fluid])
+        flux = np.sum((rate * volume)[here & (points[:, 1] > 1)]) / (2 * np.pi * spacing)
+        self.assertAlmostEqual(2 * flux / (2 / pe * mean) / np.interp(6.1, x, exact), 1.0, delta=0.1)  # the layer: a spacing
+
     def test_constants_stay_constant(self):
         spacing, length = 0.1, 2.0
         points = half_section(length, 1.0, spacing, jitter=0.1)
