@@ -392,12 +392,16 @@ double FlowEquations::largestSpeed() const {
 }
 
 double FlowEquations::scaleOfSpeed() const {
+  return std::max({largestSpeed(), rows_.jumps.largestVelocity, speedOfRounding()});
+}
+
+double FlowEquations::speedOfRounding() const {
   constexpr double rounded = 1e-6;  // a flow that p drives over a thousand spacings is a hundred times as fast
   const double* pressure = model_.field("Pressure");
   double largest = 0.0;
   for (const int point : geometry_.fluid())
     largest = std::max(largest, rounded * std::abs(pressure[point]) * geometry_.spacingOf(point) / viscosity_);
-  return std::max({largestSpeed(), rows_.jumps.largestVelocity, model_.comm().max(largest)});
+  return model_.comm().max(largest);
 }
 
 double FlowEquations::largestCellReynolds() const {

@@ -80,6 +80,7 @@ class FlowEquations {
   double largestSpeed() const;  ///< of fluid points, all ranks, m/s
   /// Of fluid, walls and inlets, and no less than what rounding of the pressures makes of a fluid at rest, m/s.
   double scaleOfSpeed() const;
+  double speedOfRounding() const;      ///< that of the pressures alone, m/s
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
   /// Largest net flow into a closed pocket, over its largest velocity times its width. All ranks.
   double largestNetFlow() const;

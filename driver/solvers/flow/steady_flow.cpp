@@ -25,7 +25,7 @@ constexpr double enoughOfTolerance = 0.2;
 constexpr double leastChangePerResidual = 0.1;
 /// Velocities below this part of the fastest flow's so far are rounding of a fluid at rest.
 constexpr double restingPart = 1e-12;
-/// Of what velocities of a fluid at rest are measured by (FlowEquations::scaleOfSpeed): rounding of its pressures
+/// Of what velocities of a fluid at rest are measured by (FlowEquations::speedOfRounding): rounding of its pressures
 /// changes them by some 3e-10 of that with every step, on 5 points across as on 40.
 constexpr double leastRestTolerance = 1e-8;
 /// With a factor of the very matrix.
@@ -256,6 +256,9 @@ bool SteadyFlow::isStokesFlowFound(const Communicator& comm, double normBefore) 
 /// What velocities and their changes are measured by, m/s: a fluid that comes to rest has no speed of its own.
 double SteadyFlow::scaleOfSpeed() const { return std::max(equations_->scaleOfSpeed(), restingPart * fastest_); }
 
+/// Velocities below it are rounding, m/s.
+double SteadyFlow::restingSpeed() const { return std::max(equations_->speedOfRounding(), restingPart * fastest_); }
+
 void SteadyFlow::takeUpSpeed() {
   const double speed = equations_->scaleOfSpeed();
   fastest_ = std::max(fastest_, speed);
@@ -290,7 +293,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     equations_->setTime(t + dt);
   }
   const double speed = equations_->largestSpeed();
-  bool isStokes = speed == 0.0 || speed < scaleOfSpeed(), hasWholeStep = false;
+  bool isStokes = speed == 0.0 || speed < restingSpeed(), hasWholeStep = false;
   isStokes ? equations_->comeToRest() : equations_->followOutflows(pressureBefore);
   if (hasFactor_) {
     const Timers::Scope timer(model.timers(), "flow factor");
@@ -320,8 +323,9 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     relativeChange = changed == 0.0 ? 0.0 : part * changed / largest;
     if (!isStokes && relativeChange > tolerance_) changePerResidual_ = std::max(changePerResidual_, changed / norm);
     // A fluid at rest has residuals of rounding alone, which no step lessens.
-    const bool isAtRest = !isStokes && changed <= std::max(tolerance_, leastRestTolerance) * largest &&
-                          largest > equations_->largestSpeed();
+    const double speedNow = equations_->largestSpeed();
+    const double enough = speedNow < restingSpeed() ? std::max(tolerance_, leastRestTolerance) : tolerance_;
+    const bool isAtRest = !isStokes && changed <= enough * largest && largest > speedNow;
     if (isAtRest || (hasWholeStep && relativeChange <= tolerance_)) break;
     isStokes = isStokes && !isStokesFlowFound(model.comm(), norm);
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");

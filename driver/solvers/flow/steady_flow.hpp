@@ -66,6 +66,7 @@ class SteadyFlow : public Solver {
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
   bool isStokesFlowFound(const Communicator& comm, double normBefore) const;
   double scaleOfSpeed() const;
+  double restingSpeed() const;
   void takeUpSpeed();
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
 
