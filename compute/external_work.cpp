@@ -3,8 +3,9 @@
 // At points whose displacement is prescribed the load is the reaction, minus the internal force density; elsewhere it
 // is External_Force_Density, which a host with body forces fills. The work between two evaluations is the mean of the
 // loads at both, times the displacement in between (trapezoidal rule), so evaluate it in every increment if the load
-// bends sharply. Evaluating it twice in one state adds nothing. The state of the last evaluation is kept in fields, so
-// that it survives a restart.
+// bends sharply. Evaluating it twice in one state adds nothing. What is displaced before any force answers, as grips
+// are whose displacement does not begin at zero, does its work up to the first force. The state of the last evaluation
+// is kept in fields, so that it survives a restart.
 #include "needs_loads.hpp"
 #include "plugins.hpp"
 #include "point_selection.hpp"
@@ -66,6 +67,7 @@ int ExternalWork::compute(Blocks blocks) const {
       const bool isHeld = !held_.isAll() && held_.includes(b, i);
       for (int k = 3 * id; k < 3 * id + 3; ++k) {
         const double load = isHeld ? -force[k] : external[k];
+        if (isHeld && load == 0.0 && lastLoad[k] == 0.0) continue;
         work += 0.5 * (load + lastLoad[k]) * (displacement[k] - lastDisplacement[k]) * volume[id];
         lastDisplacement[k] = displacement[k];
         lastLoad[k] = load;

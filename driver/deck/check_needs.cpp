@@ -83,6 +83,7 @@ class NeedCheck {
         dissolution(block, *metal);
     carriedScalars();
     loadedBlocksFollowPhases();
+    keysOfFields();
     densities();
     if (mistakes_.lines().size() > before) return;
     for (const SolverPart& solver : parts_.solvers)
@@ -175,6 +176,26 @@ class NeedCheck {
     add("the damage model", pluginsWith(DamageModelRegistry::self(), gives));
     add("the solver", pluginsWith(SolverRegistry::self(), gives));
     return text.empty() ? "let a solver advance it, or a condition set it" : "given by " + text;
+  }
+
+  /// Keys that say more of a field which nothing gives.
+  void keysOfFields() {
+    std::set<std::string> told;
+    const auto look = [&](const RunPart& part, const auto& registry) {
+      const auto* plugin = registry.find(part.plugin);
+      if (plugin == nullptr) return;
+      const ParameterDeclarations declarations = plugin->declare();
+      for (const Parameter& parameter : declarations.parameters()) {
+        const DeckNode key = part.node[parameter.name];
+        if (parameter.field.empty() || !key || isGiven(parameter.field) || !told.insert(key.path()).second) continue;
+        mistakes_.add(key.keyPlace(), key.path() + " does nothing, since nothing in this deck gives \"" +
+                                          parameter.field + "\"; let a condition set it, or leave this key out");
+      }
+    };
+    for (const BlockParts& block : parts_.blocks) {
+      for (const RunPart& part : block.materials) look(part, MaterialRegistry::self());
+      for (const RunPart& part : block.damageModels) look(part, DamageModelRegistry::self());
+    }
   }
 
   void densities() {

@@ -55,14 +55,11 @@ class ReferenceCheck {
 
   /// A name or a list of them.
   void refersTo(const DeckNode& names, const std::string& section) {
-    std::vector<std::string> known, seen;
+    std::vector<std::string> known;
     for (const auto& entry : deck_[section].entries()) known.push_back(entry.first);
     if (names.isSequence() && names.items().empty())
       mistakes_.add(names.place(), names.path() + " is empty; name an entry of " + section);
     for (const DeckNode& value : names.each()) {
-      if (std::find(seen.begin(), seen.end(), value.text()) != seen.end())
-        mistakes_.add(value.place(), value.path() + ": \"" + value.text() + "\" is in the list already");
-      seen.push_back(value.text());
       if (std::find(known.begin(), known.end(), value.text()) != known.end()) continue;
       mistakes_.add(value.place(), value.path() + ": there is no \"" + value.text() + "\" in " + section +
                                        didYouMean(value.text(), known) +

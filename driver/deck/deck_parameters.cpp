@@ -220,6 +220,12 @@ class SectionReader {
     if (static_cast<std::size_t>(texts.size()) == value.items().size()) list_.set(parameter.name, texts);
   }
 
+  bool isNew(const DeckNode& item, const Teuchos::Array<std::string>& names) {
+    const bool isTwice = std::find(names.begin(), names.end(), item.text()) != names.end();
+    if (isTwice) mistakes_.add(item.place(), item.path() + ": \"" + item.text() + "\" is in the list already");
+    return !isTwice;
+  }
+
   /// A list of names, or Peridigm's map {name: true}.
   void texts(const DeckNode& value, const Parameter& parameter) {
     Parameter one = parameter;
@@ -236,7 +242,8 @@ class SectionReader {
     } else if (isList(value, parameter)) {
       const auto isName = [](const std::string& text) { return !text.empty(); };
       for (const DeckNode& item : value.items())
-        if (isWritten(item, one, isName, true) && isAllowed(item, one, item.text())) names.push_back(item.text());
+        if (isWritten(item, one, isName, true) && isAllowed(item, one, item.text()) && isNew(item, names))
+          names.push_back(item.text());
     } else {
       return;
     }

@@ -172,42 +172,25 @@ Cell UnresolvedGeometry::cellOf(const double* place, double spacing) const {
   return cell;
 }
 
-/// Ends of cracks are known to some 1e-9 of the length of a side.
-void UnresolvedGeometry::requireEndsOfCracks(double spacing) const {
-  constexpr double most = 1e6;  // spacings
-  for (const Entry& entry : entries_)
-    for (const auto& screen : entry.screens) {
-      const decomposition::Box box = screen->box();
-      for (std::size_t d = 0; entry.isCrack && d < static_cast<std::size_t>(dimension_); ++d)
-        if (!(box.high[d] - box.low[d] <= most * spacing))
-          throw DeckError(
-              fmt::format("{}: {} is {:g} m long, more than {:g} spacings of {:.4g} m, so that its end would be off by "
-                          "rounding; let it end just outside of the body",
-                          entry.node.keyPlace(), entry.node.path(), box.high[d] - box.low[d], most, spacing));
-    }
-}
-
 void UnresolvedGeometry::requireSizes(double spacing) const {
-  requireEndsOfCracks(spacing);
-  constexpr double least = 1e-6;  // of the spacing; of less, rounding makes anything
-  const Entry* first = nullptr;
+  std::string ofVoids;
   std::size_t nSmall = 0;
   for (const Entry& entry : entries_) {
-    const auto isSmall = [&](const auto& v) {
-      const decomposition::Box box = v->box();
-      for (std::size_t d = 0; d < static_cast<std::size_t>(dimension_); ++d)
-        if (!(box.high[d] - box.low[d] >= 2.0 * least * spacing)) return true;
-      return false;
-    };
-    if (std::none_of(entry.voids.begin(), entry.voids.end(), isSmall)) continue;
-    if (++nSmall == 1) first = &entry;
+    const std::string path = entry.node.path() + " ";
+    for (const auto& screen : entry.screens)
+      if (const std::string complaint = decomposition::complaintOfCrack(screen->box(), dimension_, spacing);
+          entry.isCrack && !complaint.empty())
+        throw DeckError(entry.node.keyPlace() + ": " + path + complaint);
+    for (const auto& v : entry.voids) {
+      const std::string complaint = decomposition::complaintOfVoid(v->box(), dimension_, spacing);
+      if (complaint.empty()) continue;
+      if (++nSmall == 1)
+        ofVoids = (entry.inFile.empty() ? entry.node.keyPlace() : entry.inFile) + ": " + path + complaint;
+      break;
+    }
   }
-  if (nSmall == 0) return;
-  throw DeckError(
-      fmt::format("{}: {} is too small: half of its width must be {:g} of the spacing of {:.4g} m or more; "
-                  "leave it out, or see its unit{}",
-                  first->inFile.empty() ? first->node.keyPlace() : first->inFile, first->node.path(), least, spacing,
-                  nSmall == 1 ? "" : fmt::format(" (and of {} more)", nSmall - 1)));
+  if (nSmall > 1) ofVoids += fmt::format(" (and of {} more)", nSmall - 1);
+  if (nSmall > 0) throw DeckError(ofVoids);
 }
 
 void UnresolvedGeometry::leaveOutPoints(MeshPoints& points, NodeSets& nodeSets, std::vector<double>& spacing,

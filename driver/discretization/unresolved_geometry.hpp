@@ -49,7 +49,6 @@ class UnresolvedGeometry {
   GeometryFile readFile(const DeckNode& fileName, const Communicator& comm) const;
   /// Throws DeckError where a void is far smaller than the spacing, or a crack far longer.
   void requireSizes(double spacing) const;
-  void requireEndsOfCracks(double spacing) const;
   void sortIntoBins(const MeshPoints& points, double reach);
   std::array<int, 3> binOf(const double* place) const;
   /// What may be near the cell or the bonds of a point at this place.

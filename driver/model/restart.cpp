@@ -90,6 +90,13 @@ std::vector<std::string> Restart::notes() const {
   return lines;
 }
 
+std::string Restart::whatCounts() const {
+  return fmt::format(
+      "after {}: times, iterations, evaluations, solves and their residuals are those since then; steps, events and "
+      "amounts those since the start",
+      name());
+}
+
 bool Restart::isReached(double end, double margin) const {
   return end <= time() + std::max(margin, 4.0 * std::numeric_limits<double>::epsilon() * std::abs(time()));
 }

@@ -23,6 +23,8 @@ class Restart {
   /// What the log is to say of it, after findStage(): step and time, in what the deck differs from the one that wrote
   /// it, and which state the checkpoint does not have.
   std::vector<std::string> notes() const;
+  /// What the report is to say of the numbers that follow.
+  std::string whatCounts() const;
 
   /// Finds the stage that goes on: the one whose times contain that of the checkpoint. A stage that begins at that time
   /// begins as after another stage. Throws RunError with a remedy where there is none, or where it needs what the

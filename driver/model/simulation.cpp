@@ -78,12 +78,16 @@ class Run {
           start = restart->startTime(stage);
         }
       });
+      lastStage_ = s;
       time_ = advance(s, start, done, nSteps);
       if (isOver_) break;
       firstStep_ += nSteps;
     }
     return time_;
   }
+
+  /// The last one that has run: a solver may have found that nothing is left to do.
+  std::size_t lastStage() const { return lastStage_; }
 
  private:
   /// A solver that refuses the run does not know where it is in the deck.
@@ -166,6 +170,7 @@ class Run {
   int firstStep_ = 0;    ///< increments of the stages before, and early ends of increments
   bool isOver_ = false;  ///< a solver has found that nothing is left to do
   double time_ = 0.0;
+  std::size_t lastStage_ = 0;
 };
 
 }  // namespace
@@ -211,12 +216,13 @@ void runDeck(const RunOptions& options, const Communicator& comm) {
     output.begin(resumed->restart.step() + 1, resolved);
   }
 
-  const double end =
-      Run(setup, comm, resolved).execute(resumed ? &resumed->restart : nullptr, resumed ? resumed->stage : 0);
+  Run run(setup, comm, resolved);
+  const double end = run.execute(resumed ? &resumed->restart : nullptr, resumed ? resumed->stage : 0);
 
   std::vector<std::string> summary = notes;
-  for (const Stage& stage : setup.stages)
-    for (const std::string& line : stage.solver->summary()) summary.push_back(line);
+  if (resumed) summary.push_back(resumed->restart.whatCounts());
+  for (std::size_t s = resumed ? resumed->stage : 0; s <= run.lastStage(); ++s)
+    for (const std::string& line : setup.stages[s].solver->summary()) summary.push_back(line);
   output.report(model, summary, setup.errorNorms->evaluate(end));
 }
 

@@ -52,7 +52,8 @@ RestartState AdaptiveDynamicRelaxation::restartState() const {
   return {{"has masses", hasMasses_ ? 1.0 : 0.0},
           {"is moving", isMoving_ ? 1.0 : 0.0},
           {"largest force", largestScale_},
-          {"load steps", static_cast<double>(loadStep_)}};
+          {"load steps", static_cast<double>(loadStep_)},
+          {"rounds after bonds broke", static_cast<double>(nBreakingRounds_)}};
 }
 
 void AdaptiveDynamicRelaxation::setRestartState(const RestartState& state) {
@@ -60,6 +61,7 @@ void AdaptiveDynamicRelaxation::setRestartState(const RestartState& state) {
   isMoving_ = state["is moving"] != 0.0;
   largestScale_ = state["largest force"];
   loadStep_ = static_cast<int>(state["load steps"]);
+  nBreakingRounds_ = static_cast<long long>(state["rounds after bonds broke"]);
 }
 
 void AdaptiveDynamicRelaxation::prepareMasses(Simulation& simulation) {

@@ -70,7 +70,7 @@ void ImplicitDiffusion::findHeldPoints(Simulation& simulation) {
   long long nNew = 1;
   while (nNew > 0) {
     model.importGhosts(field_);
-    model.evaluateFluxDivergence(0.0, fluxField_);
+    evaluateFlux(model, 0.0);
     nNew = 0;
     for (std::size_t i = 0; i < nOwned; ++i) {
       if (values[i] != 0.0 || rate[i] == 0.0) continue;
@@ -129,13 +129,18 @@ void ImplicitDiffusion::requireNoFluxOutOfReach(Simulation& simulation, double t
 
 void ImplicitDiffusion::rehearse(Simulation& simulation, double t, double dt) {
   findHeldPoints(simulation);
-  simulation.model.evaluateFluxDivergence(dt, fluxField_);
+  evaluateFlux(simulation.model, dt);
   requireNoFluxOutOfReach(simulation, t + dt);
+}
+
+void ImplicitDiffusion::evaluateFlux(Model& model, double dt) {
+  if (!holdsLimits_) std::copy_n(model.field(field_), model.nPoints(), model.field(fields_.limitedAt));
+  model.evaluateFluxDivergence(dt, fluxField_);
 }
 
 ImplicitDiffusion::Balance ImplicitDiffusion::evaluate(Simulation& simulation, double dt) {
   Model& model = simulation.model;
-  model.evaluateFluxDivergence(dt, fluxField_);
+  evaluateFlux(model, dt);
   const double *volume = model.field("Volume"), *rate = model.field(fluxField_);
   const auto nOwned = static_cast<std::size_t>(model.nOwned());
   residual_.assign(nOwned, 0.0);
@@ -178,14 +183,51 @@ double ImplicitDiffusion::largestValue(Simulation& simulation) const {
   return simulation.model.comm().max(largest);
 }
 
+/// With limits that are held, of a steady state by these: whether it is one by the limits of its own values, too, or as
+/// near to that as kinks let it come. Otherwise the limits move half way to these, which does not go to and fro.
+bool ImplicitDiffusion::keepsToLimits(Simulation& simulation, double dt, double target) {
+  constexpr int mostHolds = 30;
+  constexpr double nearEnough = 1e-5;
+  Model& model = simulation.model;
+  double* limitedAt = model.field(fields_.limitedAt);
+  const double* values = model.field(field_);
+  const std::vector<double> before(limitedAt, limitedAt + model.nPoints());
+  holdsLimits_ = false;
+  const Balance own = evaluate(simulation, dt);
+  const bool isOver = own.free <= target || (++nHolds_ > mostHolds && own.free <= nearEnough * own.held);
+  if (isOver) largestByLimits_ = std::max(largestByLimits_, own.free / own.held);
+  holdsLimits_ = true;
+  for (std::size_t i = 0; i < before.size(); ++i) limitedAt[i] = isOver ? before[i] : 0.5 * (before[i] + values[i]);
+  if (isOver) evaluate(simulation, dt);  // of these limits, which conserve what flows
+  return isOver;
+}
+
+void ImplicitDiffusion::giveUp(Simulation& simulation, double t, int iterations, const Balance& balance,
+                               double target) const {
+  const double held = std::max(balance.held, std::numeric_limits<double>::min());
+  throw RunError(fmt::format(
+      "ImplicitDiffusion: load step {} (t = {:.6g} s): no steady state: what flows into free points is {:.3g} of what "
+      "flows into prescribed ones after {} iterations, asked for {:.3g} ({}, {}). Allow more iterations (Maximum "
+      "Solver Iterations), or try another Linear Solver or Preconditioner{}",
+      nLoadSteps_, t, balance.free / held, iterations, target / held, linear_.method, linear_.preconditioner,
+      rateIsAsymmetric(simulation.model, field_)
+          ? "; where a material Advection Diffusion has Scheme: Limited, whose kinks may keep Newton's method from it, "
+            "take \"Scheme: Upwind Biased\""
+          : ""));
+}
+
 void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
+  constexpr int iterationsAtKinks = 40;  // Newton's method rarely takes more where kinks do not lead it to and fro
   Model& model = simulation.model;
   requireFlow(model, field_, "ImplicitDiffusion");
   ++nLoadSteps_;
   simulation.conditions.applyPrescribedValue(field_, t + dt);
   model.importGhosts(field_);
   findHeldPoints(simulation);
+  const bool isCarried = rateIsAsymmetric(model, field_);
   bool matrixIsNew = false;
+  holdsLimits_ = false;
+  nHolds_ = 0;
   double before = std::numeric_limits<double>::infinity(), part = 1.0;
   for (int iteration = 0;; ++iteration) {
     const Balance balance = evaluate(simulation, dt);
@@ -198,27 +240,27 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
     const double target = std::max({relativeTolerance_ * balance.held, absoluteTolerance_, roundOff});
     const double relative = balance.free / std::max(balance.held, std::numeric_limits<double>::min());
     if (balance.free <= target) {
+      if (holdsLimits_ && !keepsToLimits(simulation, dt, target)) {
+        hasMatrix_ = false;
+        continue;
+      }
       if (balance.free > roundOff) largestResidual_ = std::max(largestResidual_, relative);
       break;
     }
     if (iteration == maximumIterations_ || !std::isfinite(balance.free))
-      throw RunError(fmt::format(
-          "ImplicitDiffusion: load step {} (t = {:.6g} s): no steady state: what flows into free points is {:.3g} of "
-          "what flows into prescribed ones after {} iterations, asked for {:.3g} ({}, {}). Allow more iterations "
-          "(Maximum Solver Iterations), or try another Linear Solver or Preconditioner{}",
-          nLoadSteps_, t + dt, relative, iteration, target / std::max(balance.held, std::numeric_limits<double>::min()),
-          linear_.method, linear_.preconditioner,
-          rateIsAsymmetric(model, field_)
-              ? "; where a material Advection Diffusion has Scheme: Limited, whose kinks may "
-                "keep Newton's method from it, take \"Scheme: Upwind Biased\""
-              : ""));
+      giveUp(simulation, t + dt, iteration, balance, target);
+    if (isCarried && !holdsLimits_ && iteration >= iterationsAtKinks) {
+      holdsLimits_ = true;
+      hasMatrix_ = false;
+      continue;
+    }
     // A flux that is not linear in the field needs the matrix of the present values.
     if (balance.free > 0.1 * before && !matrixIsNew) {
       assemble(simulation, dt);
       matrixIsNew = true;
     }
     // Fluxes with kinks may lead to and fro: then what lies between is better.
-    part = !(balance.free > 0.5 * before) ? std::min(1.0, 2.0 * part) : std::max(0.25, 0.7 * part);
+    part = holdsLimits_ ? 1.0 : !(balance.free > 0.5 * before) ? std::min(1.0, 2.0 * part) : std::max(0.25, 0.7 * part);
     before = balance.free;
     solveLinear(simulation, std::clamp(0.5 * target / balance.free, 1e-13, 0.5));
     double* values = model.field(field_);
@@ -232,11 +274,17 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
 }
 
 std::vector<std::string> ImplicitDiffusion::summary() const {
-  return {fmt::format(
+  std::vector<std::string> lines{fmt::format(
       "ImplicitDiffusion of {}: {} load steps, {} linear solves ({}{}), {} iterations, {} matrices; largest residual "
       "above rounding, relative to what flows into prescribed points {:.3g}",
       field_, nLoadSteps_, nSolves_, linear_.method, linear_.method == "Direct" ? "" : ", " + linear_.preconditioner,
       nLinearIterations_, nMatrices_, largestResidual_)};
+  if (largestByLimits_ > 0.0)
+    lines.push_back(fmt::format(
+        "ImplicitDiffusion of {}: limits of slopes were held, which kinks led to and fro; by those of the values "
+        "themselves that residual is {:.3g}",
+        field_, largestByLimits_));
+  return lines;
 }
 
 PD_REGISTER_SOLVER(ImplicitDiffusion, "ImplicitDiffusion", "Steady state of a diffusing scalar, load step by load step")

@@ -9,6 +9,7 @@
 #include "../linear/linear_system.hpp"
 #include "damage_watch.hpp"
 #include "diffusion/scalar_fields.hpp"
+#include "flow_fields.hpp"
 #include "linear_solver_settings.hpp"
 #include "load_steps.hpp"
 #include "solver.hpp"
@@ -26,7 +27,12 @@ class ImplicitDiffusion : public Solver {
   static void declareParameters(ParameterDeclarations& declare);
   explicit ImplicitDiffusion(const Teuchos::ParameterList& given);
 
-  using Fields = ScalarFields;
+  struct Fields : ScalarFields {
+    FieldHandle limitedAt;
+    explicit Fields(const Teuchos::ParameterList& parameters) : ScalarFields(parameters) {
+      limitedAt = writes(pd::fields::limitedAt(parameters.get<std::string>("Field")));
+    }
+  };
   const Fields& fields() const override { return fields_; }
   /// Throws RunError where no material of the run gives a flux divergence of the field.
   double leastSteps(double t0, double t1) const override { return loadSteps_.count(t0, t1); }
@@ -38,6 +44,10 @@ class ImplicitDiffusion : public Solver {
   }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
+  RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
+  void setRestartState(const RestartState& state) override {
+    nLoadSteps_ = static_cast<long long>(state["load steps"]);
+  }
 
  private:
   struct Balance {
@@ -45,7 +55,11 @@ class ImplicitDiffusion : public Solver {
   };
   void findHeldPoints(Simulation& simulation);
   void requireNoFluxOutOfReach(Simulation& simulation, double t) const;
+  void evaluateFlux(Model& model, double dt);
   Balance evaluate(Simulation& simulation, double dt);
+  bool keepsToLimits(Simulation& simulation, double dt, double target);
+  [[noreturn]] void giveUp(Simulation& simulation, double t, int iterations, const Balance& balance,
+                           double target) const;
   void assemble(Simulation& simulation, double dt);
   void solveLinear(Simulation& simulation, double tolerance);
   double largestValue(Simulation& simulation) const;
@@ -63,10 +77,14 @@ class ImplicitDiffusion : public Solver {
   BondDamageSum bondDamageSum_;
   double bondDamage_ = -1.0;  ///< sum over all bonds when isHeld_ was found
   bool hasMatrix_ = false;
+  /// Slopes of what a flow carries are limited at other values than the present ones, and how often these have been
+  /// moved in a load step.
+  bool holdsLimits_ = false;
+  int nHolds_ = 0;
   double stiffness_ = 0.0;               ///< norm of the diagonal of the matrix over free points
   std::vector<double> residual_, step_;  ///< [nOwned]
   long long nLoadSteps_ = 0, nSolves_ = 0, nLinearIterations_ = 0, nMatrices_ = 0, nOutOfReach_ = 0;
-  double largestResidual_ = 0.0;
+  double largestResidual_ = 0.0, largestByLimits_ = 0.0;  ///< relative
 };
 
 }  // namespace pd

@@ -102,8 +102,7 @@ std::string loadsThatNothingHolds(Model& model, const HeldInPlace& held, const s
       most < nParts ? messageOf(held.parts[most], largest)
                     : fmt::format("forces of {:.4g} N in all on points without bonds, {} N together", ofPointsAlone,
                                   vectorText({sums[alone], sums[alone + 1], sums[alone + 2]}));
-  return "nothing holds the body against its loads: there is " + what +
-         " that no prescribed displacement carries. Prescribe displacements there, or take the load away";
+  return "nothing holds the body against its loads: no prescribed displacement carries " + what;
 }
 
 }  // namespace pd

@@ -45,12 +45,14 @@ struct HeldInPlace {
 /// below 1 carries force. Collective.
 HeldInPlace findLooseParts(Model& model, const std::vector<char>& isPrescribed);
 
-/// Loads that push parts along motions which nothing but findLooseParts() holds, as what a run must not do: the force
+/// Loads that push parts along motions which nothing but findLooseParts() holds, as what is wrong with them: the force
 /// and the moment on the part that carries most, where all such loads together are more than 1e-3 of all loads, or of
 /// `scale` (N, of the run so far) where that is more. Empty where they are not. `isPrescribed` as there, `forceDensity`
 /// [3 nOwned], N/m3. Collective.
 std::string loadsThatNothingHolds(Model& model, const HeldInPlace& held, const std::vector<char>& isPrescribed,
                                   const std::vector<double>& forceDensity, double scale);
+/// What can be done where a run begins with such.
+constexpr const char* remedyOfLoadsNothingHolds = "prescribe displacements there, or take the load away";
 
 }  // namespace pd
 

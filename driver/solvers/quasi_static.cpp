@@ -112,7 +112,8 @@ void QuasiStatic::requireHeldLoads(Simulation& simulation, double t) const {
   const std::string trouble =
       loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
   if (!trouble.empty())
-    throw RunError(fmt::format("QuasiStatic: load step {} (t = {:.6g} s): {}", loadStep_, t, trouble));
+    throw RunError(fmt::format("QuasiStatic: load step {} (t = {:.6g} s): {}; {}", loadStep_, t, trouble,
+                               remedyOfLoadsNothingHolds));
 }
 
 void QuasiStatic::takeUpBreakage(Simulation& simulation) {
@@ -249,7 +250,10 @@ RestartState QuasiStatic::restartState() const {
           {"largest force", largestScale_},
           {"length of the last load step", lastLength_},
           {"has a tangent", newton_.hasTangent() ? 1.0 : 0.0},
-          {"bond damage", bondDamage_}};
+          {"bond damage", bondDamage_},
+          {"further equilibria", static_cast<double>(nPasses_)},
+          {"most of them in a load step", static_cast<double>(mostPasses_)},
+          {"halved load steps", static_cast<double>(nHalvings_)}};
 }
 
 void QuasiStatic::setRestartState(const RestartState& state) {
@@ -258,6 +262,9 @@ void QuasiStatic::setRestartState(const RestartState& state) {
   lastLength_ = state["length of the last load step"];
   mustRestoreTangent_ = state["has a tangent"] != 0.0;
   bondDamage_ = state["bond damage"];
+  nPasses_ = static_cast<long long>(state["further equilibria"]);
+  mostPasses_ = static_cast<long long>(state["most of them in a load step"]);
+  nHalvings_ = static_cast<long long>(state["halved load steps"]);
 }
 
 std::vector<std::string> QuasiStatic::summary() const {

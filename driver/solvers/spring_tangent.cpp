@@ -338,7 +338,7 @@ bool SpringTangent::followDisplacement(double mostError) {
   const double largest = model_.comm().max(largestSize(change_, n));
   if (largest == 0.0) return true;
   // Each sum of a point's springs is off by no more than what rounding makes of the largest displacement.
-  const double error = std::numeric_limits<float>::epsilon() * largest * normOfDiagonal_;
+  const double error = std::numeric_limits<float>::epsilon() * largest * normOfWholeDiagonal_;  // reactions, too
   if (!(error > 0.0 && knownError_ + error <= mostError)) return false;
   knownError_ += error;
   toSinglePrecision(change_, 1.0 / largest);
@@ -445,11 +445,16 @@ double SpringTangent::meanBondMotion(const double* displacement) const {
 
 void SpringTangent::findNormOfDiagonal() {
   const PointVector<double>& diagonal = levels_.diagonal();
-  double sum = 0.0;
+  double free = 0.0, held = 0.0;
   for (int c = 0, at = 0; c < network_.dimension(); at += network_.dimension() - c, ++c)
-    for (int i = 0; i < model_.nOwned(); ++i)
-      if (!stiffness_.isHeld(i, c)) sum += diagonal[at][i] * diagonal[at][i];
-  normOfDiagonal_ = network_.stiffnessUnit() * std::sqrt(model_.comm().sum(sum));
+    for (int i = 0; i < model_.nOwned(); ++i) {
+      const double square = diagonal[at][i] * diagonal[at][i];
+      (stiffness_.isHeld(i, c) ? held : free) += square;
+    }
+  free = model_.comm().sum(free);
+  held = model_.comm().sum(held);
+  normOfDiagonal_ = network_.stiffnessUnit() * std::sqrt(free);
+  normOfWholeDiagonal_ = network_.stiffnessUnit() * std::sqrt(free + held);
 }
 
 }  // namespace pd

@@ -90,8 +90,9 @@ class SpringTangent {
   std::vector<int> stalePoints_;        ///< whose springs or held degrees of freedom the smoother does not know
   std::vector<int> newlyHeld_;          ///< points held since the coarse level was last looked at
   bool bondsAreKnown_ = false, coarseIsCurrent_ = false, mustRebuild_ = true;
-  double normOfDiagonal_ = 0.0;
-  int nChanges_ = 0;  ///< of bonds or held points since the coarse level was made
+  double normOfDiagonal_ = 0.0;       ///< N/m, of what is free to move
+  double normOfWholeDiagonal_ = 0.0;  ///< N/m, with what is held
+  int nChanges_ = 0;                  ///< of bonds or held points since the coarse level was made
   /// Norm of the residual that the last solve was to leave; huge: none with these bonds.
   double expectedRest_ = std::numeric_limits<double>::max();
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new

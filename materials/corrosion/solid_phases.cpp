@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fields.hpp"
+
 namespace pd {
 
 namespace {
@@ -30,9 +32,11 @@ void SolidPhases::declareParameters(ParameterDeclarations& declare) {
                  "Of each of these blocks: a number or an expression as Current Density is.")
       .of({"C", "pH"});
   declare.reals("Phase Solid Concentrations", "mol/m3", "Of each of these blocks; by default Solid Concentration.");
-  declare.reals("Phase Film Shares", "1",
-                "Of each of these blocks: the share, 0 to 1, of a film (Film Coverage) that it bears; by default 1. A "
-                "phase of 0 dissolves as if there were none.");
+  declare
+      .reals("Phase Film Shares", "1",
+             "Of each of these blocks: the share, 0 to 1, of a film (Film Coverage) that it bears; by default 1. A "
+             "phase of 0 dissolves as if there were none.")
+      .ofField(fields::filmCoverage().label);
   declare.needs("Phase Film Shares", {"Phase Blocks"});
   declare.needs("Phase Blocks", {"Phase Current Densities"});
   declare.needs("Phase Current Densities", {"Phase Blocks"});

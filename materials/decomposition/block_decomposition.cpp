@@ -89,7 +89,7 @@ void BlockDecomposition::read(const Teuchos::ParameterList& params, const std::s
                          ", but others are not; a body has one dimension");
     try {
       const Teuchos::ParameterList whole = type.declarations.complete(entry, path);
-      entries_.push_back({areCracks, areCracks ? crackFrom(whole) : voidFrom(whole)});
+      entries_.push_back({path, areCracks, areCracks ? crackFrom(whole) : voidFrom(whole)});
     } catch (const FormError& error) {
       messages.push_back(path + (error.key.empty() ? "" : "/" + error.key) + " " + error.what());
     } catch (const std::invalid_argument& error) {
@@ -98,8 +98,13 @@ void BlockDecomposition::read(const Teuchos::ParameterList& params, const std::s
   }
 }
 
+double BlockDecomposition::edgeOf(double volume) const {
+  const double whole = cellVolume(volume);
+  return dimension_ == 2 ? std::sqrt(whole / thickness_) : std::cbrt(whole);
+}
+
 Cell BlockDecomposition::cellOf(const double* place, double volume) const {
-  const double whole = cellVolume(volume), edge = dimension_ == 2 ? std::sqrt(whole / thickness_) : std::cbrt(whole);
+  const double edge = edgeOf(volume);
   Cell cell{{place[0], place[1], dimension_ == 2 ? 0.0 : place[2]}, {}, dimension_};
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimension_); ++d) cell.edges[d][d] = edge;
   return cell;
@@ -112,6 +117,22 @@ void BlockDecomposition::requireMeshOfThePlane(const double* x, int nPoints) con
       throw std::invalid_argument(owner_ +
                                   ": its forms are forms in the plane, but points of the mesh differ in z, as " +
                                   textOf(x) + " and " + textOf(x + 3 * i) + " do");
+}
+
+/// Beside the smallest cell.
+void BlockDecomposition::requireSizes(const double* volume, int nPoints) const {
+  if (nPoints == 0) return;
+  const double spacing = edgeOf(*std::min_element(volume, volume + nPoints));
+  std::vector<std::string> messages;
+  const auto look = [&](const Entry& entry, const std::string& complaint) {
+    if (!complaint.empty()) messages.push_back(entry.path + " " + complaint);
+  };
+  for (const Entry& entry : entries_) {
+    if (entry.isCrack)
+      for (const auto& screen : entry.form.screens) look(entry, complaintOfCrack(screen->box(), dimension_, spacing));
+    for (const auto& v : entry.form.voids) look(entry, complaintOfVoid(v->box(), dimension_, spacing));
+  }
+  throwAll(owner_, messages);
 }
 
 std::vector<double> BlockDecomposition::solidVolumes(const double* x, const double* volume, int nPoints) const {
@@ -140,6 +161,7 @@ BlockDecomposition::Shares BlockDecomposition::of(const Call& call, const double
   const auto points = data.getOverlapScalarPointMap();
   const int nPoints = points->NumMyElements();
   requireMeshOfThePlane(x, nPoints);
+  requireSizes(volume, nPoints);
   const std::vector<double> solid = solidVolumes(x, volume, nPoints);
   const auto cellAt = [&](int i) { return cellOf(x + 3 * i, volume[i]); };
   InteractionShares shares(rule_), sharesWithoutCracks(rule_);

@@ -33,11 +33,14 @@ class BlockDecomposition {
 
  private:
   struct Entry {
+    std::string path;
     bool isCrack;
     DiscontinuityForm form;
   };
   void read(const Teuchos::ParameterList& params, const std::string& list, std::vector<std::string>& messages);
   void requireMeshOfThePlane(const double* x, int nPoints) const;
+  void requireSizes(const double* volume, int nPoints) const;
+  double edgeOf(double volume) const;
   Cell cellOf(const double* place, double volume) const;
   /// Material of the point's cell, in volumes of the mesh.
   std::vector<double> solidVolumes(const double* x, const double* volume, int nPoints) const;

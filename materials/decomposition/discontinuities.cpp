@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "convex_geometry.hpp"
@@ -60,6 +61,32 @@ Box boxOfAll(const List& places) {
 
 Box boxOf(const Corners& places) { return boxOfAll(places); }
 Box boxOf(const std::vector<Place>& places) { return boxOfAll(places); }
+std::string complaintOfCrack(const Box& box, int dimension, double spacing) {
+  constexpr double most = 1e6;  // spacings
+  double longest = 0.0;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
+    longest = std::max(longest, box.high[d] - box.low[d]);
+  if (longest <= most * spacing) return "";
+  std::ostringstream text;
+  text.precision(4);
+  text << "is " << longest << " m long, more than " << most << " spacings of " << spacing
+       << " m, so that its end would be off by rounding; let it end just outside of the body";
+  return text.str();
+}
+
+std::string complaintOfVoid(const Box& box, int dimension, double spacing) {
+  constexpr double least = 1e-6;  // of the spacing
+  double narrowest = HUGE_VAL;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
+    narrowest = std::min(narrowest, box.high[d] - box.low[d]);
+  if (narrowest >= 2.0 * least * spacing) return "";
+  std::ostringstream text;
+  text.precision(4);
+  text << "is too small: half of its width must be " << least << " of the spacing of " << spacing
+       << " m or more; leave it out, or see its unit";
+  return text.str();
+}
+
 Box boxAround(const Cell& a, const Cell& b) { return boxOf(cornersOf(a, b)); }
 
 bool areOnOneSide(const Corners& places, const Place& origin, const Place& normal) {

@@ -81,6 +81,12 @@ struct Box {
 /// Of both cells, and all that is between them.
 Box boxAround(const Cell& a, const Cell& b);
 
+/// What is wrong with the size of a crack, of whose sides' lengths their ends are known to some 1e-9, or of a void, of
+/// which rounding makes anything where it is far smaller than a cell, beside cells of this spacing, m. Follows its
+/// name; empty where nothing is.
+std::string complaintOfCrack(const Box& box, int dimension, double spacing);
+std::string complaintOfVoid(const Box& box, int dimension, double spacing);
+
 /// Rules by which a bond is cut as a whole where it passes the end of a crack (Liu & Bao, Aerospace 9 (2022) 641,
 /// section 2.3.1): where the feet of both of its ends are beside the crack, or of one at least.
 enum class TipRule { Both, Either };

@@ -67,6 +67,15 @@ std::string firstComplaint(const Parameter& parameter, const Teuchos::Array<Valu
   return "";
 }
 
+/// A name twice is a slip: all that takes a list of them means different ones.
+std::string complaintOfNames(const Parameter& parameter, const Teuchos::Array<std::string>& names) {
+  const std::string message = firstComplaint(parameter, names);
+  if (!message.empty()) return message;
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::find(names.begin(), name, *name) != name) return "has \"" + *name + "\" twice";
+  return "";
+}
+
 /// The mistake of one given entry, or empty.
 std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterList& given) {
   const std::string& name = parameter.name;
@@ -97,7 +106,7 @@ std::string entryComplaint(const Parameter& parameter, const Teuchos::ParameterL
       if (parameter.mayBeOne && given.isType<std::string>(name))
         return parameter.complaint(given.get<std::string>(name));
       if (!given.isType<Teuchos::Array<std::string>>(name)) return "must be " + parameter.expectation();
-      return firstComplaint(parameter, given.get<Teuchos::Array<std::string>>(name));
+      return complaintOfNames(parameter, given.get<Teuchos::Array<std::string>>(name));
     case ParameterType::Functions:
       return given.isType<Teuchos::Array<std::string>>(name) ? "" : "must be " + parameter.expectation();
   }
@@ -183,6 +192,10 @@ Parameter& Parameter::of(std::vector<std::string> names) {
 }
 Parameter& Parameter::from(const char* sourceText) {
   source = sourceText;
+  return *this;
+}
+Parameter& Parameter::ofField(const std::string& label) {
+  field = label;
   return *this;
 }
 

@@ -24,7 +24,7 @@ enum class ParameterType {
   Text,      ///< std::string, limited to `choices` where those are given
   Function,  ///< number or text of a function of `variables`; handed over as std::string
   Reals,     ///< list of numbers; handed over as Teuchos::Array<double>
-  Texts,     ///< list of strings (where mayBeOne: or one); handed over as Teuchos::Array<std::string>
+  Texts,     ///< list of different strings (where mayBeOne: or one); handed over as Teuchos::Array<std::string>
   Functions  ///< list of what a Function is; handed over as Teuchos::Array<std::string>
 };
 
@@ -44,6 +44,7 @@ struct Parameter {
   bool mayBeOne = false;  ///< of Texts: a text alone is a list of it
   std::vector<std::string> choices;
   std::vector<std::string> variables{"x", "y", "z", "t"};  ///< of functions
+  std::string field;  ///< label of a field of which it says more, without which it does nothing; may be empty
 
   // Chained, as in declare.real("Density", "kg/m3", "Mass density.").positive().required();
   Parameter& required();
@@ -60,6 +61,7 @@ struct Parameter {
   Parameter& orOne();
   Parameter& of(std::vector<std::string> names);  ///< the variables of a function
   Parameter& from(const char* sourceText);
+  Parameter& ofField(const std::string& label);
 
   /// Whether its functions are of place and time, as conditions have them.
   bool isOfPlaceAndTime() const { return variables == Parameter().variables; }

@@ -338,6 +338,20 @@ std::vector<Broken> brokenBodies() {
         "material",
         "deck.yaml:37:29: Materials/Acid/Phase Blocks[2]: there is no block \"block_7\" (did you mean \"block_1\"?); "
         "there are: \"block_1\""}},
+      {"PhaseBlockTwice",
+       {{"Damage Models:\n", acid + "\n    Phase Blocks: [block_1, block_1]\n    Phase Current Densities: [\"1.0\", "
+                                    "\"2.0\"]\nDamage Models:\n  Phases: {Damage Model: Dissolution}\n"},
+        {"Material: Steel", "Material: Acid"},
+        {"    Damage Model: Brittle", "    Damage Model: Phases"}},
+       {"deck.yaml:37:29: Materials/Acid/Phase Blocks[2]: \"block_1\" is in the list already"}},
+      {"FilmSharesWithoutFilm",
+       {{"Damage Models:\n",
+         acid + "\n    Phase Blocks: [block_1]\n    Phase Current Densities: [\"1.0\"]\n    Phase Film Shares: [0.5]\n"
+                "Damage Models:\n  Phases: {Damage Model: Dissolution}\n"},
+        {"Material: Steel", "Material: Acid"},
+        {"    Damage Model: Brittle", "    Damage Model: Phases"}},
+       {"Materials/Acid/Phase Film Shares does nothing, since nothing in this deck gives \"Film_Coverage\"; let a "
+        "condition set it, or leave this key out"}},
       {"PhaseBlockOfTheMesh",
        {{"Damage Models:\n", acid + "\n    Phase Blocks: [block_7]\n    Phase Current Densities: [\"1.0\"]\nDamage "
                                     "Models:\n"},

@@ -182,8 +182,7 @@ std::vector<Broken> refusedStarts() {
         {"    Type: Prescribed Displacement\n    Node Set: Left Node Set\n    Coordinate: x\n    Value: 0.0\n",
          "    Type: Force\n    Node Set: Left Node Set\n    Coordinate: y\n    Value: 22400.0\n"}},
        {"deck.yaml:63:3: Solver/QuasiStatic: QuasiStatic: load step 0 (t = 10 s): nothing holds the body against its "
-        "loads: "
-        "there is a force of (0, 2.24e+04, 0) N"}},
+        "loads: no prescribed displacement carries a force of (0, 2.24e+04, 0) N"}},
       {"SteadyStateOfNothing",
        {solver("ImplicitDiffusion: {Field: Concentration}"),
         {"Type: Prescribed Concentration", "Type: Initial Concentration"}},

@@ -28,6 +28,9 @@ class Matrix(RestartTest):
         result = self.go_on(deck)
         self.assert_same(self.last(result, case), expected, case)
         np.testing.assert_array_equal(self.times(result), self.whole_times)
+        self.assertTrue(self.whole_steps)
+        self.assertEqual(self.steps_reported(result), self.whole_steps)
+        self.assertIn("those since the start", " ".join(result.report["solver"]))
         self.assertNotIn("the deck is not the one", self.log())
 
     def go_on_with_other_steps(self, case, expected):
@@ -70,10 +73,10 @@ class Matrix(RestartTest):
         deck = self.make("Corrosion")
         deck["Solver"]["Corrosion"]["Fixed dt"] = deck["Solver"]["Final Time"] / 8
         self.solve(deck)
+        before = deck["Solver"]["Corrosion"]["Fixed dt"]
         deck["Solver"]["Corrosion"]["Fixed dt"] /= 4
         result = self.go_on(deck)
-        steps = " ".join(result.report["solver"])
-        self.assertIn(f"to {deck['Solver']['Corrosion']['Fixed dt']:.3g} s", steps)
+        self.assertIn(f"{4 + 4 * 4} steps of {before / 4:.3g} to {before:.3g} s", " ".join(result.report["solver"]))
 
     def test_another_material(self):
         # What was estimated of the old one does not hold: 16 times as stiff, or as diffusive, is unstable otherwise.
@@ -121,7 +124,10 @@ class Stages(RestartTest):
         for section, start, end in (("Solver", 0.0, 0.25), ("Solver2", 0.25, 1.0)):
             deck[section] = {"Initial Time": start, "Final Time": end, "Diffusion": {"Load Steps": 3, "Method": "RKL"}}
         expected = self.last(self.solve(deck), "RKL")
-        self.assert_same(self.last(self.go_on(deck), "RKL"), expected, "second stage")
+        result = self.go_on(deck)
+        self.assert_same(self.last(result, "RKL"), expected, "second stage")
+        said = [line for line in result.report["solver"] if line.startswith("Diffusion")]
+        self.assertEqual(len(said), 1, said)  # the first solver has done nothing in this run
 
 
 class Refusals(RestartTest):

@@ -11,6 +11,8 @@ STEEL = {"Diffusivity": 860e-12, "Solid Concentration": 142900.0, "Saturation Co
          "Charge Number": 2.19, "Current Density": "5.1e3"}
 COPPER = {"Diffusivity": 1297e-12, "Solid Concentration": 141000.0, "Saturation Concentration": 5000.0,
           "Charge Number": 2.0, "Current Density": "1450.0"}
+HALF_A_FILM = {"All Node Set": {"Expression": "x < 1"},
+               "Film": {"Type": "Film Coverage", "Node Set": "All Node Set", "Value": 0.5}}
 SHAPES = {1: {"One Dimensional": True}, 2: {"Plane Strain": True}, 3: {}}
 
 

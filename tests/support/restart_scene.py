@@ -1,4 +1,5 @@
 """Runs that go on from the time of a checkpoint, by each solver."""
+import re
 import shutil
 
 import h5py
@@ -133,6 +134,7 @@ class RestartTest(SceneTest):
         deck = self.make(case, **changes)
         result = self.solve(deck)
         self.whole_times = self.times(result)
+        self.whole_steps = self.steps_reported(result)
         return deck, self.last(result, case)
 
     def last(self, result, case):
@@ -156,6 +158,10 @@ class RestartTest(SceneTest):
         np.testing.assert_array_equal(history["step"], np.arange(len(history["step"])))
         self.assertTrue(np.all(np.diff(history["time"]) > 0.0), history["time"])
         return history["time"]
+
+    def steps_reported(self, result):
+        """What the solvers' lines of the report begin with: numbers of steps and load steps."""
+        return re.findall(r"\d+ (?:load )?steps(?: \(\d+ rejected\))?", "\n".join(result.report["solver"]))
 
     def log(self):
         with open(self.path("result.log")) as file:

@@ -129,6 +129,18 @@ TEST_F(Energies, WorkOnASpringIsHalfForceTimesDisplacementInAnyNumberOfSteps) {
   }
 }
 
+/// As of grips whose displacement does not begin at zero: the body follows in the first load step.
+TEST_F(Energies, WorkOnASpringThatIsDisplacedAtTheStartIsTheSame) {
+  const double stiffness = 8.0;
+  const auto compute = makeCompute(body, "External_Work", on("Last"));
+  body.field("Displacement")[6] = 0.5;
+  compute->compute(body.blocks());
+  EXPECT_DOUBLE_EQ(body.value("External_Work"), 0.0);
+  body.field("Force_Density")[6] = -stiffness * 0.5;
+  compute->compute(body.blocks());
+  EXPECT_DOUBLE_EQ(body.value("External_Work"), 0.5 * stiffness * 0.25 * 3.0);
+}
+
 TEST_F(Energies, BodyForceWorksAtPointsThatAreNotHeld) {
   Teuchos::ParameterList parameters;
   parameters.set("Node Sets", Teuchos::Array<std::string>(1, "Last"));

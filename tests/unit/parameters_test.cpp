@@ -60,6 +60,13 @@ TEST(Parameters, DefaultsOfFunctionsAreText) {
   EXPECT_EQ(example().complete(list, "owner").get<std::string>("Load"), "2.5");
 }
 
+TEST(Parameters, NamesOfAListAreDifferent) {
+  Teuchos::ParameterList list;
+  list.set("Density", 1.0);
+  list.set("Names", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("a", "b", "a")));
+  EXPECT_EQ(complaintOf(example(), list), "owner: \"Names\" has \"a\" twice");
+}
+
 TEST(Parameters, ReportEveryMistake) {
   Teuchos::ParameterList list;
   list.set("Ratio", 0.5);

@@ -339,9 +339,11 @@ TEST(QuasiStatic, RefusesLoadsThatNothingHolds) {
   // A couple of forces 10 m apart turns the plate; held in x on the left it cannot turn, but moves up.
   const std::string held =
       "  Hold: {Type: Prescribed Displacement, Node Set: Left Node Set, Coordinate: x, Value: 0}\n";
-  EXPECT_PRED2(says, complaint(plate, forces("y", -5.0, 5.0)), "there is a moment of (0, 0, 50) N m on a part of 33");
+  EXPECT_PRED2(says, complaint(plate, forces("y", -5.0, 5.0)),
+               "displacement carries a moment of (0, 0, 50) N m on a part of 33");
   EXPECT_EQ(complaint(plate, held + forces("y", -5.0, 5.0)), "");
-  EXPECT_PRED2(says, complaint(plate, held + forces("y", 2.0, 5.0)), "there is a force of (0, 7, 0) N on a part of 33");
+  EXPECT_PRED2(says, complaint(plate, held + forces("y", 2.0, 5.0)),
+               "displacement carries a force of (0, 7, 0) N on a part of 33");
   // Points without bonds.
   Discretization dust = chain();
   dust.bondIsCut.assign(static_cast<std::size_t>(dust.nBonds()), 1);

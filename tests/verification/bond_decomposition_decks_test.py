@@ -83,6 +83,9 @@ class AsAPartOfAMaterial(PorousPlate):
             self.assertIn(message, result.text)
         for gaps, message in (({"Voids": {"Pore": circle(0.0105, 0.0105, 2e-3)}}, "next to no material"),
                               ({"Cracks": edge, "Cell Volume": 1.0}, "see the unit"),
+                              ({"Cracks": {"Long": {"Type": "Polyline", "Points": [-1e6, 0.0151, 0.0102, 0.0151]}}},
+                               "Cracks/Long is 1e+06 m long, more than 1e+06 spacings"),
+                              ({"Voids": {"Speck": circle(0.0101, 0.01, 1e-12)}}, "Voids/Speck is too small"),
                               ({"Cracks": edge, "also": edge}, "give all of them in one place")):
             deck = self.pull()
             del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]

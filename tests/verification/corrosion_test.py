@@ -9,7 +9,8 @@ import numpy as np
 
 here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(here, "../support"), os.path.join(here, "../../decks/pencil")]
-from corrosion_scene import COPPER, HORIZON, SPACING, STEEL, CorrosionTest, front_speed  # noqa: E402
+from corrosion_scene import (COPPER, HALF_A_FILM, HORIZON, SPACING, STEEL, CorrosionTest,  # noqa: E402
+                             corrosion_deck, front_speed)
 from moving_front import depths  # noqa: E402
 
 # Chen & Bobaru, J. Mech. Phys. Solids 78 (2015) 352; the current is far more than diffusion takes away.
@@ -60,6 +61,23 @@ class ActivationControl(CorrosionTest):
         for h in (0.05, 0.5, 5.0):
             self.check_depth(1, STEEL, [52e-6], 1e-2, **{"Fixed dt": h})
             self.check_depth(2, STEEL, [52e-6, 8e-6], 1e-2, **{"Fixed dt": h})
+
+
+class Barrier(CorrosionTest):
+    def test_a_wall_in_space_dissolves_from_both_sides_and_through(self):
+        # 8 um between two electrolytes, 2 um in each step, the last of which opens it; and under half a film.
+        self.make_lattice([22e-6, 6e-6, 6e-6], [-11e-6, 0.0, 0.0])
+        step = 1e-6 / front_speed(STEEL)
+        for current, film in ((1.0, {}), (2.0, HALF_A_FILM)):
+            metal = {**STEEL, "Current Density": repr(current * float(STEEL["Current Density"]))}
+            deck = corrosion_deck(3, metal, "abs(x) < 4e-6", "abs(x) > 8e-6", 5 * step, 5)
+            deck["Boundary Conditions"] |= film
+            result = self.solve(deck)
+            self.check(result, STEEL)
+            depth = result.history()["Dissolved"] / 36e-12
+            np.testing.assert_allclose(depth[:4], [0.0, 2e-6, 4e-6, 6e-6], atol=1e-3 * SPACING)
+            np.testing.assert_allclose(depth[4:], 8e-6, atol=0.01 * SPACING)
+            self.assertEqual(np.min(result.field("Damage")[np.abs(self.x[:, 0]) < 4e-6]), 1.0)
 
 
 class DiffusionControl(CorrosionTest):

@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, sys.path[0] + "/../support")
 from cracked_plate import CRACK, SPACING, THICKNESS, cracked_plate  # noqa: E402
-from scene import Result, SceneTest, pdrun_path, plate_deck  # noqa: E402
+from scene import Result, SceneTest, lattice, pdrun_path, plate_deck  # noqa: E402
 
 DECKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../decks")
 
@@ -93,6 +93,26 @@ class BrokenFromOneEnd(SceneTest):
             result = self.run_deck(self.deck("Small Strain"), ranks=ranks)
             self.assertNotEqual(result.code, 0)
             self.assertIn("need \"Kinematics: Finite\"", result.text)
+
+
+class TornOffByAForce(SceneTest):
+    """A row of points at the end of a plate, to which a force is given: their bonds fail first."""
+
+    def test_ends_with_its_life(self):
+        self.write_mesh(lattice([20e-3, 6e-3], 1e-3), 1e-9)
+        hold = {"Type": "Prescribed Displacement", "Node Set": "Left Node Set", "Value": 0.0}
+        for kinematics in ("Finite", "Small Strain"):
+            result = self.solve(plate_deck(
+                3.015e-3, 1e-3, {"Young's Modulus": 200e9, "Poisson's Ratio": 1 / 3},
+                damage={"Damage Model": "Remaining Life", "Initiation Coefficient": 1e3, "Initiation Exponent": 3.0},
+                conditions={"Left Node Set": {"Expression": "x < 0.003"}, "Right Node Set": {"Expression": "x > 0.019"},
+                            "Hold X": {**hold, "Coordinate": "x"}, "Hold Y": {**hold, "Coordinate": "y"},
+                            "Pull": {"Type": "Force", "Node Set": "Right Node Set", "Coordinate": "x", "Value": 1200.0}},
+                solver={"Final Time": 1e9, "Fatigue": {"Kinematics": kinematics}},
+                output={"Output Variables": ["Displacement", "Cycles_To_First_Break"]}))
+            self.assertIn("come apart", " ".join(result.report["solver"]))
+            self.assertGreater(np.max(result.field("Cycles_To_First_Break")), 0.0)
+            self.assertTrue(np.all(np.isfinite(result.field("Displacement"))))
 
 
 class SmoothBar(SceneTest):
@@ -292,6 +312,19 @@ class CrackedPlate(SceneTest):
         self.assertLess(result.history()["time"][-1], 1e9)
         broken = result.field("Cycles_To_First_Break")
         self.assertGreater(broken.max(), broken[broken > 0].min())
+
+    def test_ends_when_a_force_has_torn_the_ligament(self):
+        # The last bonds of which let the upper half turn.
+        for kinematics in ("Finite", "Small Strain"):
+            deck = cracked_plate(self, solver={"Kinematics": kinematics, "Relative Tolerance": 1e-6}, width=11e-3)
+            if kinematics == "Small Strain":
+                del deck["Solver"]["Fatigue"]["Preconditioner"]
+            conditions = deck["Boundary Conditions"]
+            conditions["Up"] = {"Type": "Force", "Node Set": "Top Node Set", "Coordinate": "y", "Value": 2000.0}
+            conditions["Still"]["Node Set"] = "Bottom Node Set"
+            result = self.solve(deck)
+            self.assertIn("come apart", " ".join(result.report["solver"]))
+            self.assertTrue(np.all(np.isfinite(result.field("Displacement"))))
 
     def test_two_cracks_meet(self):
         width = 13e-3

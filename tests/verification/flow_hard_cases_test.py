@@ -60,6 +60,58 @@ class HardFlows(SceneTest):
                                        atol=0.02)
             self.assertAlmostEqual(fastest[4], 2.0 * fastest[3], delta=0.02)
 
+    def test_a_sealed_fluid_under_a_pressure_is_at_rest_by_any_tolerance(self):
+        # Of a pressure that rounds to 1e-16 of itself velocities of some 1e-15 p h/mu are left.
+        self.write((0.0, 0.0), (2.0, 1.0), 0.1)
+        for solver in SOLVERS:
+            for tolerance in (1e-6, 1e-12):
+                deck = self.channel(0.1, viscosity=1e-3, solver={"Load Steps": 2, "Linear Solver": solver,
+                                                                 "Relative Tolerance": tolerance})
+                deck["Boundary Conditions"]["Inlet"]["Velocity"] = [0.0, 0.0]
+                deck["Boundary Conditions"]["Outlet"]["Pressure"] = "1e5*(1 + t)"
+                result = self.solve(deck)
+                inside = result.field("Fluid") == 1.0
+                np.testing.assert_allclose(result.field("Pressure")[inside], 2e5, rtol=1e-12)
+                self.assertLess(np.max(np.abs(result.field("Velocity"))), 1e-14 * 2e5 * 0.1 / 1e-3)
+
+    def test_a_weight_that_pressures_balance_moves_nothing(self):
+        # Nor does it where a flow that nothing drives would satisfy Newton's method, too, as here at 0.2 m/s.
+        points = self.write((0.0, 0.0), (2.0, 1.0), 0.05)
+        deck = flow_deck(RATIO * 0.05, {
+            "Walls Node Set": {"Expression": "y < 0 || y > 1 || x < 0 || x > 2"},
+            "Fluid Node Set": {"Expression": "y > 0 && y < 1 && x > 0 && x < 2"},
+            "Walls": {"Type": "Prescribed Velocity", "Node Set": "Walls Node Set",
+                      "Surface": "min(min(x, 2 - x), min(y, 1 - y))"},
+            "Weight": {"Type": "Flow Body Force", "Node Set": "Fluid Node Set", "Coordinate": "x",
+                       "Value": "5e3*(1 + t)"}}, viscosity=1e-3)
+        for solver in SOLVERS:
+            deck["Solver"]["Steady Flow"] = {"Load Steps": 2, "Linear Solver": solver}
+            result = self.solve(deck)
+            inside = result.field("Fluid") == 1.0
+            self.assertLess(np.max(np.abs(result.field("Velocity"))), 1e-14 * 1e4 * 0.05 / 1e-3)
+            np.testing.assert_allclose(result.field("Pressure")[inside], 1e4 * (points[inside, 0] - 1), atol=1e-8)
+
+    def test_a_flow_under_a_pressure_is_the_same(self):
+        # It follows from differences of the pressure alone. What rounds it leaves 1e-14 p h/mu, as above.
+        self.write((0.0, 0.0), (2.0, 1.0), 0.1, (0.37, 0.81))
+        for solver in SOLVERS:
+            fields = []
+            for pressure in (0.0, "1e5*(1 + t)"):
+                deck = self.channel(0.1, viscosity=0.02, solver={"Load Steps": 2, "Linear Solver": solver})
+                deck["Boundary Conditions"]["Outlet"]["Pressure"] = pressure
+                result = self.solve(deck)
+                fields.append([result.field(label) for label in ("Velocity", "Pressure", "Fluid")])
+            (velocity, pressure, fluid), (under, higher, _) = fields
+            np.testing.assert_allclose(under, velocity, atol=1e-14 * 2e5 * 0.1 / 0.02)
+            np.testing.assert_allclose((higher - 2e5)[fluid == 1.0], pressure[fluid == 1.0], atol=1e-8)
+
+    def test_flows_begin_with_those_of_the_load_step_before(self):
+        # As a lid that is faster than any fluid speeds up: a factor or two do for all.
+        deck = self.cavity(16, 0.02, solver={"Load Steps": 4, "Linear Solver": "Direct"})
+        deck["Boundary Conditions"]["Lid"]["Velocity"] = ["t", 0.0]
+        said = self.solve(deck).report["solver"][0]
+        self.assertLess(int(said.split(" factors")[0].split()[-1]), 5, said)
+
     def test_reynolds_numbers_without_a_steady_flow_end_the_run(self):
         for solver in SOLVERS:
             deck = self.cavity(12, viscosity=1e-6, solver={"Linear Solver": solver, "Maximum Solver Iterations": 12})

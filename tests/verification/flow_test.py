@@ -275,6 +275,7 @@ class SteadyFlow(SceneTest):
         deck["Solver"]["Final Time"], deck["Solver"]["Steady Flow"]["Load Steps"] = 1.0, 2
         rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
         np.testing.assert_allclose(rest.field("Velocity", 2), velocity, atol=1e-7)
+        self.assertIn("Steady Flow: 2 load steps", " ".join(rest.report["solver"]))
 
     def test_a_flow_that_is_not_found_ends_the_run(self):
         _, deck = self.cavity(12, solver={"Maximum Solver Iterations": 6})

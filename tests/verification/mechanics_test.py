@@ -193,6 +193,28 @@ class BodyForce(SceneTest):
             np.testing.assert_allclose(work, [0.0, 1.5 * load * 4e-9 * u.sum()], rtol=1e-12)
 
 
+class WorkOfGrips(SceneTest):
+    def test_that_are_displaced_from_the_start_is_the_energy_of_the_body(self):
+        self.write_mesh(lattice([0.02, 0.01], 1e-3), 1e-6 * 4e-3)
+        ends = "x < 0.004 || x > 0.016"
+        for load, solver in (("1e-5*x", {"QuasiStatic": {"Load Steps": 2, "Kinematics": "Small Strain"}}),
+                             ("1e-5*x*(1 + t)", {"QuasiStatic": {"Load Steps": 3, "Kinematics": "Small Strain"}})):
+            deck = plate_deck(
+                3.015e-3, 4e-3, {"Young's Modulus": E, "Poisson's Ratio": 1 / 3},
+                conditions={"Ends Node Set": {"Expression": ends},
+                            "X": {"Type": "Prescribed Displacement", "Node Set": "Ends Node Set", "Coordinate": "x",
+                                  "Value": load},
+                            "Y": {"Type": "Prescribed Displacement", "Node Set": "Ends Node Set", "Coordinate": "y",
+                                  "Value": 0.0}},
+                solver={"Final Time": 1.0, **solver}, output={"Output Variables": ["Work", "Energy"]},
+                Compute_Class_Parameters={
+                    "Work": {"Compute Class": "External_Work", "Node Set": "Ends Node Set", "Output Label": "Work"},
+                    "Energy": {"Compute Class": "Strain_Energy", "Output Label": "Energy"}})
+            history = self.solve(deck).history()
+            self.assertGreater(history["Energy"][-1], 0.0)
+            np.testing.assert_allclose(history["Work"][1:], history["Energy"][1:], rtol=1e-4)
+
+
 class Moduli(SceneTest):
     """Energy of uniform strains at the centre of a plate: E and nu of the lattice."""
 

@@ -9,7 +9,8 @@ from scipy.sparse.linalg import splu
 from scipy.special import jn_zeros
 
 sys.path[:0] = [sys.path[0] + "/../support", sys.path[0]]
-from corrosion_scene import HORIZON, SPACING, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
+from corrosion_scene import (HALF_A_FILM, HORIZON, SPACING, STEEL, CorrosionTest, corrosion_deck,  # noqa: E402
+                             front_speed)
 from corrosion_test import SALTED_STEEL  # noqa: E402
 from flow_scene import RATIO  # noqa: E402
 from scene import SceneTest  # noqa: E402
@@ -249,6 +250,25 @@ class Scalars(OfRevolution):
             self.assertAlmostEqual(sherwood / np.interp(place, x, exact), 1.0, delta=0.03)
         self.assertAlmostEqual(sherwood / 3.657, 1.0, delta=0.03)
 
+    def test_a_thin_layer_on_few_points_has_a_steady_state(self):
+        # At Peclet number 1000 on 5 points kinks of the limits lead Newton's method to and fro.
+        spacing, length, pe = 0.2, 8.0, 1000.0
+        points = half_section(length, 1.0, spacing)
+        self.write_mesh(points, spacing**2)
+        result = self.solve(self.pipe(spacing, length, 2 / pe))
+        self.assertIn("limits of slopes were held", " ".join(result.report["solver"]))
+        c, v, volume = result.field("Concentration"), result.field("Velocity")[:, 0], result.field("Volume")
+        rate, fluid = result.field("Concentration_Flux_Divergence"), result.field("Fluid") == 1
+        self.assertLess(abs(np.sum(rate * volume)) / np.sum(np.abs(rate * volume)), 1e-12)
+        self.assertLess(np.sum((np.abs(rate) * volume)[fluid]) / np.sum((np.abs(rate) * volume)[~fluid]), 1e-8)
+        self.assertGreater(np.min(c[fluid]), -1e-5)
+        self.assertLess(np.max(c[fluid]), 1 + 1e-5)
+        x, _, exact = self.graetz(pe, length)
+        here = np.abs(points[:, 0] - 6.1) < 0.51 * spacing / 2
+        mean = np.sum((c * v * volume)[here & fluid]) / np.sum((v * volume)[here & fluid])
+        flux = np.sum((rate * volume)[here & (points[:, 1] > 1)]) / (2 * np.pi * spacing)
+        self.assertAlmostEqual(2 * flux / (2 / pe * mean) / np.interp(6.1, x, exact), 1.0, delta=0.1)  # the layer: a spacing
+
     def test_constants_stay_constant(self):
         spacing, length = 0.1, 2.0
         points = half_section(length, 1.0, spacing, jitter=0.1)
@@ -303,6 +323,17 @@ class Wire(CorrosionTest):
             self.check_speed(result)
             self.assertAlmostEqual(np.sum(result.field("Volume")), np.pi * (18 * SPACING)**2 * 6 * SPACING,
                                    delta=1e-9 * SPACING**3)
+
+    def test_twice_the_current_under_half_a_film_is_the_same(self):
+        for inside in (False, True):
+            bare = self.solve(self.deck(inside=inside))
+            deck = self.deck(inside=inside)
+            deck["Materials"]["Metal"]["Current Density"] = repr(2 * float(self.metal["Current Density"]))
+            deck["Boundary Conditions"] |= HALF_A_FILM
+            result = self.solve(deck)
+            self.check(result, self.metal)
+            for label in ("Damage", "Concentration"):
+                np.testing.assert_allclose(result.field(label), bare.field(label), rtol=1e-9, atol=1e-6)
 
     def test_a_bore_grows_at_it(self):
         result = self.solve(self.deck(inside=True))

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
-from corrosion_scene import SPACING, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
+from corrosion_scene import HALF_A_FILM, SPACING, STEEL, CorrosionTest, corrosion_deck, front_speed  # noqa: E402
 
 
 class PlanarFront(CorrosionTest):
@@ -47,6 +47,21 @@ class PlanarFront(CorrosionTest):
             for step in (2, 4):
                 error = self.depth(result, step) / (front_speed(STEEL) * 60.0 * step) - 1.0
                 self.assertLess(abs(error), 0.035, (seed, solver, step))
+
+    def test_twice_the_current_under_half_a_film_is_the_same(self):
+        self.make_lattice([30 * SPACING, 16 * SPACING], [-7e-6, 0.0])
+        results = []
+        for current, film, ranks in ((1.0, {}, 1), (2.0, HALF_A_FILM, 1), (2.0, HALF_A_FILM, 2)):
+            metal = {**STEEL, "Current Density": repr(current * float(STEEL["Current Density"]))}
+            deck = corrosion_deck(2, metal, "x > 0", "x < -2e-6", 60.0, 4)
+            deck["Damage Models"]["Phases"].update({"Rule": "Stochastic", "Random Seed": 1})
+            deck["Boundary Conditions"] |= film
+            results.append(self.solve(deck, ranks=ranks))
+            self.check(results[-1], STEEL)
+        for result in results[1:]:
+            np.testing.assert_array_equal(result.field("Damage"), results[0].field("Damage"))
+            np.testing.assert_allclose(result.field("Concentration"), results[0].field("Concentration"), rtol=1e-8,
+                                       atol=1e-6)
 
     def test_front_is_rough(self):
         def roughness(result):

@@ -267,6 +267,7 @@ class TransientFlow(SceneTest):
         rest = self.solve(deck, arguments=["--restart", "half.checkpoint.h5"])
         for label in ("Velocity", "Pressure"):
             np.testing.assert_array_equal(rest.field(label, 2), whole.field(label, 2))
+        self.assertEqual(*(result.report["solver"][-2].split(", the longest")[0] for result in (rest, whole)))
 
     def test_mass_of_a_closed_flow_is_kept(self):
         # By the rates exactly, so that what is left is the error of the Runge-Kutta steps.

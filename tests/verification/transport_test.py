@@ -68,6 +68,24 @@ class Transport(SceneTest):
         self.write_mesh(points, spacing**2, block=np.where(beyond, 2, 1))
         return points
 
+    def test_slopes_are_limited_by_the_values_of_the_solver_at_work(self):
+        # A solver that holds limits, as that of steady states may, has a field of them, which others follow, too.
+        self.mesh(0.1)
+        pulse = {"Pulse": {"Type": "Initial Concentration", "Node Set": "Inside Node Set", "Value": "exp(-40*(x - 0.5)^2)"}}
+        found = []
+        for later in (False, True):
+            deck = self.deck(0.1, conditions=pulse, inflow=0.0, solver={"Diffusion": {
+                "Field": "Concentration", "Method": "TR-BDF2", "Linear Solver": "GMRES", "Preconditioner": "ILU",
+                "Load Steps": 4, "Relative Tolerance": 1e-3}})
+            deck["Solver2"]["Final Time"] = 1.4
+            if later:
+                deck["Solver3"] = {"Initial Time": 1.4, "Final Time": 2.0, "ImplicitDiffusion": {
+                    "Field": "Concentration", "Linear Solver": "GMRES", "Preconditioner": "ILU",
+                    "Maximum Solver Iterations": 120, "Relative Tolerance": 1e-3}}
+            found.append(self.solve(deck).field("Concentration", 5))
+        self.assertGreater(np.max(found[0]), 0.5)
+        np.testing.assert_allclose(found[1], found[0], atol=1e-6)
+
     def test_walls_that_take_up_what_flows_past(self):
         # Graetz' problem at Peclet number 200: within 1 %, of which 0.4 % are diffusion along the channel.
         points = plane_lattice((0.0, 0.0), (2.0, 1.0), 0.05, (0.5, 0.5))

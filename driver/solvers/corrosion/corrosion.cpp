@@ -338,6 +338,9 @@ RestartState Corrosion::restartState() const {
           {"metal at the start", initialMetal_},
           {"outflow", outflow_},
           {"steps", static_cast<double>(nSteps_)},
+          {"rejected steps", static_cast<double>(nRejected_)},
+          {"shortest step", shortest_},
+          {"longest step", longest_},
           {"longest step to try", ceiling_}};
 }
 
@@ -347,6 +350,9 @@ void Corrosion::setRestartState(const RestartState& state) {
   initialMetal_ = state["metal at the start"];
   outflow_ = state["outflow"];
   nSteps_ = static_cast<long long>(state["steps"]);
+  nRejected_ = static_cast<long long>(state["rejected steps"]);
+  shortest_ = state["shortest step"];
+  longest_ = state["longest step"];
   ceiling_ = state["longest step to try"];
 }
 

@@ -40,8 +40,13 @@ class Euler : public RateIntegrator {
   }
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  RestartState restartState() const override { return {{"largest eigenvalue", largestEigenvalue_}}; }
-  void setRestartState(const RestartState& state) override { largestEigenvalue_ = state["largest eigenvalue"]; }
+  RestartState restartState() const override {
+    return {{"largest eigenvalue", largestEigenvalue_}, {"steps", static_cast<double>(nSteps_)}};
+  }
+  void setRestartState(const RestartState& state) override {
+    largestEigenvalue_ = state["largest eigenvalue"];
+    nSteps_ = static_cast<long long>(state["steps"]);
+  }
   void modelHasChanged() override { largestEigenvalue_ = -1.0; }
 
  private:

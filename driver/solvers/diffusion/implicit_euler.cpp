@@ -41,8 +41,13 @@ class ImplicitEuler : public RateIntegrator {
   std::vector<std::string> summary() const override {
     return {fmt::format("Implicit Euler: {} steps; {}", nSteps_, stage_.summary())};
   }
-  RestartState restartState() const override { return {{"step of the matrix", stage_.matrixStep()}}; }
-  void setRestartState(const RestartState& state) override { stage_.setMatrixStep(state["step of the matrix"]); }
+  RestartState restartState() const override {
+    return {{"step of the matrix", stage_.matrixStep()}, {"steps", static_cast<double>(nSteps_)}};
+  }
+  void setRestartState(const RestartState& state) override {
+    stage_.setMatrixStep(state["step of the matrix"]);
+    nSteps_ = static_cast<long long>(state["steps"]);
+  }
 
  private:
   const Teuchos::ParameterList parameters_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "field_names.hpp"
+#include "flow_fields.hpp"
 
 namespace pd {
 
@@ -47,7 +48,11 @@ void ScalarRate::hold(double t) {
 }
 
 void ScalarRate::evaluate(double dt) {
-  simulation_.model.evaluateFluxDivergence(dt, fluxField_);
+  Model& model = simulation_.model;
+  // Slopes of what a flow carries, which another solver of the run may have held elsewhere.
+  if (const std::string limitedAt = fields::limitedAt(field_).label; model.hasField(limitedAt))
+    std::copy_n(values_, model.nPoints(), model.field(limitedAt));
+  model.evaluateFluxDivergence(dt, fluxField_);
   for (const int point : heldPoints_) rate_[point] = 0.0;
 }
 

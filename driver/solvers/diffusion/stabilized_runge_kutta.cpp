@@ -46,13 +46,17 @@ StabilizedRungeKutta::StabilizedRungeKutta(const Teuchos::ParameterList& given, 
 RestartState StabilizedRungeKutta::restartState() const {
   return {{"largest eigenvalue", largestEigenvalue_},
           {"proposed step", proposedStep_},
-          {"error of the last step", previousError_}};
+          {"error of the last step", previousError_},
+          {"steps", static_cast<double>(nSteps_)},
+          {"rejected steps", static_cast<double>(nRejected_)}};
 }
 
 void StabilizedRungeKutta::setRestartState(const RestartState& state) {
   largestEigenvalue_ = state["largest eigenvalue"];
   proposedStep_ = state["proposed step"];
   previousError_ = state["error of the last step"];
+  nSteps_ = static_cast<long long>(state["steps"]);
+  nRejected_ = static_cast<long long>(state["rejected steps"]);
 }
 
 const StabilizedScheme& StabilizedRungeKutta::scheme(double step) {

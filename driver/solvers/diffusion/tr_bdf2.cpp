@@ -43,12 +43,17 @@ TrBdf2::TrBdf2(const Teuchos::ParameterList& given)
 }
 
 RestartState TrBdf2::restartState() const {
-  return {{"step of the matrix", stage_.matrixStep()}, {"proposed step", proposedStep_}};
+  return {{"step of the matrix", stage_.matrixStep()},
+          {"proposed step", proposedStep_},
+          {"steps", static_cast<double>(nSteps_)},
+          {"rejected steps", static_cast<double>(nRejected_)}};
 }
 
 void TrBdf2::setRestartState(const RestartState& state) {
   stage_.setMatrixStep(state["step of the matrix"]);
   proposedStep_ = state["proposed step"];
+  nSteps_ = static_cast<long long>(state["steps"]);
+  nRejected_ = static_cast<long long>(state["rejected steps"]);
 }
 
 /// From the present values at t to `end` = t + step.

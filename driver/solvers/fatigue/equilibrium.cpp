@@ -101,12 +101,16 @@ int Equilibrium::countLoadedParts(Simulation& simulation, double t) {
   return n;
 }
 
-void Equilibrium::requireHeldLoads(Simulation& simulation, double t) {
-  if (!simulation.conditions.hasExternalForce()) return;
+std::string Equilibrium::loadsNothingHolds(Simulation& simulation, double t) {
+  if (!simulation.conditions.hasExternalForce()) return "";
   externalForce(simulation, t, externalForce_);
-  const std::string trouble =
-      loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
-  if (!trouble.empty()) throw RunError(fmt::format("{} ({:.6g} cycles): {}", solver_, t, trouble));
+  return loadsThatNothingHolds(simulation.model, held_, heldDisplacements(simulation), externalForce_, largestScale_);
+}
+
+void Equilibrium::requireHeldLoads(Simulation& simulation, double t) {
+  const std::string trouble = loadsNothingHolds(simulation, t);
+  if (!trouble.empty())
+    throw RunError(fmt::format("{} ({:.6g} cycles): {}; {}", solver_, t, trouble, remedyOfLoadsNothingHolds));
 }
 
 void Equilibrium::findFromRest(Simulation& simulation, double t) {
@@ -174,7 +178,7 @@ void Equilibrium::solve(Simulation& simulation, double t) {
   const NewtonOutcome outcome = newton_.solve(simulation, 0.0, externalForce_, largestScale_);
   const double residual = outcome.scale > 0.0 ? outcome.residuals.back() / outcome.scale : outcome.residuals.back();
   if (!outcome.hasConverged)
-    throw RunError(fmt::format(
+    throw NoEquilibrium(fmt::format(
         "{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or loads: {:.2g}. "
         "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or Preconditioner; loose ends "
         "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
@@ -201,26 +205,32 @@ double Equilibrium::carriedForce(Simulation& simulation) {
   const double *force = model.field("Force_Density"), *volume = model.field("Volume");
   const double* displacement = model.field("Displacement");
   const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
-  std::array<double, 3> mine{}, all{};  // squares of loads and reactions; work
+  std::array<double, 4> mine{}, all{};  // squares of loads and reactions; work of reactions and of loads
   for (std::size_t i = 0; i < externalForce_.size(); ++i) {
     mine[0] += std::pow(externalForce_[i] * volume[i / 3], 2);
+    mine[3] += externalForce_[i] * volume[i / 3] * displacement[i];
     if (isPrescribed[i] == 0) continue;
     mine[1] += std::pow(force[i] * volume[i / 3], 2);
     mine[2] -= 0.5 * force[i] * volume[i / 3] * displacement[i];
   }
-  model.comm().SumAll(mine.data(), all.data(), 3);
+  model.comm().SumAll(mine.data(), all.data(), 4);
   workOfReactions_ = all[2];
+  compliance_ = all[0] > 0.0 ? all[3] / all[0] : 0.0;
+  if (firstCompliance_ == 0.0) firstCompliance_ = compliance_;
   return std::sqrt(std::max(all[0], all[1]));
 }
 
 RestartState Equilibrium::restartState() const {
-  RestartState state{{"largest force", largestScale_}};
+  RestartState state{
+      {"largest force", largestScale_}, {"compliance", compliance_}, {"first compliance", firstCompliance_}};
   state.addPart("window", window_ ? window_->restartState() : EventWindow().restartState());
   return state;
 }
 
 void Equilibrium::setRestartState(const RestartState& state) {
   largestScale_ = state["largest force"];
+  compliance_ = state["compliance"];
+  firstCompliance_ = state["first compliance"];
   if (window_) window_->setRestartState(state.part("window"));
 }
 

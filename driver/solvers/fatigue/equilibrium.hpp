@@ -11,6 +11,11 @@
 
 namespace pd {
 
+/// Says why no displacements were found in which all forces balance.
+struct NoEquilibrium : RunError {
+  using RunError::RunError;
+};
+
 /// Newton's method with what it needs around it: parts that nothing holds stay in place, loads on them are refused.
 /// Between checkpoints the tangent of springs is kept as long as it is good.
 class Equilibrium {
@@ -36,13 +41,18 @@ class Equilibrium {
   void requireWindow(Simulation& simulation);
   /// Parts of more than 1 % of the points that loads or prescribed displacements act on at time t. Collective.
   int countLoadedParts(Simulation& simulation, double t);
-  /// Throws RunError where a load at time t acts on parts that nothing holds. Collective.
+  /// Loads at time t on parts that nothing holds; empty where there are none. Collective.
+  std::string loadsNothingHolds(Simulation& simulation, double t);
+  /// Throws RunError where there are such.
   void requireHeldLoads(Simulation& simulation, double t);
   /// Whether the last equilibrium carries next to nothing of the largest load or reaction so far.
   bool carriesNothing() const { return carried_ < 1e-3 * largestScale_; }
-  /// From the undeformed body, loads and prescribed displacements of time t. Throws RunError where there is none.
+  /// How many times as far the loads had moved in the last equilibrium as in the first, per newton; 0: there are none.
+  double yielded() const { return firstCompliance_ > 0.0 ? compliance_ / firstCompliance_ : 0.0; }
+  /// From the undeformed body, loads and prescribed displacements of time t. Throws NoEquilibrium where there is none.
   void findFromRest(Simulation& simulation, double t);
-  /// From the present displacements; with a window perhaps around the tip alone. Throws RunError where there is none.
+  /// From the present displacements; with a window perhaps around the tip alone. Throws NoEquilibrium where there is
+  /// none.
   void find(Simulation& simulation, double t);
   bool isComplete() const { return isComplete_; }
   /// Finds the displacements of all points, where find() has not. Returns whether they have changed.
@@ -58,7 +68,7 @@ class Equilibrium {
 
  private:
   void solve(Simulation& simulation, double t);
-  /// Of loads or reactions, N; writes workOfReactions_.
+  /// Of loads or reactions, N; writes workOfReactions_ and the compliances.
   double carriedForce(Simulation& simulation);
   bool wholeIsDue() const;
 
@@ -74,6 +84,8 @@ class Equilibrium {
   double carried_ = 0.0;                 ///< N, norm of loads or reactions of the last equilibrium of the whole body
   double carriedBefore_ = 0.0;           ///< N, of the one before; 0: none
   double workOfReactions_ = 0.0;         ///< J, the energy of a body without other loads
+  double compliance_ = 0.0;              ///< m/N, of the loads, in the last equilibrium of the whole body
+  double firstCompliance_ = 0.0;         ///< m/N, in the first under loads; 0: none
   long long nSolutions_ = 0;
   double largestResidual_ = 0.0;  ///< relative
 };

@@ -70,6 +70,7 @@ class Fatigue : public EventSolver {
   void start(Simulation& simulation, double t);
   /// Equilibrium at the load of time t; bonds break and it is found again until none breaks.
   void settle(Simulation& simulation, double t, bool fromRest);
+  bool findEquilibrium(Simulation& simulation, double t, bool fromRest);
   void noteBreakage(Simulation& simulation, double t);
   void watchLoad(Simulation& simulation, double rateBefore, double cycles, double reached);
   /// Load of the cycles after t, by blocks and by what the crack asks for.

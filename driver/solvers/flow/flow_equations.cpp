@@ -326,11 +326,42 @@ void FlowEquations::add(double factor, const std::vector<double>& change) {
   model_.importGhosts("Pressure");
 }
 
+/// By pocket: means over the bonds of fluid points to points beyond outflows, of `pressure` [points]; 0 without any.
+std::vector<double> FlowEquations::outflowPressures(const double* pressure) const {
+  const std::size_t nPockets = pockets_.pockets.size();
+  std::vector<double> sums(2 * nPockets, 0.0), means(nPockets, 0.0);
+  for (const int point : geometry_.fluid()) {
+    if (!geometry_.isNearBoundary(point)) continue;
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    for (const int neighbor : geometry_.neighborsOf(point)) {
+      if (!geometry_.isBeyondOutflow(neighbor)) continue;
+      sums[pocket] += pressure[neighbor];
+      sums[nPockets + pocket] += 1.0;
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, model_.comm().mpi());
+  for (std::size_t k = 0; k < nPockets; ++k)
+    if (sums[nPockets + k] > 0.0) means[k] = sums[k] / sums[nPockets + k];
+  return means;
+}
+
+void FlowEquations::followOutflows(const std::vector<double>& before) {
+  double* pressure = model_.field("Pressure");
+  const std::vector<double> now = outflowPressures(pressure), earlier = outflowPressures(before.data());
+  if (now == earlier) return;
+  for (const int point : geometry_.fluid()) {
+    const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
+    pressure[point] += now[pocket] - earlier[pocket];
+  }
+  model_.importGhosts("Pressure");
+}
+
 void FlowEquations::comeToRest() {
   double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
+  const std::vector<double> outside = outflowPressures(pressure);
   for (const int point : geometry_.fluid()) {
     std::fill_n(velocity + 3 * index(point), 3, 0.0);
-    pressure[point] = 0.0;
+    pressure[point] = outside[static_cast<std::size_t>(pockets_.pocketOf[index(point)])];
   }
   std::fill(lambda_.begin(), lambda_.end(), 0.0);
   model_.importGhosts("Velocity");
@@ -361,12 +392,16 @@ double FlowEquations::largestSpeed() const {
 }
 
 double FlowEquations::scaleOfSpeed() const {
+  return std::max({largestSpeed(), rows_.jumps.largestVelocity, speedOfRounding()});
+}
+
+double FlowEquations::speedOfRounding() const {
   constexpr double rounded = 1e-6;  // a flow that p drives over a thousand spacings is a hundred times as fast
   const double* pressure = model_.field("Pressure");
   double largest = 0.0;
   for (const int point : geometry_.fluid())
     largest = std::max(largest, rounded * std::abs(pressure[point]) * geometry_.spacingOf(point) / viscosity_);
-  return std::max({largestSpeed(), rows_.jumps.largestVelocity, model_.comm().max(largest)});
+  return model_.comm().max(largest);
 }
 
 double FlowEquations::largestCellReynolds() const {

@@ -46,7 +46,11 @@ class FlowEquations {
   void add(double factor, const std::vector<double>& change);
   /// tau of the present velocities, and their gradients, for matrix() and apply().
   void refreshSmoothing();
-  /// No velocity and no pressure: what a fluid at rest has of them is rounding. Collective.
+  /// For a first guess: where a pocket's outflows have other pressures than in `before` [points], all of its pressures
+  /// change with them, since a flow follows from their differences alone. Collective.
+  void followOutflows(const std::vector<double>& before);
+  /// No velocity, and everywhere in a pocket the pressure of its outflows, or none: what a fluid at rest has besides is
+  /// rounding. Collective.
   void comeToRest();
   /// Pressures of closed pockets get zero mean, and points that are not fluid the boundary's values. Collective.
   void settle(double t);
@@ -76,6 +80,7 @@ class FlowEquations {
   double largestSpeed() const;  ///< of fluid points, all ranks, m/s
   /// Of fluid, walls and inlets, and no less than what rounding of the pressures makes of a fluid at rest, m/s.
   double scaleOfSpeed() const;
+  double speedOfRounding() const;      ///< that of the pressures alone, m/s
   double largestCellReynolds() const;  ///< rho |v| h/mu, all ranks
   /// Largest net flow into a closed pocket, over its largest velocity times its width. All ranks.
   double largestNetFlow() const;
@@ -94,6 +99,7 @@ class FlowEquations {
   std::array<double, 9> gradientAt(std::size_t row) const;
   void addLinear(std::size_t row, const std::vector<double>& state, double* own) const;
   std::vector<double> ofPockets(const double* x) const;
+  std::vector<double> outflowPressures(const double* pressure) const;
   double speed(int point) const;
 
   Simulation& simulation_;

@@ -46,6 +46,10 @@ class SteadyFlow : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   void checkpointWritten() override { mustRenew_ = true; }
+  RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
+  void setRestartState(const RestartState& state) override {
+    nLoadSteps_ = static_cast<long long>(state["load steps"]);
+  }
 
  private:
   void takeUpPhases(Simulation& simulation);
@@ -60,7 +64,9 @@ class SteadyFlow : public Solver {
                                const std::vector<double>& rightSide, std::vector<double>& change);
   double largestVelocity(const std::vector<double>& change) const;
   double takeStep(Simulation& simulation, const std::vector<double>& change, double normBefore);
+  bool isStokesFlowFound(const Communicator& comm, double normBefore) const;
   double scaleOfSpeed() const;
+  double restingSpeed() const;
   void takeUpSpeed();
   [[noreturn]] void giveUp(double t, int iterations, double change, const std::string& why) const;
 

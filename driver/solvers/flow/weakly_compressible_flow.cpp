@@ -236,6 +236,18 @@ void WeaklyCompressibleFlow::advance(Simulation& simulation, double t, double dt
   model.acceptStep(t + dt, dt);
 }
 
+RestartState WeaklyCompressibleFlow::restartState() const {
+  return {{"critical step", criticalStep_},
+          {"steps", static_cast<double>(nSteps_)},
+          {"load steps", static_cast<double>(nLoadSteps_)}};
+}
+
+void WeaklyCompressibleFlow::setRestartState(const RestartState& state) {
+  criticalStep_ = state["critical step"];
+  nSteps_ = static_cast<long long>(state["steps"]);
+  nLoadSteps_ = static_cast<long long>(state["load steps"]);
+}
+
 std::vector<std::string> WeaklyCompressibleFlow::summary() const {
   if (nSteps_ == 0) return {fmt::format("{}: no steps", solverName)};
   return {fmt::format("{}: {} steps in {} load steps, the longest {:.6g} s = {:.4g} of the critical one, {:.6g} s: {}; "

@@ -39,8 +39,8 @@ class WeaklyCompressibleFlow : public Solver {
   }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
-  RestartState restartState() const override { return {{"critical step", criticalStep_}}; }
-  void setRestartState(const RestartState& state) override { criticalStep_ = state["critical step"]; }
+  RestartState restartState() const override;
+  void setRestartState(const RestartState& state) override;
   void modelHasChanged() override { criticalStep_ = 0.0; }
 
  private:
