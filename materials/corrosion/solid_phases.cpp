@@ -81,20 +81,26 @@ SolidPhases::SolidPhases(const Teuchos::ParameterList& params, double saturation
 
 double SolidPhases::fastestUnder(double filmCoverage) const {
   double fastest = 0.0;
-  for (const Phase& phase : phases_) fastest = std::max(fastest, currentUnder(filmCoverage, phase));
+  for (const Phase& phase : phases_) fastest = std::max(fastest, phase.open(filmCoverage) * phase.atSaturation);
   return fastest;
 }
 
-double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
-  double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
-  double fastest = fastestUnder(film);
-  if (fastest == 0.0) fastest = fastestUnder(film = 0.0);
+/// Current density at saturation that a film leaves, over that of the fastest phase.
+double SolidPhases::paceUnder(double filmCoverage, std::size_t phase) const {
+  const double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
+  const double fastest = fastestUnder(film);
   constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
-  return fastest > 0.0 ? std::max(currentUnder(film, phases_[phase]) / fastest, least) : 1.0;
+  return fastest > 0.0 ? std::max(phases_[phase].open(film) * phases_[phase].atSaturation / fastest, least) : 1.0;
+}
+
+double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
+  constexpr double nextToNothing = 1e-2;  // of bare metal: what takes such a flux was dissolved under less of a film
+  const bool isLeft = filmsDiffer_ && fastestUnder(filmCoverage) > nextToNothing * fastestUnder(0.0);
+  return paceUnder(isLeft ? filmCoverage : 0.0, phase);
 }
 
 double SolidPhases::keepsUp(std::size_t first, std::size_t second, double filmCoverage) const {
-  const double paces = pace(second, filmCoverage) / pace(first, filmCoverage);
+  const double paces = paceUnder(filmCoverage, second) / paceUnder(filmCoverage, first);
   return std::min(1.0, paces * phases_[first].solidConcentration / phases_[second].solidConcentration);
 }
 

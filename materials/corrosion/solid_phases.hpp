@@ -29,8 +29,9 @@ class SolidPhases {
   const Phase& operator[](std::size_t phase) const { return phases_[phase]; }
   /// Phase of the points of a block, by the value of the field Block_Id.
   std::size_t ofBlock(double blockId) const;
-  /// Current density at saturation, of what a film leaves open, over that of the fastest phase; at least 1e-6.
-  /// Where a film leaves nothing of any, that of bare metal.
+  /// What a phase gives of a flux that no current of its own takes, over what the fastest gives; at least 1e-6. It is
+  /// as the currents are at saturation that a film leaves, or those of bare metal where it leaves next to nothing of
+  /// any.
   double pace(std::size_t phase, double filmCoverage) const;
   /// Share of the second phase that a front through the first takes along, 0 to 1.
   double keepsUp(std::size_t first, std::size_t second, double filmCoverage) const;
@@ -40,9 +41,7 @@ class SolidPhases {
   bool filmsDiffer() const { return filmsDiffer_; }
 
  private:
-  double currentUnder(double filmCoverage, const Phase& phase) const {
-    return phase.open(filmCoverage) * phase.atSaturation;
-  }
+  double paceUnder(double filmCoverage, std::size_t phase) const;
   double fastestUnder(double filmCoverage) const;
 
   bool filmsDiffer_ = false;

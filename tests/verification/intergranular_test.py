@@ -226,14 +226,15 @@ class PhasesUnderFilms(PhasesTest):
         # What points that dissolve owe others is for those to give that have a current, if they had no film.
         inside = (self.x[:, 0] > 0) & (np.round(self.x[:, 0] / SPACING - 0.5) % 3 == 1) & \
             (np.round(self.x[:, 1] / SPACING) % 3 == 0)
-        deck = self.deck(inside, (float(STEEL["Current Density"]), 0.0))
-        deck["Materials"]["Metal"]["Phase Film Shares"] = [0.0]
-        deck["Boundary Conditions"]["Film"] = {"Type": "Film Coverage", "Node Set": "All Node Set",
-                                               "Value": "x > 5e-6 ? 1 : 0"}
-        deck["Solver"]["Corrosion"] |= {"Load Steps": 4, "Front Limit": 0.5}
-        damage = self.solve(deck).field("Damage")
-        self.assertGreater(np.sum(damage[~inside & (self.x[:, 0] > 0)]), 30)
-        self.assertLess(np.sum(damage[inside]), 1e-3)
+        for current in (0.0, 1e-9):
+            deck = self.deck(inside, (float(STEEL["Current Density"]), current))
+            deck["Materials"]["Metal"]["Phase Film Shares"] = [0.0]
+            deck["Boundary Conditions"]["Film"] = {"Type": "Film Coverage", "Node Set": "All Node Set",
+                                                   "Value": "x > 5e-6 ? 1 : 0"}
+            deck["Solver"]["Corrosion"] |= {"Load Steps": 4, "Front Limit": 0.5}
+            damage = self.solve(deck).field("Damage")
+            self.assertGreater(np.sum(damage[~inside & (self.x[:, 0] > 0)]), 30)
+            self.assertLess(np.sum(damage[inside]), 1e-3)
 
 
 class PolycrystalTest(PhasesTest):
