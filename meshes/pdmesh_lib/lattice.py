@@ -37,6 +37,8 @@ def onto_lattice(points):
     the points are on no lattice, and stay."""
     d = points.dimension
     spacing = float(np.median(points.volume) / points.measure) ** (1 / d)
+    if not spacing > 0.0:
+        return None
     moved = np.empty((len(points), d))
     for k in range(d):
         axis = _onto_rows(points.x[:, k], spacing)
@@ -45,7 +47,9 @@ def onto_lattice(points):
         moved[:, k] = axis
     largest = float(np.abs(moved - points.x[:, :d]).max() / spacing)
     points.x[:, :d] = moved
-    points.volume = _evened(points.volume, _ROUNDING * float(np.median(points.volume)))[0]
+    least = _ROUNDING * float(np.median(points.volume))
+    evened = _evened(points.volume, least)[0]
+    points.volume = np.where(np.abs(evened - points.volume) <= least, evened, points.volume)
     return largest
 
 

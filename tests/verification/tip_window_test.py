@@ -136,6 +136,25 @@ class TipWindow(SceneTest):
             "Grips Node Set": {"Expression": "abs(y) > 6e-3 && x < 0.25"}}
         self.compare(deck)
 
+    def test_what_is_next_to_singular_has_no_windows(self):
+        # The plate between the forces is held through a block of next to no stiffness alone.
+        deck = self.deck(width=40e-3, columns=2.2)
+        points = lattice([40e-3, HEIGHT], SPACING, origin=[0.0, -HEIGHT / 2])
+        self.write_mesh(points, SPACING**2 * THICKNESS, 1 + (points[:, 0] > 30e-3))
+        deck["Materials"]["Soft"] = {**deck["Materials"]["Steel"], "Young's Modulus": 0.02}
+        deck["Blocks"]["Other"] = {**deck["Blocks"]["Body"], "Block Names": "block_2", "Material": "Soft"}
+        conditions = deck["Boundary Conditions"]
+        for name, sign in (("Up", 1.0), ("Down", -1.0)):
+            conditions[name] = {"Type": "Force", "Node Set": conditions[name]["Node Set"], "Coordinate": "y",
+                                "Value": 200.0 * sign}
+        conditions |= {"Top Node Set": {"Expression": "y > 8e-3 && x < 0.02"},
+                       "Bottom Node Set": {"Expression": "y < -8e-3 && x < 0.02"},
+                       "End Node Set": {"Expression": "x > 0.0385"}, "Still": {**conditions["Still"], "Node Set": "End Node Set"},
+                       "Still Y": {**conditions["Still"], "Node Set": "End Node Set", "Coordinate": "y"}}
+        with_window = self.solve(deck)
+        del deck["Solver"]["Fatigue"]["Tip Window"]
+        np.testing.assert_allclose(with_window.history()["time"], self.solve(deck).history()["time"], rtol=1e-3)
+
     def test_a_run_that_goes_on_is_the_one_that_never_stopped(self):
         deck = self.deck(width=LONG)
         deck["Output2"] = {"Output Filename": "early", "Output Variables": ["Damage"], "Final Output Step": 9,

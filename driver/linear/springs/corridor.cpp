@@ -60,7 +60,10 @@ CorridorResponse Corridor::response(const std::vector<int>& rows, const std::vec
   FrontalFactor factor(part, order.ends);
   CorridorResponse response;
   response.trouble = factor.eliminate(true);
-  if (response.trouble.empty()) response.values = factor.columnsOfInverse(part.unknownsOf(rows));
+  if (!response.trouble.empty()) return response;
+  const std::vector<int> unknowns = part.unknownsOf(rows);
+  response.values = factor.columnsOfInverse(unknowns);
+  if (response.values.empty() && !unknowns.empty()) response.trouble = FrontalFactor::singular;
   return response;
 }
 

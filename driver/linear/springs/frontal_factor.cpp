@@ -12,8 +12,9 @@ namespace {
 using Blas = Teuchos::BLAS<int, double>;
 using Lapack = Teuchos::LAPACK<int, double>;
 
-// Of its entry of the matrix: a pivot that is no more is rounding.
-constexpr double negligible = 1e-13;
+// Of its entry of the matrix: what follows from a smaller pivot is mostly rounding (parts that hold others with a 1e-10
+// of their stiffness: times of events off by a hundredth).
+constexpr double negligible = 1e-9;
 // Columns of a front that are eliminated at a time.
 constexpr int blockWidth = 96;
 // Columns of the inverse that are found at a time.
@@ -84,7 +85,7 @@ std::vector<int> FrontalFactor::borderOf(const Front& front) {
 
 std::string FrontalFactor::eliminate(bool keepsColumns) {
   for (Front& front : fronts_) {
-    if (!eliminate(front)) return "the matrix is singular";
+    if (!eliminate(front)) return singular;
     if (!keepsColumns && front.parent >= 0) front.columns.reset();
   }
   return "";

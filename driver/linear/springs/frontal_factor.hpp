@@ -21,6 +21,8 @@ class FrontalFactor {
   /// empty.
   FrontalFactor(const PartStiffness& part, const std::vector<std::size_t>& ends);
 
+  static constexpr const char* singular = "the matrix is singular";
+
   /// Eliminates all points but those that are kept. Returns why that cannot be; empty where it can. With
   /// `keepsColumns` those of the factor stay for columnsOfInverse().
   std::string eliminate(bool keepsColumns);
