@@ -325,6 +325,11 @@ class CrackedPlate(SceneTest):
             result = self.solve(deck)
             self.assertIn("come apart", " ".join(result.report["solver"]))
             self.assertTrue(np.all(np.isfinite(result.field("Displacement"))))
+        self.assertIn("no equilibrium: the linear solver", " ".join(result.report["solver"]))
+        deck["Solver"]["Fatigue"]["Maximum Solver Iterations"] = 2  # which end sooner than what bears the load
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("the iterations are used up", result.text)
 
     def test_two_cracks_meet(self):
         width = 13e-3

@@ -178,11 +178,14 @@ void Equilibrium::solve(Simulation& simulation, double t) {
   const NewtonOutcome outcome = newton_.solve(simulation, 0.0, externalForce_, largestScale_);
   const double residual = outcome.scale > 0.0 ? outcome.residuals.back() / outcome.scale : outcome.residuals.back();
   if (!outcome.hasConverged)
-    throw NoEquilibrium(fmt::format(
-        "{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or loads: {:.2g}. "
-        "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or Preconditioner; loose ends "
-        "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
-        solver_, t, outcome.trouble, outcome.scale, residual));
+    throw NoEquilibrium(
+        fmt::format("{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or "
+                    "loads: {:.2g}. "
+                    "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or "
+                    "Preconditioner; loose ends "
+                    "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
+                    solver_, t, outcome.trouble, outcome.scale, residual),
+        outcome);
   largestScale_ = std::max(largestScale_, outcome.scale);
   largestResidual_ = std::max(largestResidual_, residual);
   carriedBefore_ = carried_;

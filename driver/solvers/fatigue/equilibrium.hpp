@@ -13,7 +13,10 @@ namespace pd {
 
 /// Says why no displacements were found in which all forces balance.
 struct NoEquilibrium : RunError {
-  using RunError::RunError;
+  NoEquilibrium(const std::string& message, const NewtonOutcome& outcome)
+      : RunError(message), trouble(outcome.trouble), iterationsAreUsedUp(outcome.iterationsAreUsedUp) {}
+  std::string trouble;       ///< Newton's
+  bool iterationsAreUsedUp;  ///< more of them might find it
 };
 
 /// Newton's method with what it needs around it: parts that nothing holds stay in place, loads on them are refused.

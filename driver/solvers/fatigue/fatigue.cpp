@@ -174,11 +174,11 @@ bool Fatigue::findEquilibrium(Simulation& simulation, double t, bool fromRest) {
   try {
     fromRest ? equilibrium_.findFromRest(simulation, t) : equilibrium_.find(simulation, t);
   } catch (const NoEquilibrium& error) {
-    if (!hasStarted_ || equilibrium_.yielded() < mostYielded) throw;
+    if (!hasStarted_ || error.iterationsAreUsedUp || equilibrium_.yielded() < mostYielded) throw;
     reasonToStop_ = fmt::format(
         "the body has come apart after {:.6g} cycles: its loads moved {:.3g} times as far as at first before, and now "
-        "there is no equilibrium",
-        t, equilibrium_.yielded());
+        "there is no equilibrium: {}",
+        t, equilibrium_.yielded(), error.trouble);
     Model& model = simulation.model;
     std::copy_n(model.fieldAtN("Displacement"), 3LL * model.nPoints(), model.field("Displacement"));
     model.updateCoordinates();
