@@ -182,7 +182,7 @@ void UnresolvedGeometry::requireSizes(double spacing) const {
           entry.isCrack && !complaint.empty())
         throw DeckError(entry.node.keyPlace() + ": " + path + complaint);
     for (const auto& v : entry.voids) {
-      const std::string complaint = decomposition::complaintOfVoid(v->box(), dimension_, spacing);
+      const std::string complaint = decomposition::complaintOfVoid(*v, spacing);
       if (complaint.empty()) continue;
       if (++nSmall == 1)
         ofVoids = (entry.inFile.empty() ? entry.node.keyPlace() : entry.inFile) + ": " + path + complaint;

@@ -212,7 +212,10 @@ NewtonOutcome Newton::solve(Simulation& simulation, double dt, const std::vector
       return outcome;
     }
     if (!std::isfinite(balance.free)) outcome.trouble = "the force is not finite";
-    if (iteration == settings_.maximumIterations) outcome.trouble = "the iterations are used up";
+    if (outcome.trouble.empty() && iteration == settings_.maximumIterations) {
+      outcome.trouble = "the iterations are used up";
+      outcome.iterationsAreUsedUp = true;
+    }
     if (!outcome.trouble.empty()) return outcome;
 
     // Nothing is gained by solving the linear problem better than the load step needs, which in small strain is all

@@ -36,9 +36,10 @@ struct NewtonSettings {
 /// How one search for equilibrium went.
 struct NewtonOutcome {
   bool hasConverged = false;
-  std::vector<double> residuals;  ///< |unbalanced force|, N: at the start and after each iteration
-  double scale = 0.0;             ///< what the relative tolerance refers to, N
-  std::string trouble;            ///< why it stopped where it has not converged
+  std::vector<double> residuals;     ///< |unbalanced force|, N: at the start and after each iteration
+  double scale = 0.0;                ///< what the relative tolerance refers to, N
+  std::string trouble;               ///< why it stopped where it has not converged
+  bool iterationsAreUsedUp = false;  ///< which is that trouble
 };
 
 /// Finds the displacements at which internal and external forces balance at all degrees of freedom that are not held.

@@ -130,7 +130,7 @@ void BlockDecomposition::requireSizes(const double* volume, int nPoints) const {
   for (const Entry& entry : entries_) {
     if (entry.isCrack)
       for (const auto& screen : entry.form.screens) look(entry, complaintOfCrack(screen->box(), dimension_, spacing));
-    for (const auto& v : entry.form.voids) look(entry, complaintOfVoid(v->box(), dimension_, spacing));
+    for (const auto& v : entry.form.voids) look(entry, complaintOfVoid(*v, spacing));
   }
   throwAll(owner_, messages);
 }

@@ -74,15 +74,12 @@ std::string complaintOfCrack(const Box& box, int dimension, double spacing) {
   return text.str();
 }
 
-std::string complaintOfVoid(const Box& box, int dimension, double spacing) {
+std::string complaintOfVoid(const Void& v, double spacing) {
   constexpr double least = 1e-6;  // of the spacing
-  double narrowest = HUGE_VAL;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
-    narrowest = std::min(narrowest, box.high[d] - box.low[d]);
-  if (narrowest >= 2.0 * least * spacing) return "";
+  if (v.inradius() >= least * spacing) return "";
   std::ostringstream text;
   text.precision(4);
-  text << "is too small: half of its width must be " << least << " of the spacing of " << spacing
+  text << "is too small: half of its smallest width must be " << least << " of the spacing of " << spacing
        << " m or more; leave it out, or see its unit";
   return text.str();
 }

@@ -81,12 +81,6 @@ struct Box {
 /// Of both cells, and all that is between them.
 Box boxAround(const Cell& a, const Cell& b);
 
-/// What is wrong with the size of a crack, of whose sides' lengths their ends are known to some 1e-9, or of a void, of
-/// which rounding makes anything where it is far smaller than a cell, beside cells of this spacing, m. Follows its
-/// name; empty where nothing is.
-std::string complaintOfCrack(const Box& box, int dimension, double spacing);
-std::string complaintOfVoid(const Box& box, int dimension, double spacing);
-
 /// Rules by which a bond is cut as a whole where it passes the end of a crack (Liu & Bao, Aerospace 9 (2022) 641,
 /// section 2.3.1): where the feet of both of its ends are beside the crack, or of one at least.
 enum class TipRule { Both, Either };
@@ -136,9 +130,18 @@ class Void {
   /// Of one in the plane: adds what it takes of each line in the plane and its continuation. Others throw.
   virtual void addWithinEach(const LinePerLane& lines, std::vector<RangePerLane>& ranges) const;
   virtual Box box() const = 0;
+  /// m: radius of the largest circle or ball within it. Of one with flat sides an estimate, which is exact where all
+  /// sides touch that, and at most twice (in space three times) as large.
+  virtual double inradius() const = 0;
   /// Heights along `axis` (of any length; height = place . axis) at which cross-sections change their form.
   virtual std::vector<double> heights(const Place& axis) const = 0;
 };
+
+/// What is wrong with the size of a crack, of whose sides' lengths their ends are known to some 1e-9, or of a void, of
+/// which rounding makes anything where it is far thinner than a cell, however it is turned, beside cells of this
+/// spacing, m. Follows its name; empty where nothing is.
+std::string complaintOfCrack(const Box& box, int dimension, double spacing);
+std::string complaintOfVoid(const Void& v, double spacing);
 
 /// A segment of a crack in the plane from a to b.
 std::unique_ptr<Screen> segmentScreen(const Place& a, const Place& b);

@@ -155,6 +155,14 @@ class SurfaceVoid : public Void {
     }
   }
   Box box() const override { return box_; }
+  double inradius() const override {
+    double volume = 0.0, area = 0.0;  // 6 and 2 of them
+    for (std::size_t t = 0; t < normals_.size(); ++t) {
+      volume += dot(normals_[t], minus(surface_.vertices[surface_.triangles[t][0]], surface_.vertices[0]));
+      area += lengthOf(normals_[t]);
+    }
+    return std::abs(volume) / area;
+  }
   /// Where it begins and ends: corners are too many to integrate from one to the next.
   std::vector<double> heights(const Place& axis) const override {
     for (std::size_t d = 0; d < 3; ++d)

@@ -62,6 +62,12 @@ class UnitBall {
     return {middle - reach, middle + reach};
   }
   const Box& box() const { return box_; }
+  /// m
+  double shortestHalfAxis() const {
+    double shortest = everywhere;
+    for (const Place& half : shape_.halfAxes) shortest = std::min(shortest, lengthOf(half));
+    return shortest;
+  }
   const Place& center() const { return shape_.center; }
   /// Whether it is a circle or an ellipse in the plane across an axis of infinite length, or of the plane itself.
   bool isPlane() const { return shape_.halfAxes.size() == 2; }
@@ -232,6 +238,7 @@ class EllipsoidVoid : public Void {
     ranges.push_back(ball_.meet(lines));
   }
   Box box() const override { return ball_.box(); }
+  double inradius() const override { return ball_.shortestHalfAxis(); }
   std::vector<double> heights(const Place& axis) const override {
     const Range range = ball_.heights(axis);
     return {range.low, range.high};
@@ -297,6 +304,14 @@ class PolygonVoid : public Void {
     for (std::size_t k = 0; k < crossings.size(); k += 2) ranges.push_back({crossings[k], crossings[k + 1]});
   }
   Box box() const override { return boxOf(corners_); }
+  double inradius() const override {
+    double twiceArea = 0.0, circumference = 0.0;
+    forEachEdge([&](const Place& a, const Place& b) {
+      twiceArea += crossed(minus(a, corners_[0]), minus(b, corners_[0]))[2];
+      circumference += lengthOf(minus(b, a));
+    });
+    return std::abs(twiceArea) / circumference;
+  }
   std::vector<double> heights(const Place& axis) const override {
     std::vector<double> result;
     for (const Place& corner : corners_) result.push_back(dot(corner, axis));

@@ -167,6 +167,26 @@ TEST(BondDecomposition, CrackThatEndsInAPoreBesideAPolygon) {
   EXPECT_NEAR(interactionShare(a, b, near, uniform(20)), expected.share, 5e-3 + expected.error);
 }
 
+TEST(BondDecomposition, VoidsAreAsThinAsTheyAreHoweverTheyAreTurned) {
+  constexpr double spacing = 1e-3, c = 0.8, s = 0.6, length = 2e-3;
+  for (const double half : {0.9e-9, 1.1e-9}) {
+    const Place along{c * length, s * length, 0.0}, across{-s * half, c * half, 0.0}, normal{0.0, 0.0, length};
+    const auto at = [&](double u, double v) { return plus(plus({0.01, 0.01, 0.0}, along, u), across, v); };
+    for (const Ellipsoid& shape :
+         {Ellipsoid{{0.01, 0.01, 0.0}, {along, across}}, Ellipsoid{{0.01, 0.01, 0.0}, {along, across, normal}},
+          Ellipsoid{{0.01, 0.01, 0.0}, {across, normal}}})
+      EXPECT_EQ(complaintOfVoid(*ellipsoidVoid(shape), spacing).empty(), half > 1e-9);
+    EXPECT_NEAR(ellipsoidVoid({{}, {along, across}})->inradius(), half, 1e-9 * half);
+    // Slender, a polygon counts for twice that, and a bent one, too.
+    EXPECT_NEAR(polygonVoid({at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)})->inradius(), 2.0 * half, 1e-5 * half);
+  }
+  const double a = 1e-4, w = 1e-10;
+  const auto bent = polygonVoid({{0, 0, 0}, {a, 0, 0}, {a, w, 0}, {w, w, 0}, {w, a, 0}, {0, a, 0}});
+  EXPECT_NEAR(bent->inradius(), w, 1e-5 * w);
+  EXPECT_FALSE(complaintOfVoid(*bent, spacing).empty());
+  EXPECT_NEAR(polygonVoid({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}})->inradius(), 3.0, 1e-12);
+}
+
 TEST(BondDecomposition, FormsInSpace) {
   const Cell a = cube(0.0, 0.0, 0.0), b = cube(1.0, 1.0, 1.0);
   const Ellipsoid ball{{0.6, 0.3, 0.4}, {{0.3, 0.0, 0.0}, {0.0, 0.2, 0.0}, {0.0, 0.0, 0.4}}};

@@ -123,6 +123,11 @@ TEST(TriangleSurface, OfAnEllipsoidHasItsShares) {
   }
 }
 
+TEST(TriangleSurface, KnowsHowThinItIs) {
+  EXPECT_NEAR(surfaceVoid(ellipsoidSurface({1.0, 2.0, 3.0}, {0.3, 0.3, 0.3}, 3))->inradius(), 0.3, 2e-3);
+  EXPECT_NEAR(surfaceVoid(corner())->inradius(), 3.0 * 0.64 / 5.28, 1e-12);  // 3 V/A
+}
+
 TEST(TriangleSurface, ContainsWhatIsInside) {
   const Pore pore(ellipsoidSurface({0.5, 0.5, 0.5}, {0.5, 0.3, 0.4}, 3)), ell(corner());
   std::mt19937 random(1);

@@ -9,6 +9,9 @@ sys.path.insert(0, sys.path[0] + "/../support")
 from porous_plate import SMALL_STRAIN, THICKNESS, YOUNG, PorousPlate, circle, prescribed  # noqa: E402
 from scene import SceneTest, lattice, plate_deck  # noqa: E402
 
+# 4 mm x 0.5 nm, beside the axes: wider than that along each of them.
+THIN = {"Type": "Ellipse", "Center": [0.0151, 0.0148], "Half Axes": [2e-3, 2.5e-10], "Angle": 0.7}
+
 
 class AsAPartOfAMaterial(PorousPlate):
     """What hosts without a place in the deck for cracks and voids do: they are a part of the material."""
@@ -86,6 +89,7 @@ class AsAPartOfAMaterial(PorousPlate):
                               ({"Cracks": {"Long": {"Type": "Polyline", "Points": [-1e6, 0.0151, 0.0102, 0.0151]}}},
                                "Cracks/Long is 1e+06 m long, more than 1e+06 spacings"),
                               ({"Voids": {"Speck": circle(0.0101, 0.01, 1e-12)}}, "Voids/Speck is too small"),
+                              ({"Voids": {"Slit": {**THIN, "Center": [0.0101, 0.01]}}}, "Voids/Slit is too small"),
                               ({"Cracks": edge, "also": edge}, "give all of them in one place")):
             deck = self.pull()
             del deck["Discretization"]["Cracks"], deck["Discretization"]["Voids"]
@@ -140,6 +144,7 @@ class Refusals(SceneTest):
              "let it end just outside of the body"),
             ({"Voids": {"Degrees": {"Type": "Ellipse", "Center": [0.01, 0.01], "Half Axes": [2e-3, 1e-3], "Angle": 30.0}}}, {},
              "Voids/Degrees/Angle is 30, must be in"),
+            ({"Voids": {"Slit": THIN}}, {}, "Voids/Slit is too small: half of its smallest width must be 1e-06 of the spacing"),
             ({"Cracks": {"Through A Point": {"Type": "Polyline", "Points": [0.01, 0.0155, 0.02, 0.0155]}},
               "Bond Decomposition": {"Rule": "Intersection"}}, {}, "or set `Rule: Adaptive`"),
             (good, {"Material Model": "Corrosion Dissolution", **diffusing, "damage": {"Damage Model": "Dissolution"}},

@@ -325,6 +325,41 @@ class CrackedPlate(SceneTest):
             result = self.solve(deck)
             self.assertIn("come apart", " ".join(result.report["solver"]))
             self.assertTrue(np.all(np.isfinite(result.field("Displacement"))))
+        self.assertIn("no equilibrium: the linear solver", " ".join(result.report["solver"]))
+        deck["Solver"]["Fatigue"]["Maximum Solver Iterations"] = 2  # which end sooner than what bears the load
+        result = self.run_deck(deck)
+        self.assertEqual(result.code, 3, result.text)
+        self.assertIn("the iterations are used up", result.text)
+
+    def test_a_force_tears_the_ligament_beside_a_larger_one_on_another_body(self):
+        width, far = 11e-3, 30e-3
+        deck = cracked_plate(self, solver={"Kinematics": "Small Strain", "Relative Tolerance": 1e-6}, width=width)
+        plate = lattice([width, 18e-3], SPACING, origin=[0.0, -9e-3])
+        points = np.concatenate([plate, plate + [far, 0.0, 0.0]])
+        self.write_mesh(points, SPACING**2 * THICKNESS, block=np.where(points[:, 0] > 20e-3, 2, 1))
+        del deck["Solver"]["Fatigue"]["Preconditioner"]
+        deck["Discretization"]["Bond Filters"]["Crack"]["Bottom_Length"] = 1.0 + CRACK
+        deck["Materials"]["Stiff"] = {**deck["Materials"]["Steel"], "Young's Modulus": 2e15}
+        deck["Blocks"]["Body"]["Block Names"] = "block_1"
+        deck["Blocks"]["Far"] = {**deck["Blocks"]["Body"], "Block Names": "block_2", "Material": "Stiff"}
+        conditions = deck["Boundary Conditions"]
+        conditions["Still"]["Node Set"] = "Bottom Node Set"
+        conditions["Top Node Set"] = {"Expression": "y > 6e-3 && x < 20e-3"}
+        conditions["Far Node Set"] = {"Expression": "y > 6e-3 && x > 20e-3"}
+        conditions["Up"] = {"Type": "Force", "Node Set": "Top Node Set", "Coordinate": "y", "Value": 2000.0}
+        conditions["Other"] = {**conditions["Up"], "Node Set": "Far Node Set", "Value": 1e5}
+
+        def end(**options):
+            lines = self.solve(deck, **options).report["solver"]
+            return next(line for line in lines if "ended since" in line).split(", and now")[0]
+
+        whole = end()
+        self.assertIn("a load moved", whole)
+        deck["Solver"]["Final Time"] = 30.0
+        deck["Output"]["Checkpoint Frequency"] = 1000000
+        self.solve(deck)
+        deck["Solver"]["Final Time"] = 1e9
+        self.assertEqual(end(arguments=["--restart", "result.checkpoint.h5"]), whole)
 
     def test_two_cracks_meet(self):
         width = 13e-3

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "../../boundary/condition.hpp"
 #include "../connected_parts.hpp"
 #include "../linear_solver_settings.hpp"
 #include "../mechanics.hpp"
@@ -178,15 +179,19 @@ void Equilibrium::solve(Simulation& simulation, double t) {
   const NewtonOutcome outcome = newton_.solve(simulation, 0.0, externalForce_, largestScale_);
   const double residual = outcome.scale > 0.0 ? outcome.residuals.back() / outcome.scale : outcome.residuals.back();
   if (!outcome.hasConverged)
-    throw NoEquilibrium(fmt::format(
-        "{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or loads: {:.2g}. "
-        "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or Preconditioner; loose ends "
-        "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
-        solver_, t, outcome.trouble, outcome.scale, residual));
+    throw NoEquilibrium(
+        fmt::format("{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or "
+                    "loads: {:.2g}. "
+                    "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or "
+                    "Preconditioner; loose ends "
+                    "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
+                    solver_, t, outcome.trouble, outcome.scale, residual),
+        outcome);
   largestScale_ = std::max(largestScale_, outcome.scale);
   largestResidual_ = std::max(largestResidual_, residual);
   carriedBefore_ = carried_;
   carried_ = carriedForce(simulation);
+  if (!hasBeenLoaded_ && simulation.conditions.hasExternalForce()) noteFirstLoads(simulation.model, t);
   isComplete_ = isOfTheseBonds_ = true;
   ++nSolutions_;
 }
@@ -205,32 +210,63 @@ double Equilibrium::carriedForce(Simulation& simulation) {
   const double *force = model.field("Force_Density"), *volume = model.field("Volume");
   const double* displacement = model.field("Displacement");
   const std::vector<char>& isPrescribed = simulation.conditions.displacementIsPrescribed();
-  std::array<double, 4> mine{}, all{};  // squares of loads and reactions; work of reactions and of loads
+  std::array<double, 3> mine{}, all{};  // squares of loads and reactions; work of reactions
   for (std::size_t i = 0; i < externalForce_.size(); ++i) {
     mine[0] += std::pow(externalForce_[i] * volume[i / 3], 2);
-    mine[3] += externalForce_[i] * volume[i / 3] * displacement[i];
     if (isPrescribed[i] == 0) continue;
     mine[1] += std::pow(force[i] * volume[i / 3], 2);
     mine[2] -= 0.5 * force[i] * volume[i / 3] * displacement[i];
   }
-  model.comm().SumAll(mine.data(), all.data(), 4);
+  model.comm().SumAll(mine.data(), all.data(), 3);
   workOfReactions_ = all[2];
-  compliance_ = all[0] > 0.0 ? all[3] / all[0] : 0.0;
-  if (firstCompliance_ == 0.0) firstCompliance_ = compliance_;
   return std::sqrt(std::max(all[0], all[1]));
 }
 
+void Equilibrium::noteFirstLoads(Model& model, double t) {
+  hasBeenLoaded_ = model.comm().any(
+      std::any_of(externalForce_.begin(), externalForce_.end(), [](double force) { return force != 0.0; }));
+  if (!hasBeenLoaded_) return;
+  firstLoadedAt_ = t;
+  std::copy_n(model.field("Displacement"), externalForce_.size(), model.field(fields_.firstDisplacement));
+}
+
+/// Each load by itself: beside a much larger one on another body its own would not be seen.
+double Equilibrium::yielded(Simulation& simulation, double t) const {
+  if (!hasBeenLoaded_) return 0.0;
+  Model& model = simulation.model;
+  const double* volume = model.field("Volume");
+  const auto compliance = [&](const Condition& load, double time, const double* displacement) {
+    std::vector<double> force(externalForce_.size(), 0.0);
+    load.addForceDensity(model.discretization(), simulation.conditions.runTime(time), force.data());
+    std::array<double, 2> mine{}, all{};  // work, and the square of the force
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      mine[0] += force[i] * volume[i / 3] * displacement[i];
+      mine[1] += std::pow(force[i] * volume[i / 3], 2);
+    }
+    model.comm().SumAll(mine.data(), all.data(), 2);
+    return all[1] > 0.0 ? all[0] / all[1] : 0.0;  // m/N
+  };
+  double most = 0.0;
+  for (const auto& condition : simulation.conditions.all()) {
+    if (!condition->isLoad()) continue;
+    const double first = compliance(*condition, firstLoadedAt_, model.field(fields_.firstDisplacement));
+    if (first > 0.0) most = std::max(most, compliance(*condition, t, model.fieldAtN("Displacement")) / first);
+  }
+  return most;
+}
+
 RestartState Equilibrium::restartState() const {
-  RestartState state{
-      {"largest force", largestScale_}, {"compliance", compliance_}, {"first compliance", firstCompliance_}};
+  RestartState state{{"largest force", largestScale_},
+                     {"has been loaded", hasBeenLoaded_ ? 1.0 : 0.0},
+                     {"first loaded at", firstLoadedAt_}};
   state.addPart("window", window_ ? window_->restartState() : EventWindow().restartState());
   return state;
 }
 
 void Equilibrium::setRestartState(const RestartState& state) {
   largestScale_ = state["largest force"];
-  compliance_ = state["compliance"];
-  firstCompliance_ = state["first compliance"];
+  hasBeenLoaded_ = state["has been loaded"] != 0.0;
+  firstLoadedAt_ = state["first loaded at"];
   if (window_) window_->setRestartState(state.part("window"));
 }
 

@@ -13,7 +13,10 @@ namespace pd {
 
 /// Says why no displacements were found in which all forces balance.
 struct NoEquilibrium : RunError {
-  using RunError::RunError;
+  NoEquilibrium(const std::string& message, const NewtonOutcome& outcome)
+      : RunError(message), trouble(outcome.trouble), iterationsAreUsedUp(outcome.iterationsAreUsedUp) {}
+  std::string trouble;       ///< Newton's
+  bool iterationsAreUsedUp;  ///< more of them might find it
 };
 
 /// Newton's method with what it needs around it: parts that nothing holds stay in place, loads on them are refused.
@@ -24,7 +27,10 @@ class Equilibrium {
   /// From a completed list; `solver`: for messages.
   Equilibrium(const Teuchos::ParameterList& parameters, std::string solver);
 
-  using Fields = Newton::Fields;
+  struct Fields : Newton::Fields {
+    FieldHandle firstDisplacement = writes(pd::fields::pointVector(
+        "First_Loaded_Displacement", "m", "In the first equilibrium under loads: what bears them yields beside it."));
+  };
 
   /// Finds what holds which part of the body. Collective.
   void findSupports(Simulation& simulation);
@@ -47,8 +53,9 @@ class Equilibrium {
   void requireHeldLoads(Simulation& simulation, double t);
   /// Whether the last equilibrium carries next to nothing of the largest load or reaction so far.
   bool carriesNothing() const { return carried_ < 1e-3 * largestScale_; }
-  /// How many times as far the loads had moved in the last equilibrium as in the first, per newton; 0: there are none.
-  double yielded() const { return firstCompliance_ > 0.0 ? compliance_ / firstCompliance_ : 0.0; }
+  /// After a search at time t that has failed: how many times as far as in the first equilibrium that of the loads had
+  /// moved, per newton, in the one before which has moved most; 0: there are none. Collective.
+  double yielded(Simulation& simulation, double t) const;
   /// From the undeformed body, loads and prescribed displacements of time t. Throws NoEquilibrium where there is none.
   void findFromRest(Simulation& simulation, double t);
   /// From the present displacements; with a window perhaps around the tip alone. Throws NoEquilibrium where there is
@@ -68,10 +75,13 @@ class Equilibrium {
 
  private:
   void solve(Simulation& simulation, double t);
-  /// Of loads or reactions, N; writes workOfReactions_ and the compliances.
+  /// Of loads or reactions, N; writes workOfReactions_.
   double carriedForce(Simulation& simulation);
+  /// For the first equilibrium under loads: remembers it.
+  void noteFirstLoads(Model& model, double t);
   bool wholeIsDue() const;
 
+  Fields fields_;
   std::string solver_;
   Newton newton_;
   HeldInPlace held_;
@@ -84,8 +94,8 @@ class Equilibrium {
   double carried_ = 0.0;                 ///< N, norm of loads or reactions of the last equilibrium of the whole body
   double carriedBefore_ = 0.0;           ///< N, of the one before; 0: none
   double workOfReactions_ = 0.0;         ///< J, the energy of a body without other loads
-  double compliance_ = 0.0;              ///< m/N, of the loads, in the last equilibrium of the whole body
-  double firstCompliance_ = 0.0;         ///< m/N, in the first under loads; 0: none
+  bool hasBeenLoaded_ = false;
+  double firstLoadedAt_ = 0.0;  ///< cycles: of the first equilibrium under loads
   long long nSolutions_ = 0;
   double largestResidual_ = 0.0;  ///< relative
 };

@@ -174,11 +174,13 @@ bool Fatigue::findEquilibrium(Simulation& simulation, double t, bool fromRest) {
   try {
     fromRest ? equilibrium_.findFromRest(simulation, t) : equilibrium_.find(simulation, t);
   } catch (const NoEquilibrium& error) {
-    if (!hasStarted_ || equilibrium_.yielded() < mostYielded) throw;
+    if (!hasStarted_ || error.iterationsAreUsedUp) throw;
+    const double yielded = equilibrium_.yielded(simulation, t);
+    if (yielded < mostYielded) throw;
     reasonToStop_ = fmt::format(
-        "the body has come apart after {:.6g} cycles: its loads moved {:.3g} times as far as at first before, and now "
-        "there is no equilibrium",
-        t, equilibrium_.yielded());
+        "the body has come apart after {:.6g} cycles: a load moved {:.3g} times as far as at first before, and now "
+        "there is no equilibrium: {}",
+        t, yielded, error.trouble);
     Model& model = simulation.model;
     std::copy_n(model.fieldAtN("Displacement"), 3LL * model.nPoints(), model.field("Displacement"));
     model.updateCoordinates();
