@@ -105,6 +105,22 @@ class HardFlows(SceneTest):
             np.testing.assert_allclose(under, velocity, atol=1e-14 * 2e5 * 0.1 / 0.02)
             np.testing.assert_allclose((higher - 2e5)[fluid == 1.0], pressure[fluid == 1.0], atol=1e-8)
 
+    def test_a_slow_flow_under_a_high_pressure_is_found_by_a_loose_tolerance(self):
+        # Around a block, and slower by far than what is taken for rounding of such a pressure, 1e-6 p h/mu.
+        self.write((0.0, 0.0), (2.0, 1.0), 0.1, (0.37, 0.81))
+        for solver in SOLVERS:
+            velocities = []
+            for pressure, tolerance in ((0.0, 1e-8), (1e6, 1e-4)):
+                deck = self.channel(0.1, "0.01*4*y*(1 - y)", viscosity=1e-3,
+                                    solver={"Linear Solver": solver, "Relative Tolerance": tolerance})
+                conditions = deck["Boundary Conditions"]
+                conditions["Outlet"]["Pressure"] = pressure
+                conditions["Block Node Set"] = {"Expression": "abs(x - 0.7) < 0.15 && y < 0.5"}
+                conditions["Block"] = {"Type": "Prescribed Velocity", "Node Set": "Block Node Set"}
+                velocities.append(self.solve(deck).field("Velocity"))
+            free, under = velocities
+            np.testing.assert_allclose(under, free, atol=1e-4 * np.max(np.abs(free)), err_msg=solver)
+
     def test_flows_begin_with_those_of_the_load_step_before(self):
         # As a lid that is faster than any fluid speeds up: a factor or two do for all.
         deck = self.cavity(16, 0.02, solver={"Load Steps": 4, "Linear Solver": "Direct"})

@@ -254,7 +254,13 @@ bool SteadyFlow::isStokesFlowFound(const Communicator& comm, double normBefore) 
 }
 
 /// What velocities and their changes are measured by, m/s: a fluid that comes to rest has no speed of its own.
-double SteadyFlow::scaleOfSpeed() const { return std::max(equations_->scaleOfSpeed(), restingPart * fastest_); }
+/// Of what is slower than rounding of its pressures no less than what that leaves, whatever the tolerance: a slow flow
+/// under a high pressure is asked for the tolerance of its own speed.
+double SteadyFlow::scaleOfSpeed() const {
+  const double speed = equations_->largestSpeed(), resting = restingSpeed();
+  const double ofBoundaries = std::max(speed, equations_->rows().jumps.largestVelocity);
+  return speed < resting ? std::max(ofBoundaries, leastRestTolerance / tolerance_ * resting) : ofBoundaries;
+}
 
 /// Velocities below it are rounding, m/s.
 double SteadyFlow::restingSpeed() const { return std::max(equations_->speedOfRounding(), restingPart * fastest_); }
@@ -324,8 +330,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     if (!isStokes && relativeChange > tolerance_) changePerResidual_ = std::max(changePerResidual_, changed / norm);
     // A fluid at rest has residuals of rounding alone, which no step lessens.
     const double speedNow = equations_->largestSpeed();
-    const double enough = speedNow < restingSpeed() ? std::max(tolerance_, leastRestTolerance) : tolerance_;
-    const bool isAtRest = !isStokes && changed <= enough * largest && largest > speedNow;
+    const bool isAtRest = !isStokes && changed <= tolerance_ * largest && largest > speedNow;
     if (isAtRest || (hasWholeStep && relativeChange <= tolerance_)) break;
     isStokes = isStokes && !isStokesFlowFound(model.comm(), norm);
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
