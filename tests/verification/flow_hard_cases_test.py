@@ -128,6 +128,22 @@ class HardFlows(SceneTest):
         said = self.solve(deck).report["solver"][0]
         self.assertLess(int(said.split(" factors")[0].split()[-1]), 5, said)
 
+    def test_a_flow_that_little_drives_any_more_is_that_of_its_boundaries(self):
+        # From the old flow GMRES led to one of 2.5 m/s, which leaves and enters by the outlet. A checkpoint knows, too.
+        points = self.write((0.0, 0.0), (2.0, 1.0), 0.1, (0.37, 0.81))
+        for left in (0.0, 0.01):
+            for solver in SOLVERS:
+                deck = self.channel(0.1, f"4*y*(1 - y)*(t < 0.6 ? 1 : {left})", viscosity=0.02,
+                                    solver={"Load Steps": 2, "Linear Solver": solver})
+                deck["Output2"] = {"Output Filename": "early", "Final Output Step": 1, "Checkpoint Frequency": 1,
+                                   "Output Variables": ["Velocity"]}
+                result = self.solve(deck)
+                inside = result.field("Fluid") == 1.0
+                velocity, y = result.field("Velocity"), points[inside, 1]
+                np.testing.assert_allclose(velocity[inside, 0], left * 4 * y * (1 - y), atol=1e-9)
+                again = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+                np.testing.assert_array_equal(again.field("Velocity"), velocity)
+
     def test_reynolds_numbers_without_a_steady_flow_end_the_run(self):
         for solver in SOLVERS:
             deck = self.cavity(12, viscosity=1e-6, solver={"Linear Solver": solver, "Maximum Solver Iterations": 12})

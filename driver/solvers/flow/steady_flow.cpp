@@ -28,6 +28,9 @@ constexpr double restingPart = 1e-12;
 /// Of what velocities of a fluid at rest are measured by (FlowEquations::speedOfRounding): rounding of its pressures
 /// changes them by some 3e-10 of that with every step, on 5 points across as on 40.
 constexpr double leastRestTolerance = 1e-8;
+/// From a flow that was driven by more than this many times as much Newton's method does not start: it may end at one
+/// that nothing drives, as from an outlet back into it.
+constexpr double mostFall = 10.0;
 /// With a factor of the very matrix.
 constexpr double newFactorTolerance = 1e-6;
 /// Iterations of GMRES after which a new factor is cheaper.
@@ -298,8 +301,8 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     const Timers::Scope timer(model.timers(), "flow operators");
     equations_->setTime(t + dt);
   }
-  const double speed = equations_->largestSpeed();
-  bool isStokes = speed == 0.0 || speed < restingSpeed(), hasWholeStep = false;
+  const double speed = equations_->largestSpeed(), drive = equations_->drive();
+  bool isStokes = speed == 0.0 || speed < restingSpeed() || drive_ > mostFall * drive, hasWholeStep = false;
   isStokes ? equations_->comeToRest() : equations_->followOutflows(pressureBefore);
   if (hasFactor_) {
     const Timers::Scope timer(model.timers(), "flow factor");
@@ -336,6 +339,7 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
   }
   takeUpSpeed();
+  drive_ = drive;
   requireNoNetFlow(equations_->largestNetFlow(),
                    fmt::format("Steady Flow: load step {} (t = {:.6g} s)", nLoadSteps_, t + dt),
                    "the fluid is incompressible");
