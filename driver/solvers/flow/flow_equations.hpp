@@ -37,7 +37,7 @@ class FlowEquations {
   /// From the fields Velocity and Pressure, ghosts included, and the pockets' lambda. [unknowns]
   std::vector<double> residual(bool hasConvection) const;
   /// What drives a flow, m/s: the norm of the residual of a fluid at rest, by velocities of walls and inlets, forces,
-  /// and differences of outflows' pressures. Collective.
+  /// and differences of outflows' pressures. A weight counts where pressures would balance it, too. Collective.
   double drive() const;
   /// Of the residual by the unknowns.
   SparseRows matrix(bool hasConvection) const;
