@@ -31,6 +31,7 @@ class Diffusion : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
+  void checkpointWritten() override { integrator_->checkpointWritten(); }
   void setRestartState(const RestartState& state) override { integrator_->setRestartState(state.part(method_)); }
   void modelHasChanged() override { integrator_->modelHasChanged(); }
 

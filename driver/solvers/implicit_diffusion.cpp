@@ -223,11 +223,11 @@ void ImplicitDiffusion::advance(Simulation& simulation, double t, double dt) {
   ++nLoadSteps_;
   simulation.conditions.applyPrescribedValue(field_, t + dt);
   model.importGhosts(field_);
+  holdsLimits_ = false;
+  nHolds_ = 0;
   findHeldPoints(simulation);
   const bool isCarried = rateIsAsymmetric(model, field_);
   bool matrixIsNew = false;
-  holdsLimits_ = false;
-  nHolds_ = 0;
   double before = std::numeric_limits<double>::infinity(), part = 1.0;
   for (int iteration = 0;; ++iteration) {
     const Balance balance = evaluate(simulation, dt);

@@ -44,6 +44,8 @@ class ImplicitDiffusion : public Solver {
   }
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
+  /// A matrix of values that the checkpoint has no more leads to others in the last digits.
+  void checkpointWritten() override { hasMatrix_ = false; }
   RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
   void setRestartState(const RestartState& state) override {
     nLoadSteps_ = static_cast<long long>(state["load steps"]);

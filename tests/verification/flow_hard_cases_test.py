@@ -105,12 +105,44 @@ class HardFlows(SceneTest):
             np.testing.assert_allclose(under, velocity, atol=1e-14 * 2e5 * 0.1 / 0.02)
             np.testing.assert_allclose((higher - 2e5)[fluid == 1.0], pressure[fluid == 1.0], atol=1e-8)
 
+    def test_a_slow_flow_under_a_high_pressure_is_found_by_a_loose_tolerance(self):
+        # Around a block, and slower by far than what is taken for rounding of such a pressure, 1e-6 p h/mu.
+        self.write((0.0, 0.0), (2.0, 1.0), 0.1, (0.37, 0.81))
+        for solver in SOLVERS:
+            velocities = []
+            for pressure, tolerance in ((0.0, 1e-8), (1e6, 1e-4)):
+                deck = self.channel(0.1, "0.01*4*y*(1 - y)", viscosity=1e-3,
+                                    solver={"Linear Solver": solver, "Relative Tolerance": tolerance})
+                conditions = deck["Boundary Conditions"]
+                conditions["Outlet"]["Pressure"] = pressure
+                conditions["Block Node Set"] = {"Expression": "abs(x - 0.7) < 0.15 && y < 0.5"}
+                conditions["Block"] = {"Type": "Prescribed Velocity", "Node Set": "Block Node Set"}
+                velocities.append(self.solve(deck).field("Velocity"))
+            free, under = velocities
+            np.testing.assert_allclose(under, free, atol=1e-4 * np.max(np.abs(free)), err_msg=solver)
+
     def test_flows_begin_with_those_of_the_load_step_before(self):
         # As a lid that is faster than any fluid speeds up: a factor or two do for all.
         deck = self.cavity(16, 0.02, solver={"Load Steps": 4, "Linear Solver": "Direct"})
         deck["Boundary Conditions"]["Lid"]["Velocity"] = ["t", 0.0]
         said = self.solve(deck).report["solver"][0]
         self.assertLess(int(said.split(" factors")[0].split()[-1]), 5, said)
+
+    def test_a_flow_that_little_drives_any_more_is_that_of_its_boundaries(self):
+        # From the old flow GMRES led to one of 2.5 m/s, which leaves and enters by the outlet. A checkpoint knows, too.
+        points = self.write((0.0, 0.0), (2.0, 1.0), 0.1, (0.37, 0.81))
+        for left in (0.0, 0.01):
+            for solver in SOLVERS:
+                deck = self.channel(0.1, f"4*y*(1 - y)*(t < 0.6 ? 1 : {left})", viscosity=0.02,
+                                    solver={"Load Steps": 2, "Linear Solver": solver})
+                deck["Output2"] = {"Output Filename": "early", "Final Output Step": 1, "Checkpoint Frequency": 1,
+                                   "Output Variables": ["Velocity"]}
+                result = self.solve(deck)
+                inside = result.field("Fluid") == 1.0
+                velocity, y = result.field("Velocity"), points[inside, 1]
+                np.testing.assert_allclose(velocity[inside, 0], left * 4 * y * (1 - y), atol=1e-9)
+                again = self.solve(deck, arguments=["--restart", "early.checkpoint.h5"])
+                np.testing.assert_array_equal(again.field("Velocity"), velocity)
 
     def test_reynolds_numbers_without_a_steady_flow_end_the_run(self):
         for solver in SOLVERS:

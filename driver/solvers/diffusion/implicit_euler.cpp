@@ -44,6 +44,7 @@ class ImplicitEuler : public RateIntegrator {
   RestartState restartState() const override {
     return {{"step of the matrix", stage_.matrixStep()}, {"steps", static_cast<double>(nSteps_)}};
   }
+  void checkpointWritten() override { stage_.forgetMatrix(); }
   void setRestartState(const RestartState& state) override {
     stage_.setMatrixStep(state["step of the matrix"]);
     nSteps_ = static_cast<long long>(state["steps"]);

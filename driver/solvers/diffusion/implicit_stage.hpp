@@ -32,10 +32,11 @@ class ImplicitStage {
   void smooth(std::vector<double>& values);
 
   std::string summary() const;
-  // The h of the matrix: a restart must make the same matrix again, to the last bit (it does where the tangent of the
-  // flux does not depend on the values of the field).
+  // The h of the matrix: after a checkpoint, where a matrix of earlier values is forgotten, a run and its restart must
+  // make the same one again, to the last bit.
   double matrixStep() const { return matrixStep_; }
   void setMatrixStep(double h) { matrixStep_ = h; }
+  void forgetMatrix() { hasMatrix_ = false; }
 
  private:
   void assemble(Simulation& simulation, const std::string& field, double h);

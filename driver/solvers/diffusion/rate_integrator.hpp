@@ -34,6 +34,8 @@ class RateIntegrator {
   /// of a multi-step method) belong in fields.
   virtual RestartState restartState() const { return {}; }
   virtual void setRestartState(const RestartState& /*state*/) {}
+  /// As Solver::checkpointWritten().
+  virtual void checkpointWritten() {}
   /// After setRestartState(), as Solver::modelHasChanged().
   virtual void modelHasChanged() {}
 };

@@ -21,6 +21,7 @@ class TrBdf2 : public RateIntegrator {
   void advance(Simulation& simulation, const std::string& field, double t, double dt) override;
   std::vector<std::string> summary() const override;
   RestartState restartState() const override;
+  void checkpointWritten() override { stage_.forgetMatrix(); }
   void setRestartState(const RestartState& state) override;
 
  private:

@@ -129,15 +129,52 @@ void FlowEquations::addConvection(std::size_t row, const std::vector<double>& st
   }
 }
 
-std::vector<double> FlowEquations::residual(bool hasConvection) const {
+/// Velocities and pressures of the fields, ghosts included, as flow_products want them.
+std::vector<double> FlowEquations::presentState() const {
   const double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
-  const double ofMomentum = unit_ * unit_ / viscosity_;
-  std::vector<double> result(nOfPoints() + ownPockets_.size(), 0.0);
   std::vector<double> state(flow_products::width * static_cast<std::size_t>(model_.nPoints()));
   for (std::size_t point = 0; point < static_cast<std::size_t>(model_.nPoints()); ++point) {
     std::copy_n(velocity + 3 * point, 3, &state[flow_products::width * point]);
     state[flow_products::width * point + 3] = pressure[point];
   }
+  return state;
+}
+
+/// All of the residuals of a point but convection and lambda.
+void FlowEquations::addStokes(std::size_t row, const std::vector<double>& state, double* own) const {
+  const double ofMomentum = unit_ * unit_ / viscosity_;
+  const int point = geometry_.fluid()[row];
+  for (std::size_t a = 0; a < n_; ++a)
+    own[a] += (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a] -
+               force_[3 * index(point) + a]) *
+              ofMomentum;
+  own[n_] = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
+  addLinear(row, state, own);
+}
+
+double FlowEquations::drive() const {
+  std::vector<double> state = presentState();
+  const std::vector<double> outside = outflowPressures(model_.field("Pressure"));
+  for (const int point : geometry_.fluid()) {
+    double* values = &state[flow_products::width * index(point)];
+    std::fill_n(values, 3, 0.0);
+    values[3] = outside[static_cast<std::size_t>(pockets_.pocketOf[index(point)])];
+  }
+  model_.exchange().import(state.data(), static_cast<int>(flow_products::width), std::nullopt);
+  double square = 0.0;
+  for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
+    std::array<double, 4> own{};
+    addStokes(row, state, own.data());
+    for (const double value : own) square += value * value;
+  }
+  return std::sqrt(model_.comm().sum(square));
+}
+
+std::vector<double> FlowEquations::residual(bool hasConvection) const {
+  const double *velocity = model_.field("Velocity"), *pressure = model_.field("Pressure");
+  const double ofMomentum = unit_ * unit_ / viscosity_;
+  std::vector<double> result(nOfPoints() + ownPockets_.size(), 0.0);
+  const std::vector<double> state = presentState();
   for (std::size_t row = 0; row < geometry_.fluid().size(); ++row) {
     const int point = geometry_.fluid()[row];
     double* own = &result[place(row, 0)];
@@ -147,12 +184,7 @@ std::vector<double> FlowEquations::residual(bool hasConvection) const {
         for (std::size_t b = 0; b < n_; ++b)
           own[a] += density_ * velocity[3 * index(point) + b] * gradient[3 * a + b] * ofMomentum;
     }
-    for (std::size_t a = 0; a < n_; ++a)
-      own[a] += (rows_.pressureGradient.constants[row][a] - viscosity_ * rows_.viscous.constants[row][3 * a] -
-                 force_[3 * index(point) + a]) *
-                ofMomentum;
-    own[n_] = (rows_.divergence.constants[row][0] - tau_[row] * rows_.smoothing.constants[row][0]) * unit_;
-    addLinear(row, state, own);
+    addStokes(row, state, own);
     const auto pocket = static_cast<std::size_t>(pockets_.pocketOf[index(point)]);
     if (pocketColumn_[pocket] >= 0) own[n_] += lambda_[pocket];
   }

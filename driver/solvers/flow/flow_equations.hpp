@@ -36,6 +36,9 @@ class FlowEquations {
   void setTime(double t);
   /// From the fields Velocity and Pressure, ghosts included, and the pockets' lambda. [unknowns]
   std::vector<double> residual(bool hasConvection) const;
+  /// What drives a flow, m/s: the norm of the residual of a fluid at rest, by velocities of walls and inlets, forces,
+  /// and differences of outflows' pressures. A weight counts where pressures would balance it, too. Collective.
+  double drive() const;
   /// Of the residual by the unknowns.
   SparseRows matrix(bool hasConvection) const;
   /// The same of some rows of fluid points of this rank, in their order, and of their own unknowns alone.
@@ -97,6 +100,8 @@ class FlowEquations {
   void addMomentumEntries(std::size_t row, std::size_t a, bool hasConvection,
                           std::vector<std::pair<long long, double>>& entries) const;
   std::array<double, 9> gradientAt(std::size_t row) const;
+  std::vector<double> presentState() const;
+  void addStokes(std::size_t row, const std::vector<double>& state, double* own) const;
   void addLinear(std::size_t row, const std::vector<double>& state, double* own) const;
   std::vector<double> ofPockets(const double* x) const;
   std::vector<double> outflowPressures(const double* pressure) const;

@@ -28,6 +28,9 @@ constexpr double restingPart = 1e-12;
 /// Of what velocities of a fluid at rest are measured by (FlowEquations::speedOfRounding): rounding of its pressures
 /// changes them by some 3e-10 of that with every step, on 5 points across as on 40.
 constexpr double leastRestTolerance = 1e-8;
+/// From a flow that was driven by more than this many times as much Newton's method does not start: it may end at one
+/// that nothing drives, as from an outlet back into it.
+constexpr double mostFall = 10.0;
 /// With a factor of the very matrix.
 constexpr double newFactorTolerance = 1e-6;
 /// Iterations of GMRES after which a new factor is cheaper.
@@ -254,7 +257,13 @@ bool SteadyFlow::isStokesFlowFound(const Communicator& comm, double normBefore) 
 }
 
 /// What velocities and their changes are measured by, m/s: a fluid that comes to rest has no speed of its own.
-double SteadyFlow::scaleOfSpeed() const { return std::max(equations_->scaleOfSpeed(), restingPart * fastest_); }
+/// Of what is slower than rounding of its pressures no less than what that leaves, whatever the tolerance: a slow flow
+/// under a high pressure is asked for the tolerance of its own speed.
+double SteadyFlow::scaleOfSpeed() const {
+  const double speed = equations_->largestSpeed(), resting = restingSpeed();
+  const double ofBoundaries = std::max(speed, equations_->rows().jumps.largestVelocity);
+  return speed < resting ? std::max(ofBoundaries, leastRestTolerance / tolerance_ * resting) : ofBoundaries;
+}
 
 /// Velocities below it are rounding, m/s.
 double SteadyFlow::restingSpeed() const { return std::max(equations_->speedOfRounding(), restingPart * fastest_); }
@@ -292,8 +301,8 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     const Timers::Scope timer(model.timers(), "flow operators");
     equations_->setTime(t + dt);
   }
-  const double speed = equations_->largestSpeed();
-  bool isStokes = speed == 0.0 || speed < restingSpeed(), hasWholeStep = false;
+  const double speed = equations_->largestSpeed(), drive = equations_->drive();
+  bool isStokes = speed == 0.0 || speed < restingSpeed() || drive_ > mostFall * drive, hasWholeStep = false;
   isStokes ? equations_->comeToRest() : equations_->followOutflows(pressureBefore);
   if (hasFactor_) {
     const Timers::Scope timer(model.timers(), "flow factor");
@@ -324,13 +333,13 @@ void SteadyFlow::advance(Simulation& simulation, double t, double dt) {
     if (!isStokes && relativeChange > tolerance_) changePerResidual_ = std::max(changePerResidual_, changed / norm);
     // A fluid at rest has residuals of rounding alone, which no step lessens.
     const double speedNow = equations_->largestSpeed();
-    const double enough = speedNow < restingSpeed() ? std::max(tolerance_, leastRestTolerance) : tolerance_;
-    const bool isAtRest = !isStokes && changed <= enough * largest && largest > speedNow;
+    const bool isAtRest = !isStokes && changed <= tolerance_ * largest && largest > speedNow;
     if (isAtRest || (hasWholeStep && relativeChange <= tolerance_)) break;
     isStokes = isStokes && !isStokesFlowFound(model.comm(), norm);
     if (iteration == maximumIterations_) giveUp(t + dt, iteration, relativeChange, "no steady flow");
   }
   takeUpSpeed();
+  drive_ = drive;
   requireNoNetFlow(equations_->largestNetFlow(),
                    fmt::format("Steady Flow: load step {} (t = {:.6g} s)", nLoadSteps_, t + dt),
                    "the fluid is incompressible");

@@ -18,9 +18,9 @@ namespace pd {
 
 /// At the end of each load step velocity and pressure satisfy the steady equations (flow_equations.hpp) with the
 /// velocities of walls and inlets at that time, by Newton's method for both together. The first step from rest is
-/// Stokes flow; later load steps start from the last flow. Linear systems are solved by GMRES without their matrix,
-/// with the factor of an earlier one (FlowFactor) until that takes many iterations. Where metal dissolves, operators
-/// are made anew beside it alone.
+/// Stokes flow; later load steps start from the last flow, unless little of what drove it is left. Linear systems are
+/// solved by GMRES without their matrix, with the factor of an earlier one (FlowFactor) until that takes many
+/// iterations. Where metal dissolves, operators are made anew beside it alone.
 class SteadyFlow : public Solver {
  public:
   struct Fields : FieldTable {
@@ -46,9 +46,12 @@ class SteadyFlow : public Solver {
   void advance(Simulation& simulation, double t, double dt) override;
   std::vector<std::string> summary() const override;
   void checkpointWritten() override { mustRenew_ = true; }
-  RestartState restartState() const override { return {{"load steps", static_cast<double>(nLoadSteps_)}}; }
+  RestartState restartState() const override {
+    return {{"load steps", static_cast<double>(nLoadSteps_)}, {"drive", drive_}};
+  }
   void setRestartState(const RestartState& state) override {
     nLoadSteps_ = static_cast<long long>(state["load steps"]);
+    drive_ = state["drive"];
   }
 
  private:
@@ -87,6 +90,7 @@ class SteadyFlow : public Solver {
   std::unique_ptr<BondFlows> flows_;  ///< where a material asks for them
   std::size_t nComponents_ = 0;
   double fastest_ = 0.0;            ///< scale of speed of all flows so far, m/s
+  double drive_ = 0.0;              ///< FlowEquations::drive() of the last flow, m/s
   double changePerResidual_ = 0.0;  ///< the largest so far, of the largest velocity of a change and the norm
   long long nLoadSteps_ = 0, nNewtonSteps_ = 0, nFactors_ = 0, nLinearIterations_ = 0, nUnknowns_ = 0;
   double largestResidual_ = 0.0, largestFactor_ = 0.0, cellReynolds_ = 0.0, leakage_ = 0.0, divergence_ = 0.0;
