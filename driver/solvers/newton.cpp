@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 namespace pd {
 
@@ -79,21 +78,14 @@ Newton::Balance Newton::evaluate(Simulation& simulation, double dt, const std::v
   residual_.resize(isHeld_.size());
   // Squares by component: sums that do not wait for each other.
   std::array<double, 3> unbalanced{}, external{}, reaction{};
-  const auto balance = [&](auto hasLoad) {
-    for (std::size_t i = 0; i < isHeld_.size(); i += 3)
-      for (std::size_t d = 0; d < 3; ++d) {
-        const double internal = force[i + d] * volume[i / 3];
-        const bool isHeld = isHeld_[i + d] != 0;
-        double load = 0.0;
-        if constexpr (decltype(hasLoad)::value) {
-          load = externalForce[i + d] * volume[i / 3];
-          external[d] += isHeld ? 0.0 : load * load;
-        }
-        residual_[i + d] = isHeld ? 0.0 : internal + load;
-        reaction[d] += isHeld && isPrescribed[i + d] != 0 ? internal * internal : 0.0;
-      }
-  };
-  simulation.conditions.hasExternalForce() ? balance(std::true_type()) : balance(std::false_type());
+  for (std::size_t i = 0; i < isHeld_.size(); i += 3)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double load = externalForce[i + d] * volume[i / 3], internal = force[i + d] * volume[i / 3];
+      const bool isHeld = isHeld_[i + d] != 0;
+      residual_[i + d] = isHeld ? 0.0 : internal + load;
+      external[d] += isHeld ? 0.0 : load * load;
+      reaction[d] += isHeld && isPrescribed[i + d] != 0 ? internal * internal : 0.0;
+    }
   leaveOutSlack(externalForce);
   for (std::size_t i = 0; i < residual_.size(); i += 3)
     for (std::size_t d = 0; d < 3; ++d) unbalanced[d] += residual_[i + d] * residual_[i + d];

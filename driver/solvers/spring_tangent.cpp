@@ -396,7 +396,7 @@ LinearSolveReport SpringTangent::solve(const double* b, double* x, double tolera
     return conjugateGradients(
         model_.comm(), model_.nOwned(), stiffness,
         [&](PointVector<double>& r, PointVector<double>& z) { levels_.apply(r, z); }, right_, solution_, tolerance,
-        maximumIterations, searchVectors_);
+        maximumIterations);
   };
   ConjugateGradientsResult result = search();
   // Where something hardly hangs together, rounding may be more than what resists.

@@ -97,7 +97,6 @@ class SpringTangent {
   double expectedRest_ = std::numeric_limits<double>::max();
   double freshRate_ = 0.0;  ///< decades of the residual an iteration when it was new
   PointVector<double> right_, solution_, full_, change_;
-  ConjugateGradientsVectors searchVectors_;
   PointVector<float> single_, singleImage_;
   /// What force() found last, and the points whose bonds have changed since.
   PointVector<double> knownDisplacement_, knownImage_, knownResponses_;

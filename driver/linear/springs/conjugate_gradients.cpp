@@ -1,6 +1,5 @@
 #include "conjugate_gradients.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pd {
@@ -16,9 +15,6 @@ class Vectors {
   Vectors(const Communicator& comm, int nOwned) : comm_(comm), n_(nOwned) {}
 
   double dot(const PointVector<double>& a, const PointVector<double>& b) const { return comm_.sum(pd::dot(a, b, n_)); }
-  void copy(const PointVector<double>& from, PointVector<double>& to) const {
-    for (int c = 0; c < to.nComponents(); ++c) std::copy_n(from[c], n_, to[c]);
-  }
   /// y = factor y + share x
   void combine(PointVector<double>& y, double factor, const PointVector<double>& x, double share) const {
     for (int c = 0; c < y.nComponents(); ++c) {
@@ -37,8 +33,7 @@ class Vectors {
 
 ConjugateGradientsResult conjugateGradients(const Communicator& comm, int nOwned, const PointMap& product,
                                             const PointMap& precondition, const PointVector<double>& b,
-                                            PointVector<double>& x, double tolerance, int maximumIterations,
-                                            ConjugateGradientsVectors& vectors) {
+                                            PointVector<double>& x, double tolerance, int maximumIterations) {
   const Vectors v(comm, nOwned);
   ConjugateGradientsResult result;
   const double normOfB = std::sqrt(v.dot(b, b));
@@ -47,11 +42,7 @@ ConjugateGradientsResult conjugateGradients(const Communicator& comm, int nOwned
     result.relativeResidual = 0.0;
     return result;
   }
-  PointVector<double>&r = vectors.rest, &z = vectors.preconditioned, &direction = vectors.direction,
-  &image = vectors.image;
-  r = b;
-  if (z.nPoints() != b.nPoints() || z.nComponents() != b.nComponents())
-    z = direction = image = PointVector<double>(b.nPoints(), b.nComponents());
+  PointVector<double> r = b, z = b, direction(b.nPoints(), b.nComponents()), image = direction;
   const auto trueResidual = [&] {
     product(x, image);
     r = b;
@@ -64,10 +55,7 @@ ConjugateGradientsResult conjugateGradients(const Communicator& comm, int nOwned
     double curvature = 0.0, residual = std::sqrt(v.dot(r, r)) / normOfB;
     for (bool isFirst = true; residual > tolerance && result.iterations < maximumIterations; isFirst = false) {
       precondition(r, z);
-      if (isFirst)
-        v.copy(z, direction);
-      else
-        v.combine(direction, -v.dot(z, image) / curvature, z, 1.0);
+      v.combine(direction, isFirst ? 0.0 : -v.dot(z, image) / curvature, z, 1.0);
       product(direction, image);
       curvature = v.dot(direction, image);
       const double gain = v.dot(direction, r);

@@ -18,17 +18,11 @@ struct ConjugateGradientsResult {
 /// Writes the second from the first; may change ghosts and images of the first.
 using PointMap = std::function<void(PointVector<double>&, PointVector<double>&)>;
 
-/// What conjugate gradients work with: kept by who solves again and again.
-struct ConjugateGradientsVectors {
-  PointVector<double> rest, preconditioned, direction, image;
-};
-
 /// Solves A x = b over the first nOwned points of every rank, from x = 0. Flexible (the preconditioner need be
 /// symmetric and constant only nearly: Y. Notay, SIAM J. Sci. Comput. 22 (2000) 1444). Collective.
 ConjugateGradientsResult conjugateGradients(const Communicator& comm, int nOwned, const PointMap& product,
                                             const PointMap& precondition, const PointVector<double>& b,
-                                            PointVector<double>& x, double tolerance, int maximumIterations,
-                                            ConjugateGradientsVectors& vectors);
+                                            PointVector<double>& x, double tolerance, int maximumIterations);
 
 }  // namespace pd
 
