@@ -278,19 +278,21 @@ void CorrosionDissolution::forSolid(const Cache& cache, Visit visit) {
   }
 }
 
+/// At each point of metal, over its bonds that dissolve; `values` null: of their weights.
+void CorrosionDissolution::sumOverDissolvingBonds(const Cache& cache, const double* values, double* sum) {
+  forSolid(cache, [&](int i) { sum[i] = 0.0; });
+  kernels::addWeightedSum(cache.neighborhood, cache.dissolution, cache.phases.fromSolid(), cache.phases.solidChunks(),
+                          nullptr, values, sum);
+}
+
 /// Where phases bear different shares of a film, it decides which of them a front leaves behind. A point has the mean
 /// of its dissolving bonds.
 void CorrosionDissolution::takeUpFilms(Cache& cache, const Views& views) const {
   const kernels::PhaseBonds& phases = cache.phases;
   const PhaseGeometry bonds = geometry(views, phases.steppedDamage());
-  const auto addSum = [&](const double* values, double* sum) {
-    forSolid(cache, [&](int i) { sum[i] = 0.0; });
-    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
-                            values, sum);
-  };
   for (const int j : phases.sources()) cache.current[0][j] = views.film[j];
-  addSum(nullptr, cache.weightSum[0]);
-  addSum(cache.current[0], cache.currentSum[0]);
+  sumOverDissolvingBonds(cache, nullptr, cache.weightSum[0]);
+  sumOverDissolvingBonds(cache, cache.current[0], cache.currentSum[0]);
   forSolid(cache, [&](int i) {
     PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
     if (!surface.phases.empty() && cache.weightSum[0][i] != 0.0)
@@ -307,18 +309,14 @@ void CorrosionDissolution::findDissolutionCorrections(double dt, Cache& cache, c
     const PhaseGeometry::Surface& surface = cache.surface[static_cast<std::size_t>(i)];
     views.dissolutionCorrection[i] = surface.correctionAfter(0.0);
     isBent = isBent || surface.spread != 0.0;
-    cache.weightSum[0][i] = 0.0;
   });
   if (!isBent || dt == 0.0) return;
-  kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
-                          nullptr, cache.weightSum[0]);
+  sumOverDissolvingBonds(cache, nullptr, cache.weightSum[0]);
   for (std::size_t p = 0; p < phases_.count(); ++p) {
-    forSolid(cache, [&](int i) { cache.currentSum[0][i] = 0.0; });
     for (const int j : phases.sources())
       cache.current[0][j] = (1.0 - views.salt[j]) * views.open(j, phases_[p]) *
                             phases_[p].currentDensity.at(views.concentration[j]).current;
-    kernels::addWeightedSum(cache.neighborhood, cache.dissolution, phases.fromSolid(), phases.solidChunks(), nullptr,
-                            cache.current[0], cache.currentSum[0]);
+    sumOverDissolvingBonds(cache, cache.current[0], cache.currentSum[0]);
     const double perCurrent = 1.0 / (chargeNumber_ * faraday * phases_[p].solidConcentration);
     forSolid(cache, [&](int i) {
       if (cache.weightSum[0][i] == 0.0 || (!cache.isOfPhase.empty() && cache.isOfPhase[p][0][i] == 0.0)) return;

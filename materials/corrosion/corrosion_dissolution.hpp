@@ -126,6 +126,7 @@ class CorrosionDissolution : public PeridigmNS::Material, public FieldUser, publ
   void findSurfaces(Cache& cache, const Views& views) const;
   template <class Visit>
   static void forSolid(const Cache& cache, Visit visit);
+  static void sumOverDissolvingBonds(const Cache& cache, const double* values, double* sum);
   void takeUpFilms(Cache& cache, const Views& views) const;
   void findDissolutionCorrections(double dt, Cache& cache, const Views& views) const;
   void findAreas(Cache& cache, const Views& views) const;

@@ -86,7 +86,7 @@ double SolidPhases::fastestUnder(double filmCoverage) const {
 }
 
 /// Current density at saturation that a film leaves, over that of the fastest phase.
-double SolidPhases::paceUnder(double filmCoverage, std::size_t phase) const {
+double SolidPhases::paceUnder(std::size_t phase, double filmCoverage) const {
   const double film = filmsDiffer_ ? filmCoverage : 0.0;  // one that slows all alike changes no pace
   const double fastest = fastestUnder(film);
   constexpr double least = 1e-6;  // where nothing else is left to give, the slowest gives
@@ -96,11 +96,11 @@ double SolidPhases::paceUnder(double filmCoverage, std::size_t phase) const {
 double SolidPhases::pace(std::size_t phase, double filmCoverage) const {
   constexpr double nextToNothing = 1e-2;  // of bare metal: what takes such a flux was dissolved under less of a film
   const bool isLeft = filmsDiffer_ && fastestUnder(filmCoverage) > nextToNothing * fastestUnder(0.0);
-  return paceUnder(isLeft ? filmCoverage : 0.0, phase);
+  return paceUnder(phase, isLeft ? filmCoverage : 0.0);
 }
 
 double SolidPhases::keepsUp(std::size_t first, std::size_t second, double filmCoverage) const {
-  const double paces = paceUnder(filmCoverage, second) / paceUnder(filmCoverage, first);
+  const double paces = paceUnder(second, filmCoverage) / paceUnder(first, filmCoverage);
   return std::min(1.0, paces * phases_[first].solidConcentration / phases_[second].solidConcentration);
 }
 

@@ -41,7 +41,7 @@ class SolidPhases {
   bool filmsDiffer() const { return filmsDiffer_; }
 
  private:
-  double paceUnder(double filmCoverage, std::size_t phase) const;
+  double paceUnder(std::size_t phase, double filmCoverage) const;
   double fastestUnder(double filmCoverage) const;
 
   bool filmsDiffer_ = false;

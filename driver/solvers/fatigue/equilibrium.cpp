@@ -181,10 +181,9 @@ void Equilibrium::solve(Simulation& simulation, double t) {
   if (!outcome.hasConverged)
     throw NoEquilibrium(
         fmt::format("{} ({:.6g} cycles): no equilibrium: {}. Unbalanced force, relative to {:.4g} N of reactions or "
-                    "loads: {:.2g}. "
-                    "Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or "
-                    "Preconditioner; loose ends "
-                    "and fibres on the lips of a crack, which buckle, are no trouble to Kinematics: Small Strain",
+                    "loads: {:.2g}. Allow more iterations (Maximum Solver Iterations), or try another Linear Solver or "
+                    "Preconditioner; loose ends and fibres on the lips of a crack, which buckle, are no trouble to "
+                    "Kinematics: Small Strain",
                     solver_, t, outcome.trouble, outcome.scale, residual),
         outcome);
   largestScale_ = std::max(largestScale_, outcome.scale);
